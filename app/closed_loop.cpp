@@ -162,7 +162,7 @@ class ClosedLoop {
     timing.levels = in_microseconds(controller_.level_times());
     evaluator_.add(plant_.truth(), controller_.record());
     const TickRecord& record = controller_.record();
-    events_.add(timing.time, record.plan, record.state);
+    events_.add(timing.time, record.plan.events);
     troubles_.add(timing.time, record);
     evaluator_.add(timing);
     if (options_.steering != nullptr) {

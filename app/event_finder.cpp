@@ -56,8 +56,7 @@ std::string text_event(double time, std::string_view kind, std::string_view text
 }
 
 EventFinder::EventFinder(const ViewChannels& channels, std::vector<std::string> bodies)
-    : event_(offset_of(channels, "plan.event")),
-      mode_(offset_of(channels, "command.mode")),
+    : mode_(offset_of(channels, "command.mode")),
       cause_(offset_of(channels, "command.cause")),
       then_{offset_of(channels, "command.fault"), offset_of(channels, "command.joint")},
       force_(offset_of(channels, "truth.xfrc_applied")),
@@ -69,32 +68,16 @@ EventFinder::EventFinder(const ViewChannels& channels, std::vector<std::string> 
     const std::string group = "health." + std::string(logged::kCauseNames[cause]);
     faults_[cause] = {offset_of(channels, group + ".fault"), offset_of(channels, group + ".joint")};
   }
-  for (const Leg leg : kLegs) {
-    const std::string name(kLegNames[index(leg)]);
-    phases_[index(leg)] = offset_of(channels, "plan.feet." + name + ".phase");
-    slips_[index(leg)] = offset_of(channels, "state.slips." + name);
-  }
-}
-
-LegsAtTick EventFinder::legs(const std::vector<float>& floats) const {
-  LegsAtTick legs;
-  for (std::size_t k = 0; k < kNumLegs; ++k) {
-    legs.phases[k] = static_cast<LegPhase>(std::max(floats[phases_[k]], 0.0F));
-    legs.slips[k] = floats[slips_[k]] > 0.0F;
-  }
-  return legs;
 }
 
 const std::vector<FoundEvent>& EventFinder::see(const ViewFrame& frame) {
   events_.clear();
   const std::vector<float>& now = frame.floats;
   const bool has_last = last_.size() == now.size();
-  if (now[event_] != 0.0F) {
-    const auto event = static_cast<PlanEvent>(now[event_]);
-    const std::optional<Leg> leg = has_last ? leg_of(event, legs(last_), legs(now)) : std::nullopt;
+  for (const FrameEvent& event : frame.events) {
     JsonText json(events_.emplace_back().text);
-    json.array().value(frame.time).value(static_cast<int>(event));
-    leg ? json.value(kLegNames[index(*leg)]) : json.null();
+    json.array().value(frame.time).value(event.kind);
+    event.leg ? json.value(kLegNames[index(*event.leg)]) : json.null();
     json.end_array();
   }
   if (has_last && now[mode_] != last_[mode_]) {

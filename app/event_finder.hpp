@@ -1,7 +1,6 @@
 #pragma once
 
 #include "app/scenario_forces.hpp"
-#include "surefoot/evaluation/event_counter.hpp"
 #include "surefoot/logging/applied_force.hpp"
 #include "surefoot/logging/json_text.hpp"
 #include "surefoot/logging/message_fields.hpp"
@@ -61,12 +60,10 @@ class EventFinder {
 
   [[nodiscard]] std::string why_stopped(const std::vector<float>& floats) const;
   void see_forces(const ViewFrame& frame);
-  [[nodiscard]] LegsAtTick legs(const std::vector<float>& floats) const;
 
-  std::size_t event_, mode_, cause_;  // offsets of channels
+  std::size_t mode_, cause_;  // offsets of channels
   std::array<FaultOffsets, logged::kCauseNames.size()> faults_{};
-  FaultOffsets then_;  // of the command: what was wrong when it stopped
-  PerLeg<std::size_t> phases_{}, slips_{};
+  FaultOffsets then_;               // of the command: what was wrong when it stopped
   std::vector<float> last_;         // floats of the frame before
   std::vector<FoundEvent> events_;  // of the frame
   std::size_t force_, force_size_, rotation_;

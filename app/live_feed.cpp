@@ -5,9 +5,9 @@
 #include "app/view_tasks.hpp"
 #include "surefoot/base/build_info.hpp"
 #include "surefoot/base/error.hpp"
+#include "surefoot/gaits/parts/calibration_motion.hpp"
 #include "surefoot/logging/json_text.hpp"
 #include "surefoot/logging/logged_timing.hpp"
-#include "surefoot/planning/calibration_motion.hpp"
 #include "surefoot/view/web_answer.hpp"
 #include "surefoot/view/web_guard.hpp"
 

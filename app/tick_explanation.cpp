@@ -6,7 +6,6 @@
 #include "app/stop_text.hpp"
 #include "surefoot/base/error.hpp"
 #include "surefoot/base/formatted.hpp"
-#include "surefoot/evaluation/event_counter.hpp"
 #include "surefoot/evaluation/truth_fields.hpp"
 #include "surefoot/logging/log_reader.hpp"
 #include "surefoot/logging/logged_timing.hpp"
@@ -153,14 +152,17 @@ class Search {
   TickExplanation run() {
     scenario_.emplace(body_names(log_.header()));
     log_.skip_until(time_ - back_);
-    std::optional<Before> before;
+    std::optional<CommandMode> mode_before;
     bool has_ended = false;
     while (!(has_ended = !log_.next(tick_)) &&
            (tick_.reading.time <= time_ + kEventWindow || is_in_blend_)) {
       see_blend();
       if (tick_.reading.time > time_ + kEventWindow) continue;
-      if (before && log_.follows() && is_near(tick_.reading.time)) add_events(*before);
-      before = {.legs = legs_of(tick_.plan, tick_.state), .mode = tick_.command.mode};
+      if (is_near(tick_.reading.time)) {
+        add_plan_events();
+        if (mode_before && log_.follows()) add_mode(*mode_before);
+      }
+      mode_before = tick_.command.mode;
       if (std::isnan(first_)) first_ = tick_.reading.time;
       last_ = tick_.reading.time;
       yaw_ = roll_pitch_yaw(tick_.state.q_WB.toRotationMatrix()).z();
@@ -198,12 +200,6 @@ class Search {
   }
 
  private:
-  /// What is known of the tick before.
-  struct Before {
-    LegsAtTick legs;
-    CommandMode mode;
-  };
-
   [[nodiscard]] bool is_nearest() const {
     return std::isnan(nearest_) ||
            std::abs(tick_.reading.time - time_) <= std::abs(nearest_ - time_);
@@ -225,9 +221,8 @@ class Search {
     is_in_blend_ = is_in_blend_ && goes_on;
   }
 
-  void add_events(const Before& before) {
-    add_plan_event(before.legs);
-    const std::string mode = mode_text(before.mode, tick_);
+  void add_mode(CommandMode before) {
+    const std::string mode = mode_text(before, tick_);
     if (!mode.empty()) found_.events.push_back({tick_.reading.time, mode, "", "controller"});
   }
 
@@ -237,15 +232,14 @@ class Search {
     if (!text.empty() && is_near(last_)) insert({last_, text, "", "run"});
   }
 
-  void add_plan_event(const LegsAtTick& before) {
-    const auto event = static_cast<std::size_t>(tick_.plan.event);
+  void add_plan_events() {
     const auto& names = log_.header().event_names;
-    if (event == 0) return;
-    const std::optional<Leg> leg =
-        leg_of(static_cast<PlanEvent>(event), before, legs_of(tick_.plan, tick_.state));
-    found_.events.push_back({tick_.reading.time,
-                             event < names.size() ? names[event] : "event " + std::to_string(event),
-                             leg ? std::string(kLegNames[index(*leg)]) : ""});
+    for (const GaitEvent& event : tick_.plan.events) {
+      const auto kind = static_cast<std::size_t>(event.kind);
+      found_.events.push_back({tick_.reading.time,
+                               kind < names.size() ? names[kind] : "event " + std::to_string(kind),
+                               event.leg ? std::string(kLegNames[index(*event.leg)]) : ""});
+    }
   }
 
   /// Stands before the tick that has it first.

@@ -90,6 +90,9 @@ void to_frame(const KnownTick& tick, const ViewChannels& channels, ViewFrame& fr
   if (tick.truth != nullptr && tick.start != nullptr)
     writer.add(aligned(*tick.start, *tick.truth, tick.record.state));
   add_rows(tick.hierarchy, channels, frame);
+  frame.events.clear();
+  for (const GaitEvent& event : tick.record.plan.events)
+    frame.events.push_back({.kind = static_cast<int>(event.kind), .leg = event.leg});
 }
 
 }  // namespace surefoot

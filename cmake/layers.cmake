@@ -12,7 +12,7 @@ set(third_party_runtime Threads::Threads)
 set(third_party_view $<BUILD_INTERFACE:nlohmann_json::nlohmann_json> $<BUILD_INTERFACE:surefoot_boost> Threads::Threads)
 
 function(surefoot_folder folder allowed)
-  file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/surefoot/${folder}/*.cpp)
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/surefoot/${folder}/*.cpp)
   set(visibility PUBLIC)
   if(sources)
     add_library(surefoot_${folder} STATIC ${sources})

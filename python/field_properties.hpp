@@ -5,10 +5,13 @@
 
 #include <nanobind/nanobind.h>
 #include <nanobind/ndarray.h>
+#include <nanobind/stl/optional.h>
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/string_view.h>
+#include <nanobind/stl/vector.h>
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -75,6 +78,28 @@ class FieldProperties {
       valid += (valid.empty() ? "" : ", ") + std::string(text);
     }
     type_.def_prop_ro(name, get, (doc + (doc.empty() ? "" : ": ") + valid).c_str());
+  }
+
+  void add(const char* name, Place<PlanEvent> place, const std::string& doc) {
+    const auto get = [place](Self self) { return static_cast<int>(place.in(self)); };
+    type_.def_prop_ro(name, get, doc.c_str());
+  }
+
+  void add(const char* name, Place<std::optional<Leg>> place, const std::string& doc) {
+    const auto get = [place](Self self) -> std::optional<std::string_view> {
+      const std::optional<Leg> leg = place.in(self);
+      if (!leg) return {};
+      return kLegNames[index(*leg)];
+    };
+    type_.def_prop_ro(name, get, doc.c_str());
+  }
+
+  void add(const char* name, Place<EventList> place, const std::string& doc) {
+    const auto get = [place](Self self) {
+      const EventList& events = place.in(self);
+      return std::vector<GaitEvent>(events.begin(), events.end());
+    };
+    type_.def_prop_ro(name, get, doc.c_str());
   }
 
   /// A copy, because the order in memory is x, y, z, w; read-only, so that nobody writes into it.

@@ -47,11 +47,10 @@ inline void bind_signals(nb::module_& module) {
   signal<FootPlan>(module, "FootPlan", "Reference of one foot F, the centre of its sphere, in W.");
   signal<TorsoPlan>(module, "TorsoPlan", "Reference of the torso.");
   signal<ComPlan>(module, "ComPlan", "Reference of the centre of mass, x and y in W.");
-  signal<MotionPlan>(module, "MotionPlan", "Everything that the tasks follow at one tick.")
+  signal<GaitEvent>(module, "GaitEvent", "Something that happened at a tick.")
       .def_prop_ro(
-          "event_name",
-          [](const MotionPlan& self) { return name(static_cast<PlanEvent>(self.event)); },
-          "`event` in words");
+          "name", [](const GaitEvent& self) { return name(self.kind); }, "`event` in words");
+  signal<MotionPlan>(module, "MotionPlan", "Everything that the tasks follow at one tick.");
   signal<ModelRecord>(module, "ModelRecord",
                       "What the controller's model says of the robot at one tick.");
   signal<TickTiming>(module, "TickTiming", "Wall-clock time of the stages of one tick [µs].");

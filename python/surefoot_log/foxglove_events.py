@@ -4,7 +4,7 @@ import json
 
 from surefoot_log import foxglove_schemas as schemas
 from surefoot_log import foxglove_shapes as shapes
-from surefoot_log.frames import EVENT_TOPICS, event_of
+from surefoot_log.frames import events_of
 from surefoot_log.operator_text import heading_of, operator_text
 from surefoot_log.stop_text import stop_text
 
@@ -28,7 +28,7 @@ class Events:
     def __init__(self, file, header):
         self._file, self._header = file, header
         self._mode, self._is_pulled = None, False
-        self._before = {}  # messages of the tick before
+        self._state = None  # that was told last
         self._time = 0  # that was seen last [ns]
 
     def see(self, messages):
@@ -38,11 +38,11 @@ class Events:
             if message.topic == "/changes":
                 self._see_change(json.loads(bytes(message.data)))
         found = {message.topic: message for message in messages}
-        legs = {topic: found[topic].data for topic in EVENT_TOPICS & found.keys()}
-        self._tell(event_of(legs, self._header, self._before), "planner")
+        for text in events_of({topic: message.data for topic, message in found.items()}, self._header):
+            self._tell(text, "planner")
         if "/command" in found:
             self._see_command(found)
-        self._before |= legs
+        self._state = found["/state"].data if "/state" in found else self._state
 
     def end(self, summary):
         """Behind the last tick; `summary`: of the log, as JSON, or None."""
@@ -54,7 +54,7 @@ class Events:
         """Of a pull its begin and its end."""
         is_pull, pulls = change["kind"] == "pull", change["kind"] == "pull" and any(change["force"])
         if not (pulls and self._is_pulled):
-            self._tell(operator_text(change, heading_of(self._before.get("/state"))), "operator")
+            self._tell(operator_text(change, heading_of(self._state)), "operator")
         self._is_pulled = pulls if is_pull else self._is_pulled
 
     def _see_command(self, found):

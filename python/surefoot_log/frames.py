@@ -10,13 +10,10 @@ from surefoot_log.stop_text import stop_text
 
 LEGS = ("LF", "RF", "LH", "RH")
 CARRIES = ("stance", "unloading")
-EVENT_TOPICS = {"/plan", "/state"}  # what says what happened, and to which leg
+BETWEEN = "; "  # of two events at one tick
 TOPICS = {"/truth", "/plan", "/state", "/health", "/hierarchy", "/command"}
 ROUNDING = 1e-6  # a residual in every unit, of logs that don't say which people should see
 OPTIMAL, ITERATION_CAP, INVALID_INPUT = 0, 1, 2  # of /hierarchy.status
-# Of /plan.event, as signals/plan_event.hpp has them.
-LIFT_OFF, TOUCHDOWN, PROBE_SAME_GROUND, PROBE_EDGE, LATE, NO_GROUND, LOST_CONTACT, LIFT_OFF_ABORTED, COLLISION = range(1, 10)
-SLIP, PUSH_FOOT_DOWN, PUSH_RELOADED, PUSH_STEP, CAUGHT = range(11, 16)
 LOADED = 20.0  # N: what a foot that carries has at least
 LEAST_PUSH = 1e-6  # N: less is of a step that a push touches by rounding
 
@@ -107,16 +104,14 @@ class FrameMaker:
     def __init__(self, header, every=1):
         self._header, self._every, self._number, self._event = header, every, -1, ""
         self._event_time = None
-        self._before = {}  # messages of the tick before
         self.has_truth = False
 
     def frame(self, messages):
         """Of the messages of one time; None where that is none of the ticks that are shown."""
         found = {message.topic: message.data for message in messages}
-        event = event_of(found, self._header, self._before)
-        self._before |= {topic: found[topic] for topic in EVENT_TOPICS & found.keys()}
-        if event:
-            self._event, self._event_time = event, 1e-9 * messages[0].time
+        events = events_of(found, self._header)
+        if events:
+            self._event, self._event_time = BETWEEN.join(events), 1e-9 * messages[0].time
         if "/state" not in found:
             return None
         self._number += 1
@@ -129,45 +124,15 @@ class FrameMaker:
         return made
 
 
-def event_of(found, header, before):
-    """The text of an event, if a tick has one, as `explain` has it; "event" is the last member of a message on /plan. `found` and `before`: by
-    topic, the messages of this tick and the last ones before it."""
-    if "/plan" not in found or bytes(found["/plan"][-24:]).endswith(b'"event":0}'):
-        return ""
-    number = json.loads(bytes(found["/plan"]))["event"]
-    names = header["event_names"]
-    if not 0 < number < len(names):
-        return ""
-    leg = leg_of(number, legs_of(before), legs_of(found))
-    return f"{leg}: {names[number]}" if leg else names[number]
-
-
-def legs_of(found):
-    """By leg, what it does and whether its foot is believed to slide; where that is not known it carries and does not."""
-    plan, state = (json.loads(bytes(found[topic])) if topic in found else {} for topic in ("/plan", "/state"))
-    feet, slips = plan.get("feet", {}), state.get("slips", {})
-    return {leg: (feet.get(leg, {}).get("phase", CARRIES[0]), bool(slips.get(leg))) for leg in LEGS}
-
-
-def leg_of(event, before, now):
-    """The leg that an event happened to, by the rule of evaluation/event_counter.hpp. Empty: to none, or to none that stands out."""
-    stands = {leg: now[leg][0] in CARRIES for leg in LEGS}
-    carried = {leg: before[leg][0] in CARRIES for leg in LEGS}
-    changed = [leg for leg in LEGS if before[leg][0] != now[leg][0]]
-    found = []
-    if event in (LIFT_OFF, TOUCHDOWN, PUSH_STEP):
-        found = changed
-    elif event == LOST_CONTACT:
-        found = [leg for leg in LEGS if carried[leg] and not stands[leg]]
-    elif event == SLIP:
-        found = [leg for leg in LEGS if now[leg][1] and not before[leg][1]]
-        found = found if len(found) == 1 else []
-    elif event in (LIFT_OFF_ABORTED, PUSH_RELOADED):
-        found = [leg for leg in LEGS if before[leg][0] == "unloading" and stands[leg]]
-    elif event in (PROBE_SAME_GROUND, PROBE_EDGE, LATE, NO_GROUND, COLLISION, PUSH_FOOT_DOWN, CAUGHT):
-        # Of several legs in the air the one that changed its motion.
-        found = [leg for leg in changed if not carried[leg]] or [leg for leg in LEGS if not stands[leg]]
-    return next(iter(found), "")
+def events_of(found, header):
+    """The texts of a tick's events, as `explain` has them; "events" is the last member of a message on /plan. `found`: the tick's messages by
+    topic. Logs before 2.12 have one event a tick, without its leg."""
+    if "/plan" not in found or bytes(found["/plan"][-24:]).endswith((b'"events":[]}', b'"event":0}')):
+        return []
+    plan, names = json.loads(bytes(found["/plan"])), header["event_names"]
+    events = plan.get("events", [{"event": plan.get("event", 0), "leg": None}])
+    known = [event for event in events if 0 < event["event"] < len(names)]
+    return [f"{event['leg']}: {names[event['event']]}" if event["leg"] else names[event["event"]] for event in known]
 
 
 def frame_of(tick, header, event):

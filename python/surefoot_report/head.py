@@ -33,7 +33,7 @@ def listed(style, items):
 def troubles(run):
     """How often something went wrong, and when first."""
     names = run.header["event_names"]
-    found = [(names[event], run.time[run.event == event]) for event in TROUBLES if event < len(names)]
+    found = [(names[event], run.event_times.get(event, [])) for event in TROUBLES if event < len(names)]
     found.append(("tick whose command is not the hierarchy's optimum", run.time[run.mode != "optimal"]))
     return listed("troubles", [f"<b>{len(times)} ×</b> {escape(what)}{', first' if len(times) > 1 else ','} at {decimal(times[0], 4)} s"
                                for what, times in found if len(times)])  # fmt: skip

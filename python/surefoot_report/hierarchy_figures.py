@@ -138,8 +138,7 @@ def active_rows_figure(run):
 
 def event_figure(run):
     names, strips = run.header["event_names"], []
-    for event in np.unique(run.event[run.event != 0]):
-        times = run.time[run.event == event]
+    for event, times in run.event_times.items():
         name = names[event] if 0 < event < len(names) else f"event {event}"
         strips.append((f"{name} ({len(times)})", [(time, time + run.period) for time in times], []))
     return strips_figure(run, strips)

@@ -31,7 +31,7 @@ FOOT = pa.struct([("phase", TEXT), ("force_min", NUMBER), ("force_max", NUMBER)]
 SCHEMAS = {
     "/state": [("p_WB", VECTOR), ("q_WB", VECTOR), ("v_WB", VECTOR)],
     "/plan": [("feet", of_legs(FOOT)), ("torso", pa.struct([("q_WB", VECTOR), ("height", NUMBER)])), ("com", pa.struct([("p", VECTOR)])),
-              ("R_WC", MATRIX), ("calibration", TEXT), ("event", WHOLE)],
+              ("R_WC", MATRIX), ("calibration", TEXT), ("events", pa.list_(pa.struct([("event", WHOLE)]))), ("event", WHOLE)],
     "/model": [("p_WCom", VECTOR), ("p_WF", of_legs(VECTOR)), ("p_WH", of_legs(VECTOR)), ("force", of_legs(VECTOR))],
     "/hierarchy": [("status", WHOLE), ("failed_level", WHOLE), ("levels", pa.list_(pa.struct([("name", TEXT), ("residual", NUMBER)]))),
                    ("active", pa.list_(pa.struct([("level", TEXT), ("row", TEXT), ("id", WHOLE), ("state", WHOLE)]))),
@@ -146,6 +146,13 @@ def lists_of(table, path, levels, named):
     return rows
 
 
+def event_times(plan, time):
+    """By the event's number, when it happened. Logs before 2.12 have one event a tick."""
+    rows, single = lists_of(plan, "events", [], set()), np.nan_to_num(numbers(plan, "event")).astype(int)
+    ticks, events = np.concatenate([rows["tick"], np.flatnonzero(single)]), np.concatenate([rows["event"], single[single != 0]])
+    return {int(event): time[ticks[events == event].astype(int)] for event in np.unique(events)}
+
+
 def residuals(table, levels):
     """Of each tick and level; of a solve that was cut off the level that it ended in, and those behind it, have none."""
     rows, failed = lists_of(table, "levels", levels, {"name"}), numbers(table, "failed_level")
@@ -237,7 +244,8 @@ def made_run(log, tables, num_changes):
     run.phase = np.stack([codes(part_of(plan, f"feet.{leg}.phase"), PHASES, STANCE) for leg in LEGS], axis=1)
     run.contact = run.phase <= UNLOADING
     run.force_limits = np.stack([by_leg(plan, "feet", member=f".{name}") for name in ("force_min", "force_max")], axis=2)
-    run.torso_q, run.R_WC, run.event = numbers(plan, "torso.q_WB", 4), numbers(plan, "R_WC", 3, 3), np.nan_to_num(numbers(plan, "event")).astype(int)
+    run.torso_q, run.R_WC = numbers(plan, "torso.q_WB", 4), numbers(plan, "R_WC", 3, 3)
+    run.event_times = event_times(plan, run.time)
     run.calibrates = codes(part_of(plan, "calibration"), ["none", None], 2) == 2
     run.R_belief, p = laid_by_feet(run.contact, run.belief.p_WF, run.truth.p_WF)  # takes the controller's W to the true one
     desired = np.einsum("nij,nj->ni", run.R_belief, np.column_stack([numbers(plan, "com.p", 2), numbers(plan, "torso.height")])) + p

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "surefoot/gaits/planner_options.hpp"
 #include "surefoot/model/robot_model.hpp"
-#include "surefoot/planning/planner_options.hpp"
 
 #include <array>
 #include <utility>

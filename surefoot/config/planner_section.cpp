@@ -1,8 +1,8 @@
 #include "surefoot/config/planner_section.hpp"
 
 #include "surefoot/config/initial_posture.hpp"
-#include "surefoot/planning/calibration_motion.hpp"
-#include "surefoot/planning/com_planner.hpp"
+#include "surefoot/gaits/parts/calibration_motion.hpp"
+#include "surefoot/gaits/parts/com_planner.hpp"
 
 #include <algorithm>
 #include <cmath>

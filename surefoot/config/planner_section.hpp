@@ -1,7 +1,7 @@
 #pragma once
 
 #include "surefoot/config/section.hpp"
-#include "surefoot/planning/planner_options.hpp"
+#include "surefoot/gaits/planner_options.hpp"
 
 namespace surefoot {
 

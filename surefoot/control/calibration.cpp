@@ -1,6 +1,6 @@
 #include "surefoot/control/calibration.hpp"
 
-#include "surefoot/planning/calibration_motion.hpp"
+#include "surefoot/gaits/parts/calibration_motion.hpp"
 
 namespace surefoot {
 

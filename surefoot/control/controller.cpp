@@ -10,7 +10,7 @@
 #include "surefoot/control/state_estimation.hpp"
 #include "surefoot/estimation/first_readings.hpp"
 #include "surefoot/math/rotation.hpp"
-#include "surefoot/planning/planner.hpp"
+#include "surefoot/gaits/planner.hpp"
 #include "surefoot/signals/plan_event.hpp"
 
 #include <algorithm>
@@ -211,8 +211,9 @@ bool Controller::Implementation::estimate(const ReadingGuard& seen) noexcept {
 
 bool Controller::Implementation::is_on_its_feet() noexcept {
   const bool stood = memory.footing.stands();
-  record.plan.event =
-      static_cast<int>(memory.footing.update(model, record.state, memory.estimation.lift()));
+  const PlanEvent event = memory.footing.update(model, record.state, memory.estimation.lift());
+  record.plan.events = {};
+  record.plan.events.add({.kind = event});
   if (memory.footing.has_fallen()) safety.give_up(StopCause::fallen);
   return stood && memory.footing.stands();
 }
@@ -242,7 +243,7 @@ const JointCommand& Controller::Implementation::command(const Solution& solution
 /// By what the joints alone tell, if they do.
 const JointCommand& Controller::Implementation::command_without_state() noexcept {
   describe_unsolved();
-  record.plan.event = static_cast<int>(PlanEvent::none);
+  record.plan.events = {};
   if (!memory.footing.stands() && !safety.has_stopped()) keep_posture();
   const bool waits = !safety.has_begun() && !safety.has_stopped();
   if (waits || safety.is_sitting_down()) safety.bear(standing_torque(model, record.state.q));
@@ -277,7 +278,7 @@ void Controller::Implementation::keep_posture() noexcept {
 /// `solution` is null where nothing was solved.
 const JointCommand& Controller::Implementation::finish(const Solution* solution,
                                                        const HierarchyOutcome& outcome) noexcept {
-  if (has_begun_anew) record.plan.event = static_cast<int>(PlanEvent::begun_anew);
+  if (has_begun_anew) record.plan.events.add({.kind = PlanEvent::begun_anew});
   has_solved = solution != nullptr;
   if (memory.guard.is_shaken()) safety.be_careful();
   record.command = safety.command(record.state, solution, record.health);

@@ -11,8 +11,8 @@
 #include "surefoot/estimation/sensor_consistency_options.hpp"
 #include "surefoot/estimation/slip_detector.hpp"
 #include "surefoot/estimation/state_estimator.hpp"
+#include "surefoot/gaits/planner_options.hpp"
 #include "surefoot/model/description.hpp"
-#include "surefoot/planning/planner_options.hpp"
 #include "surefoot/signals/tick_record.hpp"
 #include "surefoot/solver/hierarchy.hpp"
 

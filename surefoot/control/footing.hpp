@@ -2,8 +2,8 @@
 
 #include "surefoot/control/leg_posture.hpp"
 #include "surefoot/estimation/lift_detector.hpp"
+#include "surefoot/gaits/planner_options.hpp"
 #include "surefoot/model/robot_model.hpp"
-#include "surefoot/planning/planner_options.hpp"
 #include "surefoot/signals/plan_event.hpp"
 
 namespace surefoot {

@@ -100,7 +100,8 @@ void Evaluator::add_progress(const GroundTruth& truth, const TickRecord& tick) {
 }
 
 void Evaluator::add_walk(const GroundTruth& truth, const TickRecord& tick) {
-  if (tick.plan.event == static_cast<int>(PlanEvent::no_ground)) ++metrics_.no_ground_events;
+  for (const GaitEvent& event : tick.plan.events)
+    metrics_.no_ground_events += event.kind == PlanEvent::no_ground ? 1 : 0;
   if (!tick.user.walk || tick.plan.calibration != CalibrationStage::none) return;
   if (walk_ticks_ == 0) walk_start_ = truth.p_WB;
   walk_end_ = truth.p_WB;

@@ -1,8 +1,6 @@
 #pragma once
 
-#include "surefoot/signals/motion_plan.hpp"
-#include "surefoot/signals/plan_event.hpp"
-#include "surefoot/signals/robot_state.hpp"
+#include "surefoot/signals/event_list.hpp"
 
 #include <optional>
 #include <vector>
@@ -12,23 +10,10 @@ namespace surefoot {
 /// Count of an event of one leg in a run.
 struct EventCount {
   PlanEvent event = PlanEvent::none;
-  std::optional<Leg> leg;  ///< empty: unknown
+  std::optional<Leg> leg;  ///< empty: not of one leg
   int count = 0;
   double first = 0.0;  ///< time of the first one [s]
 };
-
-/// Motion of the legs at a tick.
-struct LegsAtTick {
-  PerLeg<LegPhase> phases{};
-  PerLeg<bool> slips{};  ///< the foot is believed to slide
-};
-
-[[nodiscard]] LegsAtTick legs_of(const MotionPlan& plan, const RobotState& state);
-
-/// The leg of an event, found from the legs' motion before and at the event. Empty: none, or
-/// ambiguous.
-[[nodiscard]] std::optional<Leg> leg_of(PlanEvent event, const LegsAtTick& before,
-                                        const LegsAtTick& now);
 
 /// False for lift-off and touchdown, which every step has.
 [[nodiscard]] bool is_notable(PlanEvent event);
@@ -36,13 +21,12 @@ struct LegsAtTick {
 /// Collects a walk's notable events, tick by tick.
 class EventCounter {
  public:
-  void add(double time, const MotionPlan& plan, const RobotState& state);
+  void add(double time, const EventList& events);
 
   /// In the order of their first times.
   [[nodiscard]] const std::vector<EventCount>& counts() const { return counts_; }
 
  private:
-  LegsAtTick before_;
   std::vector<EventCount> counts_;
 };
 

@@ -20,9 +20,7 @@ std::optional<StartAlignment> start_alignment(const GroundTruth& truth, const Ro
   return StartAlignment{turn, truth.p_WB - turn * state.p_WB};
 }
 
-bool begins_anew(const TickRecord& tick) {
-  return static_cast<PlanEvent>(tick.plan.event) == PlanEvent::begun_anew;
-}
+bool begins_anew(const TickRecord& tick) { return tick.plan.events.has(PlanEvent::begun_anew); }
 
 AlignedEstimate aligned(const StartAlignment& start, const GroundTruth& truth,
                         const RobotState& state) {

@@ -14,7 +14,7 @@
 namespace surefoot {
 
 /// Version of the log's topics and fields: the major number changes if readers must change.
-inline constexpr std::string_view kLogVersion = "2.11";
+inline constexpr std::string_view kLogVersion = "2.12";
 
 /// Robot data for the report.
 struct LogRobot {

@@ -4,6 +4,7 @@
 #include "surefoot/logging/message_fields.hpp"
 
 #include <concepts>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -28,6 +29,10 @@ template <typename T>
 inline constexpr bool kIsList = false;
 template <typename T>
 inline constexpr bool kIsList<std::vector<T>> = true;
+template <>
+inline constexpr bool kIsList<EventList> = true;
+template <typename T>
+concept OptionalLeg = std::same_as<T, std::optional<Leg>>;
 
 /// The names of an enumeration's values.
 inline const auto& names(LegPhase) { return kPhaseNames; }
@@ -38,7 +43,7 @@ inline const auto& names(CalibrationStage) { return kCalibrationNames; }
 inline const auto& names(LevelStatus) { return kLevelStatusNames; }
 
 /// Writes a value as JSON: vectors as arrays, matrices row by row, quaternions as w, x, y, z,
-/// per-leg values as an object of LF, RF, LH and RH, enumerations as names.
+/// per-leg values as an object of LF, RF, LH and RH, enumerations as names, events as numbers.
 class Encoder {
  public:
   explicit Encoder(std::string& out) : json_(out) {}
@@ -51,6 +56,10 @@ class Encoder {
       json_.value(std::string_view(content));
     } else if constexpr (Name<T>) {
       json_.value(names(content)[static_cast<std::size_t>(content)]);
+    } else if constexpr (std::same_as<T, PlanEvent>) {
+      json_.value(static_cast<int>(content));
+    } else if constexpr (OptionalLeg<T>) {
+      content ? json_.value(kLegNames[index(*content)]) : json_.null();
     } else if constexpr (std::same_as<T, Quat>) {
       json_.array().value(content.w()).value(content.x()).value(content.y()).value(content.z());
       json_.end_array();
@@ -124,7 +133,7 @@ class SchemaWriter {
   void type(const T& example) {
     if constexpr (std::same_as<T, bool>) {
       json_.member("type", "boolean");
-    } else if constexpr (std::integral<T>) {
+    } else if constexpr (std::integral<T> || std::same_as<T, PlanEvent>) {
       json_.member("type", "integer");
     } else if constexpr (std::floating_point<T>) {
       json_.key("type").array().value("number").value("null").end_array();
@@ -134,6 +143,8 @@ class SchemaWriter {
       json_.member("type", "string").key("enum").array();
       for (const std::string_view name : names(example)) json_.value(name);
       json_.end_array();
+    } else if constexpr (OptionalLeg<T>) {
+      json_.key("type").array().value("string").value("null").end_array();
     } else if constexpr (std::same_as<T, Quat>) {
       array(0.0, 4);
     } else if constexpr (Matrix<T>) {

@@ -5,8 +5,10 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace surefoot::logged {
 
@@ -28,6 +30,16 @@ class Decoder {
       value(json_, content);
       next_ = json_.position();
     }
+  }
+  /// Logs before 2.12 have one event a tick, without its leg.
+  void operator()(std::string_view name, EventList& events, std::string_view) {
+    events = {};
+    const bool is_list = find(name);
+    if (!is_list && !find("event")) return;
+    std::vector<GaitEvent> read(is_list ? 0 : 1);
+    is_list ? value(json_, read) : value(json_, read.front().kind);
+    for (const GaitEvent& event : read) events.add(event);
+    next_ = json_.position();
   }
 
  private:
@@ -74,6 +86,10 @@ class Decoder {
       content = json.string();
     } else if constexpr (Name<T>) {
       content = enumerator(json.string(), content);
+    } else if constexpr (std::same_as<T, PlanEvent>) {
+      content = static_cast<PlanEvent>(integer<int>(json.number()));
+    } else if constexpr (OptionalLeg<T>) {
+      content = leg(json);
     } else if constexpr (std::same_as<T, Quat>) {
       Eigen::Vector4d wxyz;
       value(json, wxyz);
@@ -120,6 +136,17 @@ class Decoder {
       value(json, content.emplace_back());
     } while (json.accept(','));
     json.expect(']');
+  }
+
+  static std::optional<Leg> leg(JsonCursor& json) {
+    if (json.peek() == 'n') {
+      static_cast<void>(json.number());
+      return {};
+    }
+    const std::string name = json.string();
+    const auto found = std::ranges::find(kLegNames, name);
+    if (found == kLegNames.end()) throw JsonError{"unknown leg \"" + name + "\""};
+    return static_cast<Leg>(found - kLegNames.begin());
   }
 
   template <typename T>

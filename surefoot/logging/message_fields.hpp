@@ -190,6 +190,16 @@ void fields(Archive& field, T& com) {
   field("zmp", com.zmp, "zero-moment point that goes with it, in W [m]");
 }
 
+template <typename Archive, Is<GaitEvent> T>
+void fields(Archive& field, T& event) {
+  field("event", event.kind, "what happened");
+  field("leg", event.leg, "that it happened to; null: to none, or not to one");
+  field("place", event.place, "of its foot's centre, in W [m]");
+  field("force", event.force,
+        "of the ground on the foot along the terrain's normal, as estimated; of a push the outside "
+        "force along the ground [N]");
+}
+
 template <typename Archive, Is<MotionPlan> T>
 void fields(Archive& field, T& plan) {
   field("time", plan.time, "that the plan is for [s]");
@@ -204,7 +214,7 @@ void fields(Archive& field, T& plan) {
   field("calibration", plan.calibration,
         "what the robot does about itself: it turns on the spot, then weighs what it carries and "
         "where its COM is");
-  field("event", plan.event, "what the planner did at this tick, 0 nothing");
+  field("events", plan.events, "what happened at this tick, in order; since 2.12");
 }
 
 template <typename Archive, Is<ModelRecord> T>

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "surefoot/signals/event_list.hpp"
 #include "surefoot/signals/leg.hpp"
 
 namespace surefoot {
@@ -65,7 +66,7 @@ struct MotionPlan {
   Vec3 terrain_point = Vec3::Zero();
   double com_zmp_slack = 0.0;  ///< distance of the plan's ZMP outside the support polygon [m]
   CalibrationStage calibration = CalibrationStage::none;
-  int event = 0;  ///< PlanEvent of this tick, 0 none (signals/plan_event.hpp)
+  EventList events;  ///< of this tick
 
   [[nodiscard]] bool contact(Leg leg) const { return in_contact(feet[index(leg)].phase); }
   /// The feet that may carry load.

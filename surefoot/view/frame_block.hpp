@@ -1,8 +1,11 @@
 #pragma once
 
+#include "surefoot/signals/leg.hpp"
+
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -29,6 +32,12 @@ struct FrameBlocking {
   float cost = 0.0F;
 };
 
+/// What happened at a tick; pages get it as `/api/events` has it, not in blocks.
+struct FrameEvent {
+  int kind = 0;  ///< number in `header.event_names`
+  std::optional<Leg> leg;
+};
+
 /// One tick as the page gets it.
 struct ViewFrame {
   std::uint32_t tick = 0;
@@ -36,6 +45,7 @@ struct ViewFrame {
   std::vector<float> floats;
   std::vector<FrameActive> active;
   std::vector<FrameBlocking> blocking;
+  std::vector<FrameEvent> events;
 };
 
 /// The head of a block, docs/view_protocol.md.

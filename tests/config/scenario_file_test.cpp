@@ -2,7 +2,7 @@
 
 #include "surefoot/config/data_directory.hpp"
 #include "surefoot/config/data_file.hpp"
-#include "surefoot/planning/com_planner.hpp"
+#include "surefoot/gaits/parts/com_planner.hpp"
 #include "tests/config/trial_scenario.hpp"
 
 #include <cmath>

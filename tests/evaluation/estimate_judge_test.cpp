@@ -34,9 +34,9 @@ TEST(EstimateJudge, HeadingAndPositionOfTheStartAreNoError) {
 TEST(EstimateJudge, OnlyAnEventSaysThatAnEstimateBeginsAnew) {
   TickRecord tick;
   EXPECT_FALSE(begins_anew(tick));
-  tick.plan.event = static_cast<int>(PlanEvent::calibration);
+  tick.plan.events.add({.kind = PlanEvent::calibration});
   EXPECT_FALSE(begins_anew(tick));
-  tick.plan.event = static_cast<int>(PlanEvent::begun_anew);
+  tick.plan.events.add({.kind = PlanEvent::begun_anew});
   EXPECT_TRUE(begins_anew(tick));
 }
 

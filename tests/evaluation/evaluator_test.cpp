@@ -208,7 +208,8 @@ TEST(Evaluator, FeetThatAreTakenBackAreCounted) {
   HandMadeRun run;
   for (const PlanEvent event : {PlanEvent::none, PlanEvent::no_ground, PlanEvent::late,
                                 PlanEvent::touchdown, PlanEvent::no_ground}) {
-    run.tick.plan.event = static_cast<int>(event);
+    run.tick.plan.events = {};
+    run.tick.plan.events.add({.kind = event});
     run.step();
   }
   EXPECT_EQ(run.metrics().no_ground_events, 2);

@@ -4,6 +4,9 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <cmath>
+#include <optional>
+
 namespace surefoot {
 namespace {
 
@@ -129,6 +132,39 @@ TEST(Messages, MembersOfLaterVersionsArePassedOverAndMissingOnesKeepTheirValue) 
   EXPECT_EQ(user.velocity, Vec2(1.0, 2.0));
   EXPECT_EQ(user.yaw_rate, 3.0);
   EXPECT_EQ(user.height, 7.0);
+}
+
+TEST(Messages, EventsKeepTheirOrderLegPlaceAndForce) {
+  MotionPlan plan;
+  plan.events.add(
+      {.kind = PlanEvent::touchdown, .leg = Leg::RF, .place = Vec3(1.0, 2.0, 3.0), .force = 40.0});
+  plan.events.add({.kind = PlanEvent::slowed});
+  std::string text;
+  logged::encode(plan, text);
+  EXPECT_TRUE(json::parse(text).at("events").at(1).at("leg").is_null());
+  MotionPlan read;
+  read.events.add({.kind = PlanEvent::late});
+  logged::Decoder::decode(text, read);
+  ASSERT_EQ(read.events.count, 2u);
+  const GaitEvent &first = read.events.items[0], &second = read.events.items[1];
+  EXPECT_EQ(first.kind, PlanEvent::touchdown);
+  EXPECT_EQ(first.leg, Leg::RF);
+  EXPECT_EQ(first.place, Vec3(1.0, 2.0, 3.0));
+  EXPECT_EQ(first.force, 40.0);
+  EXPECT_EQ(second.kind, PlanEvent::slowed);
+  EXPECT_EQ(second.leg, std::nullopt);
+  EXPECT_TRUE(std::isnan(second.force));
+}
+
+TEST(Messages, TheOneEventOfAnOlderLogIsReadWithoutItsLeg) {
+  MotionPlan plan;
+  logged::Decoder::decode(R"({"time":1.5,"com_zmp_slack":0,"event":5})", plan);
+  ASSERT_EQ(plan.events.count, 1u);
+  EXPECT_EQ(plan.events.items[0].kind, PlanEvent::late);
+  EXPECT_EQ(plan.events.items[0].leg, std::nullopt);
+  logged::Decoder::decode(R"({"time":1.75,"com_zmp_slack":0,"event":0})", plan);
+  EXPECT_TRUE(plan.events.empty());
+  EXPECT_THROW(logged::Decoder::decode(R"({"events":[{"event":1,"leg":"XX"}]})", plan), JsonError);
 }
 
 TEST(Messages, WhatIsNotAMessageIsAnError) {

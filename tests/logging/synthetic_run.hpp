@@ -107,7 +107,7 @@ class SyntheticRun {
     MotionPlan& plan = tick.plan;
     plan.time = time_;
     for (FootPlan& foot : plan.feet) foot.friction = 0.6;
-    plan.event = 0;
+    plan.events = {};
     const double walk = std::max(0.0, time_ - 1.0);
     tick.user = {.walk = time_ >= 1.0, .velocity = Vec2(kStride / kCycle, 0.0)};
     for (const Leg leg : kLegs) {
@@ -120,7 +120,9 @@ class SyntheticRun {
       foot.phase = s < 1.0 ? LegPhase::swing : LegPhase::stance;
       const bool lowered = time_ > step_time_ && leg == Leg::RF;
       if (lowered && time_ < step_time_ + 1.2) foot.phase = LegPhase::search;
-      if (before != foot.phase) plan.event = in_contact(foot.phase) ? 2 : 1;
+      const PlanEvent event = in_contact(foot.phase) ? PlanEvent::touchdown : PlanEvent::lift_off;
+      if (before != foot.phase)
+        plan.events.add({.kind = event, .leg = leg, .place = foot.p_WF, .force = 12.5});
       const double smooth = s * s * s * (10.0 + s * (-15.0 + 6.0 * s));
       const double x =
           (is_front(leg) ? 0.38 : -0.38) + kStride * (std::max(steps, 0.0) - 1.0 + smooth);

@@ -86,7 +86,7 @@ def test_costs_that_explain_tells_are_those_that_the_solver_explains_of_that_tic
 
 
 def test_explain_shows_feet_levels_limits_and_the_events_around(log):
-    lift_off = next(plan["time"] for plan in messages(log, "/plan") if plan["event"] == 1)
+    lift_off = next(plan["time"] for plan in messages(log, "/plan") if any(event["event"] == 1 for event in plan["events"]))
     text = answer("explain", log, "--at", lift_off)
     assert re.search(r"\+0\.0000 s  \w\w: lift-off", text)
     assert re.search(r"^foot +phase +normal force", text, re.MULTILINE)

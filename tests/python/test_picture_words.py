@@ -13,8 +13,7 @@ from pictures_made import frame_at
 from surefoot_log import camera, captions, moments, overlays, strip  # isort: skip
 from surefoot_log.clip import nearest, times_of  # isort: skip
 from surefoot_log.foxglove import scene_entities  # isort: skip
-from surefoot_log import frames as frames_module  # isort: skip
-from surefoot_log.frames import LEGS, FrameMaker, Touch, add_truth, frame_of, gave_way  # isort: skip
+from surefoot_log.frames import LEGS, Touch, add_truth, events_of, frame_of, gave_way  # isort: skip
 from surefoot_log.pictures import with_lasting_words  # isort: skip
 from surefoot_log.offscreen import mujoco  # isort: skip
 
@@ -39,13 +38,6 @@ def test_an_arrow_that_would_leave_the_picture_is_cut_short_with_two_heads():
     whole, second = overlays.ground_arrows(100 * force)
     assert np.linalg.norm(whole) == pytest.approx(overlays.LONGEST) and np.cross(whole, force) == pytest.approx(np.zeros(3))
     assert np.linalg.norm(second) < np.linalg.norm(whole)
-
-
-def test_events_have_the_programs_numbers_and_those_of_a_leg_are_the_programs():
-    numbers = re.findall(r"^  (\w+) = (\d+),", (ROOT / "surefoot/signals/plan_event.hpp").read_text(), re.MULTILINE)
-    of_a_leg = set(re.findall(r"case PlanEvent::(\w+):", (ROOT / "surefoot/evaluation/event_counter.cpp").read_text()))
-    ours = {name: getattr(frames_module, name.upper()) for name, _ in numbers if hasattr(frames_module, name.upper())}
-    assert ours == {name: int(number) for name, number in numbers if name in of_a_leg}
 
 
 def test_what_is_shown_begins_before_and_ends_after_what_happened():
@@ -221,45 +213,25 @@ def test_why_the_controller_has_stopped_is_said_in_the_programs_words():
                 assert frame_of(tick, {"level_names": []}, "").stop == told
 
 
-class Walk:
-    """Ticks of a maker of frames; legs stand where nothing else is said."""
-
-    def __init__(self):
-        self._maker = FrameMaker({"event_names": [f"event {i}" for i in range(19)], "level_names": []})
-
-    def event(self, number, slips=(), **phases):
-        state = {"time": 1.0, "p_WB": [0, 0, 0.5], "q_WB": [1, 0, 0, 0], "q": [0.0] * 12, "slips": {leg: leg in slips for leg in LEGS}}
-        plan = {"feet": {leg: {"phase": phases.get(leg, "stance")} for leg in LEGS}, "event": number}
-        data = {"/state": state, "/plan": plan}
-        messages = [SimpleNamespace(topic=topic, time=10**9, data=json.dumps(one, separators=(",", ":")).encode()) for topic, one in data.items()]
-        return self._maker.frame(messages).event
+def told_of(plan):
+    data = json.dumps({"time": 1.0, **plan}, separators=(",", ":")).encode()
+    return events_of({"/plan": data}, {"event_names": [f"event {i}" for i in range(19)]})
 
 
 def test_of_an_event_it_is_told_whose_foot_it_is():
-    walk = Walk()
-    assert walk.event(0) == ""
-    assert walk.event(frames_module.LIFT_OFF, RF="swing") == "RF: event 1"
-    assert walk.event(frames_module.LATE, RF="search") == "RF: event 5"
-    assert walk.event(frames_module.PROBE_EDGE, RF="search", LH="swing") == "RF: event 4", "the first in the air where none in the air changes"
-    assert walk.event(frames_module.LATE, RF="search", LH="search") == "LH: event 5", "of two in the air the one that changed its motion"
-    assert walk.event(frames_module.TOUCHDOWN, LH="search") == "RF: event 2"
-    assert walk.event(frames_module.LOST_CONTACT, LF="search", LH="search") == "LF: event 7"
-    assert walk.event(0, RH="unloading") == ""
-    assert walk.event(frames_module.LIFT_OFF_ABORTED) == "RH: event 8"
-    assert walk.event(10) == "event 10", "of no leg"
+    assert told_of({"events": []}) == []
+    assert told_of({"events": [{"event": 1, "leg": "RF"}]}) == ["RF: event 1"]
+    assert told_of({"events": [{"event": 11, "leg": "LH"}, {"event": 11, "leg": "RF"}, {"event": 10, "leg": None}]}) == ["LH: event 11", "RF: event 11", "event 10"]
+    assert told_of({"events": [{"event": 99, "leg": "LF"}]}) == [], "of a newer program"
 
 
-def test_of_a_foot_that_slides_it_is_told_whose_it_is():
-    walk = Walk()
-    assert walk.event(0) == ""
-    assert walk.event(11, ["LF"]) == "LF: event 11"
-    assert walk.event(11, ["LF", "RH"]) == "RH: event 11"
-    assert walk.event(11, ["LH", "RF"]) == "event 11", "two at once"
+def test_logs_of_older_programs_tell_an_event_without_its_foot():
+    assert told_of({"event": 0}) == [] and told_of({"event": 5}) == ["event 5"]
 
 
 def test_what_every_step_has_is_of_no_interest_whoever_does_it():
-    assert all(moments.is_quiet(event) for event in ("", "lift-off", "LF: lift-off", "probe: same ground", "RH: probe: same ground"))
-    assert not any(moments.is_quiet(event) for event in ("LF: leg slides", "probe: edge, going beyond", "RH: probe: edge, going beyond"))
+    assert all(moments.is_quiet(event) for event in ("", "lift-off", "LF: lift-off", "probe: same ground", "RH: probe: same ground", "LF: touchdown; LH: lift-off"))
+    assert not any(moments.is_quiet(event) for event in ("LF: leg slides", "probe: edge, going beyond", "RH: probe: edge, going beyond", "LF: touchdown; RF: leg slides"))
 
 
 def test_a_push_is_one_from_more_than_rounding_on():

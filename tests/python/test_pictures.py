@@ -23,7 +23,7 @@ def test_an_event_between_two_frames_is_told_by_the_later_one(log, run):
     plans = messages(log, "/plan")
     names = run.header["event_names"]
     for i, frame in enumerate(run.frames[1:], 1):
-        between = [names[plan["event"]] for plan in plans[40 * i - 39 : 40 * i + 1] if plan["event"]]
+        between = [names[event["event"]] for plan in plans[40 * i - 39 : 40 * i + 1] for event in plan["events"]]
         assert frame.event.endswith(between[-1]) if between else frame.event == ""
     assert any(frame.event for frame in run.frames)
 

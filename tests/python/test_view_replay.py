@@ -91,8 +91,8 @@ def test_least_and_greatest_of_a_log(replay, log, stride):
 
 def test_the_events_of_a_log(replay, log):
     events = json.loads(replay.get("/api/events")[2])
-    planned = [[plan["time"], plan["event"]] for plan in logged(log, "/plan") if plan["event"] != 0]
-    assert [event[:2] for event in events if isinstance(event, list)] == planned
+    planned = [[plan["time"], event["event"], event["leg"]] for plan in logged(log, "/plan") for event in plan["events"]]
+    assert [event for event in events if isinstance(event, list)] == planned
     names = replay.session()["header"]["event_names"]
     lift = [event[2] for event in events if isinstance(event, list) and names[event[1]] == "lift-off"]
     assert lift and set(lift) <= {"LF", "RF", "LH", "RH"}

@@ -90,7 +90,7 @@ TEST(Beginning, FirstReadingsMayBeWrong) {
         changes.push_back("sensors.faults.n" + std::to_string(changes.size()) + "=" + fault);
       }
       Loop loop(scenario(name, changes, 3));
-      (void)loop.tick();  // which has no torque before it
+      loop.tick();  // which has no torque before it
       const Beginning beginning = begin(loop);
       EXPECT_EQ(loop.record().command.mode, CommandMode::optimal);
       EXPECT_LT(beginning.tilt_error, 0.03);
@@ -113,7 +113,7 @@ TEST(Beginning, TheFirstClockMayBeWrong) {
         *time += off;
       }
     });
-    (void)loop.tick();
+    loop.tick();
     const Beginning beginning = begin(loop);
     EXPECT_EQ(loop.record().command.mode, CommandMode::optimal);
     EXPECT_LT(beginning.tilt_error, 0.03);

@@ -13,11 +13,11 @@ class CertifiedWalk : public testing::TestWithParam<const char*> {};
 
 TEST_P(CertifiedWalk, HasAProvenOptimumAtEveryTick) {
   test::Loop loop(test::scenario(GetParam(), {"planner.calibration.duration=0"}, 4));
-  (void)loop.tick();
+  loop.tick();
   LexicographicSolver solver(loop.hierarchy());
   int num_active = 0;
   for (int tick = 1; tick < 2400; ++tick) {
-    (void)loop.tick();
+    loop.tick();
     const Solution& solution = solver.solve(loop.hierarchy());
     ASSERT_EQ(solution.status, SolveStatus::optimal) << "tick " << tick;
     ASSERT_EQ(verdict(certify(loop.hierarchy(), solution.x)), Verdict::proven) << "tick " << tick;

@@ -23,7 +23,7 @@ std::vector<JointVector> torques(const std::vector<std::string>& changes) {
   loop.run_until(kSwitch - 1e-6);
   std::vector<JointVector> commands{loop.record().command.torque};
   while (loop.truth().time < kSwitch + kWatched) {
-    (void)loop.tick();
+    loop.tick();
     commands.push_back(loop.record().command.torque);
     EXPECT_EQ(loop.record().command.mode, CommandMode::optimal);
   }
@@ -112,7 +112,7 @@ Outcome run(const Absence& absence, const std::string& switches) {
   Outcome outcome;
   JointVector last = JointVector::Constant(kNaN);
   while (loop.truth().time < 8.0) {
-    (void)loop.tick();
+    loop.tick();
     const TickRecord& record = loop.record();
     const double step = (record.command.torque - last).cwiseAbs().maxCoeff();
     last = record.command.torque;

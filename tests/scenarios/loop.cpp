@@ -20,7 +20,7 @@ Loop::Loop(const Scenario& scenario)
                   make_estimator(scenario.estimation, {scenario.robot, scenario.controller.period,
                                                        plant_, scenario.estimator})) {}
 
-PlanEvent Loop::tick() {
+void Loop::tick() {
   SensorReading reading = plant_.read();
   const UserCommand& user = scenario_.user(reading.time);
   change_(reading);
@@ -30,13 +30,11 @@ PlanEvent Loop::tick() {
   allocations_ += made;
   if (made > 0) last_allocation_ = reading.time;
   plant_.write(command);
-  const auto event = static_cast<PlanEvent>(controller_.record().plan.event);
-  if (event != PlanEvent::none) events_.push_back(event);
-  return event;
+  for (const GaitEvent& event : controller_.record().plan.events) events_.push_back(event.kind);
 }
 
 void Loop::run_until(double time, const std::function<bool()>& stop) {
-  while (plant_.time() < time && !stop()) (void)tick();
+  while (plant_.time() < time && !stop()) tick();
 }
 
 int Loop::count(PlanEvent event) const {

@@ -24,8 +24,8 @@ class Loop {
 
   /// From now on the controller is given what this makes of a reading.
   void change_readings(std::function<void(SensorReading&)> change) { change_ = std::move(change); }
-  /// One tick; returns its event.
-  PlanEvent tick();
+  /// One tick.
+  void tick();
   /// Until the time, or until `stop` says so.
   void run_until(double time, const std::function<bool()>& stop = [] { return false; });
 

@@ -113,8 +113,8 @@ TEST(SensorConsistencyInWalks, ChangesNoTorqueWhileSensorsAreHonest) {
     Loop with(scenario(name, {quick}, 3));
     Loop without(scenario(name, {quick, "guard.consistency.enabled=false"}, 3));
     for (int i = 0; i < 2400; ++i) {
-      (void)with.tick();
-      (void)without.tick();
+      with.tick();
+      without.tick();
       ASSERT_EQ(with.record().command.torque, without.record().command.torque) << i;
     }
     EXPECT_EQ(with.record().command.cause, StopCause::none);

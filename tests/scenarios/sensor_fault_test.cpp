@@ -91,7 +91,7 @@ Course follow(const Fault& fault, double fault_duration, double end,
   JointVector before = JointVector::Zero();
   bool catches_up = false;
   for (double time = 0.0; time < end; time = loop.record().reading.time) {
-    (void)loop.tick();
+    loop.tick();
     const TickRecord& record = loop.record();
     const JointVector& torque = record.command.torque;
     EXPECT_TRUE(torque.allFinite());

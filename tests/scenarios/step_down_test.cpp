@@ -22,7 +22,7 @@ TEST(StepDown, FourteenCentimetresThatNobodyKnewOfAreWalkedDown) {
 
 TEST(StepDown, NothingIsAllocatedWhileAFootProbesSearchesAndTheGaitWaits) {
   Loop loop(scenario("step_down", {}));
-  (void)loop.tick();
+  loop.tick();
   const std::size_t first = loop.allocations();
   loop.run_until(30.0, [&] { return loop.count(PlanEvent::probe_edge) == 2; });
   EXPECT_EQ(loop.allocations(), first) << "the last at " << loop.last_allocation() << " s";

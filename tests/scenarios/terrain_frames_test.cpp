@@ -21,10 +21,10 @@ class TerrainFrames : public testing::TestWithParam<Walk> {};
 TEST_P(TerrainFrames, DoNotJumpAtATouchdown) {
   const Walk& walk = GetParam();
   test::Loop loop(test::scenario(walk.scenario, {"planner.calibration.duration=0"}));
-  (void)loop.tick();
+  loop.tick();
   MotionPlan before = loop.record().plan;
   while (loop.record().state.time < walk.until) {
-    (void)loop.tick();
+    loop.tick();
     const MotionPlan& now = loop.record().plan;
     const double time = loop.record().state.time;
     ASSERT_LE(Quat(now.R_WC).angularDistance(Quat(before.R_WC)), 0.0015) << time;

@@ -47,7 +47,7 @@ TEST(Walk, CommandsMayChangeAtAnyTime) {
 
 TEST(Walk, NothingIsAllocatedAfterTheFirstTick) {
   Loop loop(scenario("walk_flat", {"planner.calibration.duration=0"}));
-  (void)loop.tick();
+  loop.tick();
   const std::size_t first = loop.allocations();
   loop.run_until(6.0);
   EXPECT_EQ(loop.allocations(), first) << "the last at " << loop.last_allocation() << " s";
@@ -68,7 +68,7 @@ TEST(Walk, KnowsItsCenterOfMassBetterWhereItWeighsItsLegsInTheAir) {
     Vec2 sum = Vec2::Zero();
     int count = 0;
     while (loop.truth().time < 20.0) {
-      (void)loop.tick();
+      loop.tick();
       Vec3 believed = loop.record().model.p_WCom, truth = loop.truth().p_WCom;
       for (const Leg leg : kLegs) {
         believed -= loop.record().model.p_WF[index(leg)] / kNumLegs;
@@ -115,7 +115,7 @@ TEST(Walk, BeginsItsEstimateAnewWhenItIsAskedTo) {
   asked.commands.back().time = 9.0;
   asked.commands.back().user.calibrate = true;
   Loop loop(asked);
-  (void)loop.tick();
+  loop.tick();
   const std::size_t first = loop.allocations();
   RobotState before;
   loop.run_until(20.0, [&] {
@@ -126,7 +126,7 @@ TEST(Walk, BeginsItsEstimateAnewWhenItIsAskedTo) {
   const int steps = loop.steps_taken();
   ASSERT_GE(steps, 1);
   JointVector torque = loop.record().command.torque;
-  (void)loop.tick();
+  loop.tick();
   const RobotState& now = loop.record().state;
   EXPECT_LT((now.p_WB - before.p_WB).norm(), 1e-3);
   EXPECT_LT(box_minus(now.q_WB, before.q_WB).norm(), 0.01);
@@ -134,7 +134,7 @@ TEST(Walk, BeginsItsEstimateAnewWhenItIsAskedTo) {
   while (loop.truth().time < 22.0) {
     greatest = std::max(greatest, (loop.record().command.torque - torque).cwiseAbs().maxCoeff());
     torque = loop.record().command.torque;
-    (void)loop.tick();
+    loop.tick();
   }
   EXPECT_LT(greatest, 8.0) << "N·m within a tick: as at a touchdown";
   EXPECT_GE(loop.steps_taken(), steps + 2) << "and walks on";
@@ -193,7 +193,7 @@ std::vector<JointVector> torques(std::uint64_t seed) {
   Loop loop(scenario("walk_flat_sea", {}, seed));
   std::vector<JointVector> commands;
   for (int tick = 0; tick < 1200; ++tick) {
-    (void)loop.tick();
+    loop.tick();
     commands.push_back(loop.record().command.torque);
   }
   EXPECT_GE(loop.steps_taken(), 2);

@@ -1,9 +1,9 @@
 #pragma once
 
+#include "surefoot/gaits/parts/calibration_motion.hpp"
 #include "surefoot/math/rotation.hpp"
 #include "surefoot/model/angular_momentum.hpp"
 #include "surefoot/model/robot_model.hpp"
-#include "surefoot/planning/calibration_motion.hpp"
 #include "tests/support/anymal_b.hpp"
 
 #include <Eigen/QR>

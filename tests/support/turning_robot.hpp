@@ -1,7 +1,7 @@
 #pragma once
 
+#include "surefoot/gaits/parts/calibration_motion.hpp"
 #include "surefoot/model/body_tree.hpp"
-#include "surefoot/planning/calibration_motion.hpp"
 #include "surefoot/signals/kinematic_errors.hpp"
 #include "surefoot/signals/sensor_reading.hpp"
 

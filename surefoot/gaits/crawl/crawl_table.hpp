@@ -1,0 +1,77 @@
+#pragma once
+
+#include <array>
+#include <string_view>
+
+namespace surefoot {
+
+/// What the crawl is doing.
+enum class CrawlState {
+  stand,   ///< another gait has the legs
+  shift,   ///< all feet stand, the COM goes to where the next leg can lift off
+  unload,  ///< the next leg carries less and less
+  swing,   ///< it is in the air
+};
+
+/// What takes the crawl from one state to another.
+enum class CrawlCause {
+  walks,
+  stops,
+  another_goes_first,
+  goes_on,
+  unloads,
+  reloads,
+  lifts_off,
+  goes_on_swinging,
+  lands,
+  steps_to_recover,
+};
+
+struct CrawlTransition {
+  CrawlState from;
+  CrawlCause cause;
+  CrawlState to;
+  std::string_view why;
+};
+
+/// Every way from state to state: the crawl changes its state by this table only.
+inline constexpr std::array kCrawlTable{
+    CrawlTransition{CrawlState::stand, CrawlCause::walks, CrawlState::shift,
+                    "commanded to walk, all feet down"},
+    CrawlTransition{CrawlState::stand, CrawlCause::steps_to_recover, CrawlState::swing,
+                    "pushed out of balance, steps to recover"},
+    CrawlTransition{CrawlState::shift, CrawlCause::stops, CrawlState::stand,
+                    "no longer commanded to walk"},
+    CrawlTransition{CrawlState::shift, CrawlCause::another_goes_first, CrawlState::shift,
+                    "support too thin for the next swing, another leg first"},
+    CrawlTransition{CrawlState::shift, CrawlCause::goes_on, CrawlState::shift,
+                    "at rest again after a push or slip"},
+    CrawlTransition{CrawlState::shift, CrawlCause::unloads, CrawlState::unload,
+                    "lift-off is near, all feet down"},
+    CrawlTransition{CrawlState::shift, CrawlCause::steps_to_recover, CrawlState::swing,
+                    "pushed out of balance, steps to recover"},
+    CrawlTransition{CrawlState::unload, CrawlCause::reloads, CrawlState::shift,
+                    "lift-off aborted, or a push, a slip or a lost foot"},
+    CrawlTransition{CrawlState::unload, CrawlCause::lifts_off, CrawlState::swing,
+                    "leg unloaded, balanced without it"},
+    CrawlTransition{CrawlState::unload, CrawlCause::steps_to_recover, CrawlState::swing,
+                    "pushed out of balance, steps to recover"},
+    CrawlTransition{CrawlState::swing, CrawlCause::goes_on_swinging, CrawlState::swing,
+                    "probe, collision, caught, no ground, foot down at once"},
+    CrawlTransition{CrawlState::swing, CrawlCause::lands, CrawlState::shift, "touchdown"},
+};
+
+[[nodiscard]] constexpr std::string_view name(CrawlState state) {
+  constexpr std::array<std::string_view, 4> kNames{"stand", "shift", "unload", "swing"};
+  return kNames[static_cast<std::size_t>(state)];
+}
+
+/// Null where the table has no such way.
+[[nodiscard]] constexpr const CrawlTransition* find_transition(CrawlState from, CrawlCause cause) {
+  for (const CrawlTransition& way : kCrawlTable) {
+    if (way.from == from && way.cause == cause) return &way;
+  }
+  return nullptr;
+}
+
+}  // namespace surefoot

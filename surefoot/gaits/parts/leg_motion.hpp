@@ -1,0 +1,102 @@
+#pragma once
+
+#include "surefoot/gaits/parts/impact_detector.hpp"
+#include "surefoot/gaits/parts/search_pace.hpp"
+#include "surefoot/gaits/parts/swing_curve.hpp"
+#include "surefoot/gaits/planner_options.hpp"
+#include "surefoot/signals/motion_plan.hpp"
+
+#include <limits>
+
+namespace surefoot {
+
+/// What a leg notices at a tick.
+enum class LegEvent { none, touchdown, caught, unreachable, lost, flew };
+
+/// A leg as it is believed to be, in W.
+struct LegObservation {
+  Motion<Vec3> hip, foot;         ///< accelerations are not used
+  Vec3 force;                     ///< estimated, of the ground on the foot [N]
+  Vec3 normal;                    ///< of the terrain
+  double force_per_torque = 0.0;  ///< error of the normal force by one of the joint torques [1/m]
+};
+
+/// Phase, reference and force limits of one leg, and the tests that end its phases.
+class LegMotion {
+ public:
+  LegMotion(const SwingOptions& swing, const TouchdownOptions& touchdown, const ForceOptions& force,
+            double period, const ReflexOptions& reflex = {})
+      : swing_(swing),
+        touchdown_(touchdown),
+        force_(force),
+        reflex_(reflex),
+        period_(period),
+        impact_(touchdown, period) {}
+
+  /// Stands at p from `time` on; `loaded` from long before (no ramp).
+  void plant(double time, const Vec3& p_WF, bool loaded = false);
+  /// Ramps f_max down to reach 0 at `lift_off_time`.
+  void unload(double lift_off_time);
+  /// Takes the lift-off back: ramps up again.
+  void reload(double time);
+  /// Leaves the ground.
+  void lift(double time, const SwingTarget& target);
+  /// Goes straight down along −normal, from p and v on: a lost stance foot, or a swing to be ended
+  /// at once.
+  void search(double time, const Vec3& p_WF, const Vec3& v_WF, const Vec3& normal);
+
+  /// Looks at the leg as it is.
+  [[nodiscard]] LegEvent observe(double time, const LegObservation& seen);
+
+  /// Without the friction.
+  [[nodiscard]] FootPlan plan(double time) const;
+  [[nodiscard]] LegPhase phase() const { return phase_; }
+  [[nodiscard]] bool down() const { return in_contact(phase_); }
+  [[nodiscard]] const Vec3& foothold() const { return foothold_; }
+  /// Time since the touchdown (or lift-off) that began the phase [s].
+  [[nodiscard]] double since(double time) const { return time - begin_; }
+  [[nodiscard]] const SwingTarget& target() const { return curve_.target(); }
+  /// Is the foot's estimated normal force small enough to lift it?
+  [[nodiscard]] bool unloaded() const { return normal_force_ < touchdown_.lift_off_force; }
+
+ private:
+  [[nodiscard]] LegEvent observe_stance(double time, const LegObservation& seen);
+  /// Is a foot that was put down at once, or that searched from where it was, in the air again: it
+  /// rebounded, or there was no ground?
+  [[nodiscard]] bool flies(double time, const LegObservation& seen) const;
+  [[nodiscard]] LegEvent observe_swing(double time, const LegObservation& seen);
+  /// How little the torques say of a force, by the leg's posture: a factor from 1 on.
+  [[nodiscard]] double doubt() const;
+  [[nodiscard]] bool is_caught(double time, const LegObservation& seen);
+  /// Unit vector of where the foot is asked to go, without its way down; 0 if nowhere.
+  [[nodiscard]] Vec3 way(const Motion<Vec3>& asked) const;
+  /// Distance of the foot from its reference along the ground [m].
+  [[nodiscard]] double beside(double time, const Vec3& p_WF) const;
+  [[nodiscard]] bool touches(double time, const LegObservation& seen);
+  [[nodiscard]] LegEvent observe_search(double time, const Vec3& p_WF);
+  [[nodiscard]] Motion<Vec3> reference(double time) const;
+  [[nodiscard]] double force_max(double time) const;
+
+  SwingOptions swing_;
+  TouchdownOptions touchdown_;
+  ForceOptions force_;
+  ReflexOptions reflex_;
+  double period_;
+  LegPhase phase_ = LegPhase::stance;
+  double begin_ = 0.0;
+  double lift_off_time_ = std::numeric_limits<double>::infinity();
+  Vec3 foothold_ = Vec3::Zero();
+  Vec3 stood_ = Vec3::Zero();   // where it stood before it came down there, in W [m]
+  Vec3 landed_ = Vec3::Zero();  // where the foot came down, or was loaded again, in W [m]
+  SwingCurve curve_;
+  Motion<Vec3> hip_{Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
+  double normal_force_ = 0.0;
+  double force_per_torque_ = 0.0;
+  double light_for_ = 0.0;  // how long a loaded stance foot has carried nothing [s]
+  SearchPace search_;
+  ImpactDetector impact_;
+  double held_for_ = 0.0;  // how long something has been in the foot's way [s]
+  int firm_ticks_ = 0;     // ticks in a row with a firm contact
+};
+
+}  // namespace surefoot

@@ -1,0 +1,128 @@
+#include "surefoot/gaits/parts/support_region.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace surefoot {
+namespace {
+
+constexpr double kSmallShare = 1e-9;
+constexpr double kCoincident = 1e-6;     // [m]
+constexpr double kParallel = 1e-6;       // sine of the angle between two edges
+constexpr double kSmallestTotal = 1.02;  // a region of one point has no edges to hold on to
+
+}  // namespace
+
+double inradius_without(Leg lifted, const PerLeg<Vec2>& feet) {
+  std::array<Vec2, kNumLegs - 1> corner;
+  std::size_t n = 0;
+  for (const Leg k : kLegs) {
+    if (k != lifted) corner[n++] = feet[index(k)];
+  }
+  const Vec2 a = corner[1] - corner[0], b = corner[2] - corner[0];
+  const double circumference = a.norm() + b.norm() + (b - a).norm();
+  const double twice_area = std::abs(a.x() * b.y() - a.y() * b.x());
+  return circumference > kCoincident ? twice_area / circumference : 0.0;
+}
+
+SupportRegion::SupportRegion(const PerLeg<Vec2>& feet, const PerLeg<double>& share,
+                             const PerLeg<double>& heights)
+    : feet_(feet), share_(share), heights_(heights) {
+  const double total = std::accumulate(share.begin(), share.end(), 0.0);
+  if (total <= kSmallShare) return;
+  for (double& a : share_) a *= std::max(1.0, kSmallestTotal / total);
+  for (std::size_t i = 0; i < feet.size(); ++i) {
+    for (std::size_t j = i + 1; j < feet.size(); ++j) {
+      if (share_[i] <= kSmallShare || share_[j] <= kSmallShare) continue;
+      add_edges_between(i, j);
+    }
+  }
+  close();
+}
+
+// From where one foot carries to the middle of all feet: a direction that turns with them.
+Vec2 SupportRegion::inward() const {
+  Vec2 middle = Vec2::Zero(), carrying = Vec2::Zero();
+  for (std::size_t i = 0; i < feet_.size(); ++i) {
+    middle += feet_[i] / kNumLegs;
+    if (share_[i] > kSmallShare) carrying = feet_[i];
+  }
+  const Vec2 way = middle - carrying;
+  return way.norm() > kCoincident ? way.normalized() : Vec2::UnitX();
+}
+
+// Feet in a line have edges along it only, and one foot has none: the ends are added.
+void SupportRegion::close() {
+  const bool point = num_edges_ == 0;
+  const Vec2 normal = point ? inward() : edge(0).normal;
+  const Vec2 along(-normal.y(), normal.x());
+  for (int i = 0; i < num_edges_; ++i) {
+    if (std::abs(along.dot(edge(i).normal)) > kParallel) return;
+  }
+  double height = 0.0, total = 0.0;
+  for (std::size_t i = 0; i < feet_.size(); ++i) {
+    height += share_[i] * heights_[i];
+    total += share_[i];
+  }
+  for (const double sign : {1.0, -1.0}) {
+    add_edge(sign * along, height / total);
+    if (point) add_edge(sign * normal, height / total);
+  }
+}
+
+// Maximising a direction fills the feet greedily in order of normal·p. Along the edge between i and
+// j these two tie; the edge has a length only if what is left for the tied feet is more than
+// nothing and less than all that they can take.
+void SupportRegion::add_edges_between(std::size_t i, std::size_t j) {
+  const Vec2 along = feet_[j] - feet_[i];
+  if (along.norm() < kCoincident) return;
+  const Vec2 perpendicular = Vec2(along.y(), -along.x()).normalized();
+  for (const double sign : {1.0, -1.0}) {
+    const Vec2 normal = sign * perpendicular;
+    const double tie = normal.dot(feet_[i]);
+    double before = 0.0, tied = 0.0;
+    for (std::size_t k = 0; k < feet_.size(); ++k) {
+      const double ahead = normal.dot(feet_[k]) - tie;
+      if (ahead > kCoincident)
+        before += share_[k];
+      else if (ahead >= -kCoincident)
+        tied += share_[k];
+    }
+    const double left = 1.0 - before;
+    if (left > kSmallShare && left < tied - kSmallShare) {
+      add_edge(normal, 0.5 * (heights_[i] + heights_[j]));
+    }
+  }
+}
+
+void SupportRegion::add_edge(const Vec2& normal, double height) {
+  if (num_edges_ == kMaxEdges) return;
+  edges_[static_cast<std::size_t>(num_edges_++)] = {normal, support(normal), height};
+}
+
+double SupportRegion::support(const Vec2& normal) const {
+  std::array<std::size_t, kNumLegs> order{0, 1, 2, 3};
+  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return normal.dot(feet_[a]) > normal.dot(feet_[b]);
+  });
+  double left = 1.0, sum = 0.0;
+  for (const std::size_t k : order) {
+    const double taken = std::min(left, share_[k]);
+    sum += taken * normal.dot(feet_[k]);
+    left -= taken;
+  }
+  return sum;
+}
+
+double SupportRegion::margin(const Vec2& p) const {
+  if (num_edges_ == 0) return -std::numeric_limits<double>::infinity();
+  double smallest = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < num_edges_; ++i) {
+    smallest = std::min(smallest, edge(i).offset - edge(i).normal.dot(p));
+  }
+  return smallest;
+}
+
+}  // namespace surefoot

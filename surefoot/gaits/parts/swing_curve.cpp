@@ -1,0 +1,89 @@
+#include "surefoot/gaits/parts/swing_curve.hpp"
+
+#include <algorithm>
+
+namespace surefoot {
+namespace {
+
+constexpr double kStepHeight = 0.05;  // a goal this much lower or higher is a step [m]
+constexpr double kUpstairsStart =
+    0.35;  // horizontal motion begins once the foot is above the edge …
+constexpr double kDownstairsEnd = 0.60;  // … and ends before it goes down behind it
+constexpr double kNoWay = 1e-6;          // a way shorter than this has no direction [m]
+constexpr double kShortestWindow = 0.2;  // left of the options by these
+constexpr double kUpstairsApexShare = 0.40;
+constexpr double kApexShare = 0.45;
+constexpr int kPeakSamples = 40;
+
+}  // namespace
+
+SwingCurve::SwingCurve(const SwingTarget& target, const SwingOptions& options)
+    : target_(target), touchdown_speed_(options.touchdown_speed) {
+  const Vec3 difference = target.goal - target.start;
+  rise_ = target.normal.dot(difference);
+  along_ = difference - rise_ * target.normal;
+  top_ = std::max(0.0, rise_) + target.apex;
+  if (along_.norm() > kNoWay) back_ = -target.back * along_.normalized();
+  horizontal_start_ = options.horizontal_start;
+  horizontal_end_ = options.horizontal_end;
+  apex_share_ = kApexShare;
+  if (rise_ > kStepHeight || target.back > 0.0) {
+    const double start = std::min(kUpstairsStart, horizontal_end_ - kShortestWindow);
+    horizontal_start_ = std::max(horizontal_start_, start);
+    apex_share_ = kUpstairsApexShare;
+  }
+  if (rise_ < -kStepHeight && target.back == 0.0) {
+    const double end = std::max(kDownstairsEnd, horizontal_start_ + kShortestWindow);
+    horizontal_end_ = std::min(horizontal_end_, end);
+  }
+}
+
+Motion<Vec3> SwingCurve::at(double t) const {
+  if (target_.straight) return straight_motion(t);
+  const Motion<double> up = normal_motion(t);
+  const Motion<double> share = horizontal_share(t);
+  const Motion<double> back = retreat(t);
+  return {target_.start + share.p * along_ + back.p * back_ + up.p * target_.normal,
+          share.v * along_ + back.v * back_ + up.v * target_.normal,
+          share.a * along_ + back.a * back_ + up.a * target_.normal};
+}
+
+Motion<Vec3> SwingCurve::straight_motion(double t) const {
+  const double T = target_.duration;
+  const Vec3 down = -touchdown_speed_ * target_.normal;
+  if (t > T) return {target_.goal + (t - T) * down, down, Vec3::Zero()};
+  return hermite<Vec3>({target_.start, target_.velocity, Vec3::Zero()},
+                       {target_.goal, down, Vec3::Zero()}, t, T);
+}
+
+double SwingCurve::peak_acceleration() const {
+  double peak = 0.0;
+  for (int i = 0; i <= kPeakSamples; ++i)
+    peak = std::max(peak, at(target_.duration * i / kPeakSamples).a.norm());
+  return peak;
+}
+
+Motion<double> SwingCurve::normal_motion(double t) const {
+  const double T = target_.duration;
+  const double apex_time = apex_share_ * T;
+  if (t > T) return {rise_ - touchdown_speed_ * (t - T), -touchdown_speed_, 0.0};
+  if (t < apex_time) return hermite<double>({0.0, 0.0, 0.0}, {top_, 0.0, 0.0}, t, apex_time);
+  return hermite<double>({top_, 0.0, 0.0}, {rise_, -touchdown_speed_, 0.0}, t - apex_time,
+                         T - apex_time);
+}
+
+Motion<double> SwingCurve::horizontal_share(double t) const {
+  const double T = target_.duration;
+  const double begin = horizontal_start_ * T, length = (horizontal_end_ - horizontal_start_) * T;
+  return hermite<double>({0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}, t - begin, length);
+}
+
+// Back as long as the foot rises on the spot, and forward again with the rest.
+Motion<double> SwingCurve::retreat(double t) const {
+  const double T = target_.duration;
+  const double turn = horizontal_start_ * T, end = horizontal_end_ * T;
+  if (t < turn) return hermite<double>({0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}, t, turn);
+  return hermite<double>({1.0, 0.0, 0.0}, {0.0, 0.0, 0.0}, t - turn, end - turn);
+}
+
+}  // namespace surefoot

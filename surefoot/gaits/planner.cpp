@@ -1,0 +1,143 @@
+#include "surefoot/gaits/planner.hpp"
+
+#include "surefoot/base/error.hpp"
+#include "surefoot/math/rotation.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <string>
+
+namespace surefoot {
+
+Planner::Planner(const PlannerOptions& options, double weight, double period)
+    : body_(options, weight, period),
+      crawl_(options),
+      limits_(options, period),
+      torso_(options.torso, period),
+      friction_frame_(options.friction_frame, period),
+      calibration_(options.calibration) {}
+
+void Planner::begin_anew(const Planner& fresh) {
+  const int steps_taken = body_.steps_taken;
+  *this = fresh;
+  body_.steps_taken = steps_taken;
+}
+
+void Planner::set_friction(double friction) {
+  if (!(friction > 0.0) || !std::isfinite(friction)) {
+    throw Error("friction is " + std::to_string(friction) + "; valid is a number above 0");
+  }
+  body_.grip.expect(friction);
+}
+
+const MotionPlan& Planner::update(const UserCommand& command, const RobotState& state,
+                                  const Dynamics& dynamics, const HierarchyOutcome& last) noexcept {
+  body_.events = {};
+  if (!initialised_) calibration_.expect_switch(command.calibrate);  // it begins so anyway
+  if (!initialised_ || restarts_) initialise(state, dynamics);
+  calibration_.update(state.time, command.calibrate, is_undisturbed(state));
+  const UserCommand user = limit(command);
+  const GaitTick tick{state.time, yaw_, user, state, dynamics, last, plan_};
+  move_legs(tick);
+  finish_calibration(state);
+  write_plan(tick);
+  return plan_;
+}
+
+void Planner::initialise(const RobotState& state, const Dynamics& dynamics) {
+  initialised_ = learns_ground_ = true;
+  restarts_ = false;
+  calibration_.begin(state.time);
+  yaw_ = surefoot::yaw(state.R_WB());
+  for (const Leg k : kLegs) {
+    body_.legs[k].plant(state.time, dynamics.foot[index(k)].p, true);
+    const Vec3 hip = rotation_about_z(-yaw_) * (dynamics.hip[index(k)].p - state.p_WB);
+    hips_[index(k)] = hip.head<2>();
+  }
+  learn_ground_anew();
+  friction_frame_.restart(body_.plane.normal);
+  torso_.restart(state);
+  const UserCommand nothing;
+  const HierarchyOutcome unknown;
+  stand_.begin({state.time, yaw_, nothing, state, dynamics, unknown, plan_}, body_, {});
+}
+
+void Planner::learn_ground_anew() {
+  learns_ground_ = learns_ground_ && calibration_.is_going_on();
+  body_.learn_ground();
+}
+
+// The torso leans against a push, and its hips with it.
+CommandRoom Planner::room() const {
+  CommandRoom room{.cycle_duration = crawl_.cycle_duration(body_.pace()),
+                   .pace = body_.pace(),
+                   .caution = std::max(body_.grip.caution(), body_.balance.caution()),
+                   .hips = hips_,
+                   .stands = !walks_,
+                   .calibrates = calibration_.is_due()};
+  const Mat2 R = rotation_about_z(-yaw_).topLeftCorner<2, 2>();
+  for (Vec2& hip : room.hips) hip -= R * body_.balance.shift();
+  return room;
+}
+
+// The heading needs no step to turn by itself: where it does not wait for the first steps, for late
+// ones or after it went the other way, the feet come to stand across the torso.
+UserCommand Planner::limit(const UserCommand& command) {
+  const CommandRoom now = room();
+  UserCommand user = limits_.update(command, now, body_.footholds);
+  user.walk = user.walk && !calibration_.is_due();
+  user.yaw_rate *= body_.footholds.turning_share(user.yaw_rate, body_.legs.footholds(),
+                                                 body_.legs.down(), yaw_, now.cycle_duration);
+  yaw_rate_ = user.walk && !gait().waits(body_) ? user.yaw_rate : 0.0;
+  yaw_ += body_.period * yaw_rate_;
+  return user;
+}
+
+void Planner::move_legs(const GaitTick& tick) {
+  gait().observe(tick, body_);
+  if (learns_ground_ && !calibration_.is_going_on()) learn_ground_anew();
+  const GaitOutcome outcome = gait().advance(tick, body_);
+  if (outcome.begins_step) limits_.take_up(room(), body_.footholds);
+  if (outcome.hands_over) {
+    walks_ = !walks_;
+    gait().begin(tick, body_, outcome.first);
+  }
+  rest_.update(tick.state, !walks_ && body_.legs.all_down());
+}
+
+// Nothing else happens at a tick at which the estimate begins anew.
+void Planner::finish_calibration(const RobotState& state) {
+  EventList& events = body_.events;
+  if (events.empty()) events.add({.kind = calibration_.take_end()});
+  restarts_ = calibration_.is_wanted() && events.empty() && !calibration_.is_going_on() &&
+              rest_.is_at_rest(state);
+  if (restarts_) events.add({.kind = PlanEvent::calibration});
+  if (!calibration_.is_due()) limits_.tell(events);  // else it doesn't walk
+  events.add({.kind = calibration_.take_waiting()});
+}
+
+void Planner::write_plan(const GaitTick& tick) {
+  plan_.time = tick.time;
+  for (const Leg k : kLegs) {
+    plan_.feet[index(k)] = body_.legs[k].plan(tick.time);
+    plan_.feet[index(k)].friction = body_.grip.friction(k);
+  }
+  plan_.com = body_.com.at(tick.time);
+  plan_.com_zmp_slack = body_.com.zmp_slack();
+  const double height = body_.options.stance.height + tick.user.height;
+  torso_.update(body_.plane, yaw_, yaw_rate_, plan_.com, height, calibration_.motion());
+  plan_.torso = torso_.plan();
+  friction_frame_.update(body_.plane.normal);
+  plan_.R_WC = control_frame(friction_frame_.normal(), yaw_);
+  plan_.terrain_point = body_.plane.point;
+  plan_.calibration = calibration_.stage();
+  plan_.events = body_.events;
+}
+
+bool Planner::is_undisturbed(const RobotState& state) const {
+  return plan_.num_contacts() == kNumLegs && std::ranges::none_of(state.slips, std::identity{}) &&
+         state.external_force.head<2>().isZero();
+}
+
+}  // namespace surefoot

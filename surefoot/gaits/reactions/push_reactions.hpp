@@ -1,0 +1,26 @@
+#pragma once
+
+#include "surefoot/gaits/reactions/action.hpp"
+#include "surefoot/gaits/reactions/situation.hpp"
+
+#include <optional>
+
+namespace surefoot {
+
+/// Pushed in a swing so that the balance is lost before the foot lands by itself: it comes down at
+/// once.
+[[nodiscard]] std::optional<Action> land_if_tipping(const Situation& now);
+/// Pushed before a lift-off: the leg carries again.
+[[nodiscard]] std::optional<Action> reload_if_pushed(const Situation& now);
+/// Pushed out of balance on all feet: a step of the foot after which the robot is balanced best, if
+/// one helps.
+[[nodiscard]] std::optional<Action> step_to_recover(const Situation& now);
+/// A robot that has come to rest, well inside its feet, under a force that stays, goes on.
+[[nodiscard]] std::optional<Action> go_on_if_calm(const Situation& now);
+/// Feet have begun to slide: a leg that was to lift off carries again, one in the air comes down
+/// where the others can't do without it.
+[[nodiscard]] Action on_slip(const Situation& now);
+/// The shortest way to the ground that catches the robot. No event.
+[[nodiscard]] Action put_foot_down(const Situation& now, Leg leg);
+
+}  // namespace surefoot

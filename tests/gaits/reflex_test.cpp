@@ -1,0 +1,184 @@
+// What a foot does that meets something on its way.
+#include "tests/gaits/watch.hpp"
+
+#include <algorithm>
+#include <string>
+
+namespace surefoot::test {
+namespace {
+
+const Vec3 kUp = Vec3::UnitZ();
+const Vec3 kForward = Vec3::UnitX();
+constexpr double kDuration = 0.5;  // of the swing [s]
+
+/// A foot that goes a stride forward, `behind` its reference and under a force.
+struct Foot {
+  explicit Foot(const ReflexOptions& reflex = {}) : leg({}, {}, {}, kPeriod, reflex) {
+    leg.plant(-5.0, Vec3::Zero());
+    leg.lift(0.0, {Vec3::Zero(), 0.2 * kForward, kUp, kDuration, 0.08});
+  }
+
+  /// From one share of the swing to another.
+  LegEvent follow(double from, double to, const Vec3& behind, const Vec3& force) {
+    LegEvent event = LegEvent::none;
+    for (double t = from * kDuration; t < to * kDuration && event == LegEvent::none; t += kPeriod) {
+      const FootPlan plan = leg.plan(t);
+      event = leg.observe(t, {.hip = {plan.p_WF + 0.3 * kUp, Vec3::Zero(), Vec3::Zero()},
+                              .foot = {plan.p_WF - behind, plan.v_WF, Vec3::Zero()},
+                              .force = force,
+                              .normal = kUp});
+    }
+    return event;
+  }
+
+  LegMotion leg;
+};
+
+TEST(Reflex, AFootThatIsHeldBackOnItsWayForwardIsCaught) {
+  EXPECT_EQ(Foot().follow(0.3, 0.7, 0.12 * kForward, -10.0 * kForward), LegEvent::caught);
+}
+
+TEST(Reflex, AFootThatIsHeldDownWhileItRisesIsCaught) {
+  EXPECT_EQ(Foot().follow(0.05, 0.3, 0.12 * kUp, -10.0 * kUp), LegEvent::caught);
+}
+
+TEST(Reflex, AFootThatIsPushedButFollowsIsNot) {
+  EXPECT_EQ(Foot().follow(0.05, 1.0, Vec3::Zero(), -10.0 * kForward), LegEvent::none);
+}
+
+TEST(Reflex, AFootThatLagsWithoutForceIsNot) {
+  EXPECT_EQ(Foot().follow(0.05, 1.0, 0.12 * kForward, Vec3::Zero()), LegEvent::none);
+}
+
+TEST(Reflex, AFastFootThatIsALittleLateIsNot) {
+  EXPECT_EQ(Foot().follow(0.4, 0.6, 0.05 * kForward, -10.0 * kForward), LegEvent::none);
+}
+
+TEST(Reflex, AFootThatIsPushedAheadIsNot) {
+  EXPECT_EQ(Foot().follow(0.1, 0.4, -0.12 * kForward, 10.0 * kForward), LegEvent::none);
+}
+
+TEST(Reflex, WithoutItNoFootIsCaught) {
+  EXPECT_EQ(Foot({.enabled = false}).follow(0.1, 0.9, 0.12 * kForward, -10.0 * kForward),
+            LegEvent::none);
+}
+
+TEST(Reflex, AWallIsNoGround) {
+  const Vec3 wall = -60.0 * kForward + 30.0 * kUp, ground = -30.0 * kForward + 60.0 * kUp;
+  EXPECT_EQ(Foot().follow(0.55, 0.58, Vec3::Zero(), wall), LegEvent::none);
+  EXPECT_EQ(Foot().follow(0.55, 0.7, Vec3::Zero(), wall), LegEvent::caught);
+  EXPECT_EQ(Foot().follow(0.55, 0.7, Vec3::Zero(), ground), LegEvent::touchdown);
+}
+
+// A riser's edge bears a foot that comes down on it from before, hardly behind its reference.
+TEST(Reflex, AHardHitNeedsNoLag) {
+  const Vec3 edge = -120.0 * kForward + 100.0 * kUp;
+  EXPECT_EQ(Foot().follow(0.5, 0.54, Vec3::Zero(), edge), LegEvent::none) << "an impact is short";
+  EXPECT_EQ(Foot().follow(0.5, 0.56, Vec3::Zero(), edge), LegEvent::caught);
+  EXPECT_EQ(Foot().follow(0.05, 0.3, Vec3::Zero(), -30.0 * kUp), LegEvent::caught);
+  EXPECT_EQ(Foot({.hit_force = 200.0}).follow(0.5, 0.56, Vec3::Zero(), edge), LegEvent::none);
+}
+
+TEST(Reflex, AFootFarBesideItsWayFeelsItsDrivesAndNoGroundUntilItIsAboutToArrive) {
+  const Vec3 beside = 0.06 * Vec3::UnitY(), light = 15.0 * kUp, impact = 40.0 * kUp;
+  EXPECT_EQ(Foot().follow(0.55, 0.75, Vec3::Zero(), light), LegEvent::touchdown);
+  EXPECT_EQ(Foot().follow(0.55, 0.75, beside, light), LegEvent::none);
+  EXPECT_EQ(Foot().follow(0.55, 0.75, beside, impact), LegEvent::touchdown);
+  EXPECT_EQ(Foot().follow(0.85, 0.95, beside, light), LegEvent::touchdown);
+}
+
+TEST(Reflex, AFootThatEndsItsSwingFarFromItsGoalSearchesBelowItself) {
+  const Vec3 goal = 0.2 * kForward;
+  Foot foot;
+  EXPECT_EQ(foot.follow(0.0, 1.0, 0.1 * kForward, Vec3::Zero()), LegEvent::none);
+  EXPECT_LT((foot.leg.plan(kDuration - kPeriod).p_WF - goal).norm(), 0.01);
+  EXPECT_EQ(foot.follow(1.0, 1.02, 0.1 * kForward, Vec3::Zero()), LegEvent::none);
+  const Vec3 p_WF = foot.leg.plan(1.02 * kDuration).p_WF;
+  EXPECT_NEAR(p_WF.x(), 0.1, 0.005);
+  EXPECT_LT(foot.leg.plan(1.02 * kDuration).v_WF.z(), -0.05);
+}
+
+TEST(Reflex, TheCurveGoesBackWhileItRisesAndThenToItsGoal) {
+  const SwingTarget target{.start = kUp, .goal = kUp + 0.2 * kForward, .apex = 0.1, .back = 0.04};
+  const SwingCurve curve(target, {});
+  double furthest_back = 0.0;
+  for (double t = 0.0; t < target.duration; t += kPeriod) {
+    const Motion<Vec3> now = curve.at(t), next = curve.at(t + kPeriod);
+    furthest_back = std::max(furthest_back, -now.p.x());
+    ASSERT_LT((next.p - now.p - 0.5 * kPeriod * (now.v + next.v)).norm(), 1e-4) << t;
+    if (now.p.x() > 0.0 && t > 0.1) {
+      ASSERT_GT(now.p.z() + 1e-6, std::min(1.08, next.p.z())) << "over it first";
+    }
+  }
+  EXPECT_NEAR(furthest_back, target.back, 1e-3);
+  EXPECT_LT(curve.at(0.0).v.norm(), 1e-12);
+  EXPECT_LT((curve.at(target.duration).p - target.goal).norm(), 1e-12);
+}
+
+/// Three feet carry meanwhile. (The reference of a foot that is caught jumps back to where it is.)
+void run(Puppet& puppet, double duration) {
+  puppet.run(duration, [&] {
+    ASSERT_TRUE(all_finite(puppet.plan())) << puppet.time();
+    ASSERT_GE(puppet.plan().num_contacts(), 3) << puppet.time();
+  });
+}
+
+TEST(Planner, AFootThatARiserCatchesGoesOverIt) {
+  for (const double edge : {0.38, 0.42, 0.46, 0.50}) {
+    SCOPED_TRACE("edge at " + std::to_string(edge));
+    const double height = 0.14;
+    Puppet puppet = walker({}, step_at(edge, height));
+    run(puppet, 40.0);
+    EXPECT_FALSE(puppet.happenings(PlanEvent::caught).empty());
+    for (const Happening& landing : puppet.happenings(PlanEvent::touchdown)) {
+      EXPECT_NEAR(landing.p.z(), landing.p.x() > edge ? height : 0.0, 2e-3);
+    }
+    stop(puppet);
+    for (const Leg leg : kLegs) EXPECT_NEAR(puppet.foot(leg).z(), height, 2e-3) << "all went up";
+  }
+}
+
+TEST(Planner, AFootThatWasCaughtLandsWellBehindTheEdge) {
+  const double edge = 0.45;
+  Puppet puppet = walker({}, step_at(edge, 0.14));
+  run(puppet, 30.0);
+  const std::vector<Happening> caught = puppet.happenings(PlanEvent::caught);
+  ASSERT_FALSE(caught.empty());
+  const std::vector<Happening> landings = puppet.happenings(PlanEvent::touchdown);
+  const auto landing = std::ranges::find_if(
+      landings, [&](const Happening& h) { return h.time > caught.front().time; });
+  ASSERT_NE(landing, landings.end());
+  EXPECT_GT(landing->p.x(), edge + 0.5 * ReflexOptions{}.beyond);
+}
+
+TEST(Planner, BeforeAWallAFootComesDownAfterAFewTries) {
+  const double edge = 0.45;
+  Puppet puppet = walker({}, step_at(edge, 1.0));
+  run(puppet, 30.0);
+  const int most = ReflexOptions{}.most;
+  const std::vector<Happening> caught = puppet.happenings(PlanEvent::caught);
+  ASSERT_GT(caught.size(), static_cast<std::size_t>(most));
+  EXPECT_EQ(caught.front().leg, caught[static_cast<std::size_t>(most)].leg) << "one swing's tries";
+  for (const Happening& landing : puppet.happenings(PlanEvent::touchdown)) {
+    EXPECT_LT(landing.p.x(), edge);
+    EXPECT_NEAR(landing.p.z(), 0.0, 2e-3);
+  }
+  EXPECT_GT(puppet.planner().steps_taken(), 4) << "the others go on";
+}
+
+TEST(Planner, AFootIsNotLiftedHigherThanItsLegFolds) {
+  Puppet puppet = walker({}, step_at(0.45, 1.0));
+  puppet.leg_length = 0.15;
+  run(puppet, 30.0);
+  ASSERT_GT(puppet.happenings(PlanEvent::caught).size(), 1u);
+  bool caught = false;
+  for (const Happening& happening : puppet.happenings()) {
+    if (happening.event != PlanEvent::caught && happening.event != PlanEvent::touchdown) continue;
+    EXPECT_FALSE(caught && happening.event == PlanEvent::caught) << happening.time;
+    caught = happening.event == PlanEvent::caught;
+  }
+  for (const Leg leg : kLegs) EXPECT_NEAR(puppet.foot(leg).z(), 0.0, 2e-3);
+}
+
+}  // namespace
+}  // namespace surefoot::test
