@@ -1,4 +1,7 @@
-"""Holds every #include of surefoot/, app/ and python/ against tools/layers.toml; prints what breaks it."""
+"""Holds every #include of surefoot/, app/ and python/ against tools/layers.toml, and finds types that share a name.
+
+Two types of one name in one namespace break the one-definition rule: the linker takes either. Prints what it finds.
+"""
 
 import pathlib
 import re
@@ -10,6 +13,20 @@ rules = tomllib.loads((root / "tools/layers.toml").read_text())
 folders, fences = rules["folders"], rules["fences"]
 fronts = ("app", "python")  # may include every folder; no one includes them
 complaints = []
+types = {}  # by namespace and name: where they are defined
+
+
+def note_types(place, text):
+    """Types that are defined in a namespace with a name; those inside others are indented."""
+    spaces = []
+    for number, line in enumerate(text.splitlines(), 1):
+        if match := re.match(r"(?:inline )?namespace ?([\w:]*) ?\{", line):
+            spaces.append(match[1] or f"({place})")
+        elif line.startswith("}  // namespace"):
+            spaces.pop()
+        elif match := re.match(r"(?:class|struct|enum(?: class)?) (\w+)(?![\w:<])[^;]*$", line):
+            types.setdefault("::".join([*spaces, match[1]]), []).append(f"{place}:{number}")
+
 
 # An order in which every folder stands below the ones that may include it: none exists in a cycle.
 remaining = {folder: set(allowed) for folder, allowed in folders.items()}
@@ -27,7 +44,9 @@ for source in sources:
         complaints.append(f"{place}: folder {folder} is not in tools/layers.toml")
         continue
     allowed = folders if folder in fronts else [folder, *folders[folder]]
-    for number, line in enumerate(source.read_text().splitlines(), 1):
+    text = source.read_text()
+    note_types(place, text)
+    for number, line in enumerate(text.splitlines(), 1):
         if not (match := re.match(r'\s*#\s*include\s*[<"]([^>"]+)', line)):
             continue
         header = match[1]
@@ -41,6 +60,10 @@ for source in sources:
             if fenced and folder not in users:
                 where = ", ".join(users) or "tests and benchmarks"
                 complaints.append(f"{place}:{number}: {header} is only for {where}")
+
+for name, places in types.items():
+    if len(places) > 1:
+        complaints.append(f"{places[0]}: {name} is defined again at {', '.join(places[1:])}")
 
 print(*complaints, sep="\n", end="\n" if complaints else "")
 print(f"layers: {len(sources)} files, {len(complaints)} complaints")

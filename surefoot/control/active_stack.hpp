@@ -41,7 +41,8 @@ class ActiveStack {
   SolverOptions solver_options_;
   RobotDescription robot_;
   std::unique_ptr<SolvedStack> solved_;
-  std::unique_ptr<StackFade> fade_;  // from the stack before, if there was one; kept when it is over
+  std::unique_ptr<StackFade>
+      fade_;  // from the stack before, if there was one; kept when it is over
   LevelSwitcher switcher_;
 };
 

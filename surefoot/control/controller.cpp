@@ -9,8 +9,8 @@
 #include "surefoot/control/standing_torque.hpp"
 #include "surefoot/control/state_estimation.hpp"
 #include "surefoot/estimation/first_readings.hpp"
-#include "surefoot/math/rotation.hpp"
 #include "surefoot/gaits/planner.hpp"
+#include "surefoot/math/rotation.hpp"
 #include "surefoot/signals/plan_event.hpp"
 
 #include <algorithm>

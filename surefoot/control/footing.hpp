@@ -18,8 +18,8 @@ namespace surefoot {
 ///
 /// and from there it stands, with estimate and plan begun anew. Knees stay on the side where they
 /// were at the start. A robot that does not come to stand, or tips on the way, can't: `has_failed`.
-/// A robot whose torso leans, or whose feet are not below it, was not lifted but fell: `has_fallen`.
-/// Does not allocate.
+/// A robot whose torso leans, or whose feet are not below it, was not lifted but fell:
+/// `has_fallen`. Does not allocate.
 class Footing {
  public:
   /// `period` of the control loop [s].

@@ -15,8 +15,8 @@ struct LastTick {
   MotionPlan plan;
   Vec3 terrain_normal_W = Vec3::UnitZ();  ///< unit
   PerLeg<Vec3> foot_force{Vec3::Constant(kNaN), Vec3::Constant(kNaN), Vec3::Constant(kNaN),
-                          Vec3::Constant(kNaN)};  ///< estimated, in W [N]
-  PerLeg<bool> slips{};                           ///< the foot slides
+                          Vec3::Constant(kNaN)};     ///< estimated, in W [N]
+  PerLeg<bool> slips{};                              ///< the foot slides
   JointVector joint_velocity = JointVector::Zero();  ///< observed [rad/s]
   JointVector torque = JointVector::Zero();          ///< commanded [N·m]
   KinematicErrors kinematics;                        ///< calibrated

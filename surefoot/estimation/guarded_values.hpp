@@ -13,7 +13,7 @@ inline constexpr double kUnlimited = std::numeric_limits<double>::infinity();
 
 /// Decides whether to accept an unusually large step: if the next sample's step is large, too, and
 /// then until `patience` passes without one; never while `sure_only` holds.
-class Doubt {
+class StepDoubt {
  public:
   /// A new sample; `waited`: the samples before it were doubted together; `sure_only`: accept no
   /// large step. True: refused.
@@ -50,9 +50,9 @@ class GuardedValues {
   using Vector = Eigen::Matrix<double, n, 1>;
 
   /// Range of a value, and limits on its distance from the expected one. Beyond `tolerance` it is
-  /// refused; beyond `sure` accepted only as `Doubt` allows, and with `sure_only` never. If half of
-  /// the values are beyond `together`, `Doubt` decides on all; if half are beyond `never`, all are
-  /// refused. The last three are per period between the samples.
+  /// refused; beyond `sure` accepted only as `StepDoubt` allows, and with `sure_only` never. If
+  /// half of the values are beyond `together`, `StepDoubt` decides on all; if half are beyond
+  /// `never`, all are refused. The last three are per period between the samples.
   struct Limits {
     Vector range, tolerance = Vector::Constant(kUnlimited), sure = Vector::Constant(kUnlimited);
     double together = kUnlimited, never = kUnlimited;
@@ -101,7 +101,8 @@ class GuardedValues {
 
   /// Was any step unusually large?
   [[nodiscard]] bool is_shaken_since(double time) const noexcept {
-    return std::ranges::any_of(doubts_, [&](const Doubt& d) { return d.is_shaken_since(time); });
+    return std::ranges::any_of(doubts_,
+                               [&](const StepDoubt& d) { return d.is_shaken_since(time); });
   }
 
   /// Was a step of all together?
@@ -146,7 +147,7 @@ class GuardedValues {
                                   bool all_waited, double patience) noexcept {
     const bool is_lost = !(watch.sample_time() - seen_[i] <= patience);
     if (is_lost) return check(i, raw, limits.range[i], kUnlimited);
-    Doubt& doubt = doubts_[static_cast<std::size_t>(i)];
+    StepDoubt& doubt = doubts_[static_cast<std::size_t>(i)];
     const double share = all_waited || doubt.doubts() ? 2.0 : 1.0;
     const SampleFault fault = check(i, raw, limits.range[i], share * limits.tolerance[i]);
     const bool is_large = std::abs(raw - expected_[i]) > limits.sure[i] * periods(i, watch);
@@ -186,8 +187,8 @@ class GuardedValues {
   Vector sampled_ = Vector::Constant(kNaN);  // times of the samples before [s]
   Vector repaired_ = Vector::Constant(kNaN), measured_ = Vector::Constant(kNaN);
   std::array<SampleFault, n> faults_{};
-  std::array<Doubt, n> doubts_{};
-  Doubt all_;
+  std::array<StepDoubt, n> doubts_{};
+  StepDoubt all_;
 };
 
 }  // namespace surefoot
