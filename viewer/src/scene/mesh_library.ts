@@ -1,8 +1,8 @@
 import * as THREE from "three";
+import { ColladaLoader } from "three/examples/jsm/loaders/ColladaLoader.js";
 import { OBJLoader } from "three/examples/jsm/loaders/OBJLoader.js";
 import { STLLoader } from "three/examples/jsm/loaders/STLLoader.js";
 import { coarsen } from "./coarse_mesh.ts";
-import { readCollada } from "./collada.ts";
 import { merged } from "./merge.ts";
 import { askUntilAnswered, textOf } from "../protocol/ask.ts";
 import type { MeshInfo } from "../protocol/session.ts";
@@ -91,7 +91,8 @@ export class MeshLibrary {
     if (info === undefined || !info.found) throw new Error("the file is not there");
     const bytes = await askUntilAnswered(`/api/mesh/${info.id}`, () => new Promise((resolve) => setTimeout(resolve, AGAIN)));
     const breath = new Breath();
-    const read = await this.parse(uri, bytes, () => breath.take());
+    const read = this.parse(uri, bytes);
+    await breath.take();
     const detail = this.detail();
     if (detail > 0) coarsen(read, detail);
     await breath.take();
@@ -100,11 +101,11 @@ export class MeshLibrary {
     return object;
   }
 
-  private async parse(uri: string, bytes: ArrayBuffer, rest: () => Promise<void>): Promise<THREE.Object3D> {
+  private parse(uri: string, bytes: ArrayBuffer): THREE.Object3D {
     const kind = kindOf(uri);
     switch (kind) {
       case "dae":
-        return this.collada(uri, textOf(bytes), rest);
+        return this.collada(uri, textOf(bytes));
       case "stl":
         return new THREE.Mesh(new STLLoader().parse(bytes));
       case "obj":
@@ -114,12 +115,13 @@ export class MeshLibrary {
     }
   }
 
-  private async collada(uri: string, text: string, rest: () => Promise<void>): Promise<THREE.Object3D> {
+  private collada(uri: string, text: string): THREE.Object3D {
     const folder = uri.slice(0, uri.lastIndexOf("/") + 1);
     const manager = new THREE.LoadingManager();
     manager.setURLModifier((url) => this.image(folder, url));
     manager.onLoad = () => this.onLoad();
-    const scene = await readCollada(text, folder, manager, rest);
+    const scene = new ColladaLoader(manager).parse(text, folder)?.scene;
+    if (scene === undefined) throw new Error("the file is no Collada document");
     const lights: THREE.Object3D[] = [];
     scene.traverse((child) => {
       if (child instanceof THREE.Light || child instanceof THREE.Camera) lights.push(child);
