@@ -38,23 +38,10 @@ void vector_member(JsonText& json, std::string_view name, const auto& vector) {
   json.end_array();
 }
 
-void force_member(JsonText& json, std::string_view name, const OutsideForce& force,
-                  const std::vector<std::string>& bodies) {
-  json.key(name);
-  if (force.body < 0) {
-    json.null();
-    return;
-  }
-  const std::string& body = bodies.at(static_cast<std::size_t>(force.body));
-  json.object().member("body", std::string_view(body)).member("given", force.given);
-  vector_member(json, "force", force.force);
-  json.end_object();
-}
-
-std::string events_message(const std::vector<std::string>& events) {
-  std::string text = R"({"type":"events","events":[)";
-  for (const std::string& event : events) text += (&event == events.data() ? "" : ",") + event;
-  return text + "]}";
+std::string json_list(const auto& entries, auto&& text_of) {
+  std::string text = "[";
+  for (const auto& entry : entries) text += (text.size() == 1 ? "" : ",") + text_of(entry);
+  return text + "]";
 }
 
 std::uint32_t ticks_of(double seconds, double period) {
@@ -67,7 +54,6 @@ LiveFeed::LiveFeed(const Scenario& scenario, LiveOperator& wishes, std::string r
     : operator_(wishes),
       robot_(text_of_file(scenario.robot.urdf_path), mesh_folders(scenario.robot)),
       history_(ticks_of(kHistory, scenario.controller.period)),
-      past_(wishes.limits().changes),
       recording_(std::move(recording)),
       calibration_(CalibrationMotion(scenario.controller.planner.calibration).duration()) {
   session_.start = random_token();
@@ -119,23 +105,19 @@ void LiveFeed::begin_again(ViewSession begun) {
   bodies.insert(bodies.begin(), "world");
   finder_.emplace(session_.channels, std::move(bodies));
   events_.clear();
-  changes_.clear();
-  told_changes_ = ToldChanges();
+  changes_ = 0;
   past_.clear();
   history_.clear();
   start_.reset();
   calibrates_till_.reset();
   ended_.clear();
-  pending_.clear();
   tick_ = 0;
   time_ = 0.0;
   user_ = UserCommand();
-  forces_ = OutsideForces();
-  forces_.store = session_.limits.push_impulse;
 }
 
 void LiveFeed::put(std::uint32_t number, const TickRecord& tick, const GroundTruth& truth,
-                   const TickTiming& timing, const OutsideForces& forces) {
+                   const TickTiming& timing) {
   ViewTick* place = ring_->next_to_write();
   if (place == nullptr) {
     ++lost_;
@@ -147,7 +129,6 @@ void LiveFeed::put(std::uint32_t number, const TickRecord& tick, const GroundTru
   place->record = tick;
   place->truth = truth;
   place->timing = timing;
-  place->forces = forces;
   ring_->written();
 }
 
@@ -170,19 +151,7 @@ void LiveFeed::set_pace(bool paused, double speed) {
 }
 
 void LiveFeed::set_ended(const std::string& reason) {
-  hand_over([this, reason] {
-    ended_ = reason;
-    forces_.push.body = forces_.pull.body = -1;  // nothing acts any more
-    forces_.is_weaker = false;
-  });
-}
-
-void LiveFeed::set_forces(const OutsideForces& forces) {
-  hand_over([this, forces] { forces_ = forces; });
-}
-
-void LiveFeed::set_pending(const std::string& text) {
-  hand_over([this, text] { pending_ = text; });
+  hand_over([this, reason] { ended_ = reason; });
 }
 
 void LiveFeed::set_recording(const std::string& path) {
@@ -192,18 +161,14 @@ void LiveFeed::set_recording(const std::string& path) {
 void LiveFeed::show(const logged::Change& change) {
   hand_over([this, change] {
     finder_->acts(change);
-    if (!told_changes_.tells(change)) return;
-    const auto force = force_mark(change, told_changes_.given());
-    JsonText json(changes_.emplace_back());
-    json.object()
-        .member("type", "change")
-        .member("time", change.time)
-        .member("kind", std::string_view(change.kind))
-        .member("text", std::string_view(change.text));
-    force_member(json, force);
-    json.end_object();
-    past_.add_change(change.time, text_event(change.time, "change", change.text, force), force);
+    ++changes_;
+    add_event(change.time, text_event(change.time, "change", change.text));
   });
+}
+
+void LiveFeed::add_event(double time, const std::string& event) {
+  past_.emplace_back(time, event);
+  events_.push_back(event);
 }
 
 void LiveFeed::tell(const std::string& notice) {
@@ -240,7 +205,9 @@ WebAnswer LiveFeed::get(std::string_view path, const Query& query) {
     session_.ticks = tick_;
     return {200, "application/json", to_json(session_)};
   }
-  if (path == "/api/events") return {200, "application/json", past_.json()};
+  if (path == "/api/events") {
+    return {200, "application/json", json_list(past_, [](const auto& one) { return one.second; })};
+  }
   if (path != "/api/frames") return robot_.get(path);
   return answer_frames(query, [this](const FrameRequest& asked) {
     return history_.block(asked, session_.generation, session_.channels.floats, session_.period);
@@ -275,7 +242,7 @@ void LiveFeed::keep(const std::vector<SharedBlock>& blocks) {
   for (const SharedBlock& block : blocks) {
     if (block.generation >= session_.begun) history_.add(block);
   }
-  past_.forget_before(history_.first_time());
+  while (!past_.empty() && past_.front().first < history_.first_time()) past_.pop_front();
 }
 
 void LiveFeed::take(const ViewTick& tick, std::string& bytes) {
@@ -287,15 +254,11 @@ void LiveFeed::take(const ViewTick& tick, std::string& bytes) {
   to_frame({tick.number, tick.record, namer.name(tick.record.hierarchy), cone_, &tick.truth,
             &timing, start_ ? &*start_ : nullptr},
            session_.channels, frame_);
-  for (const FoundEvent& event : finder_->see(frame_)) {
-    past_.add(frame_.time, event.text, event.force);
-    events_.push_back(event.text);
-  }
+  for (const std::string& event : finder_->see(frame_)) add_event(frame_.time, event);
   pack(frame_, bytes);
   tick_ = tick.number + 1;
   time_ = tick.record.reading.time;
   user_ = tick.record.user;
-  forces_ = tick.forces;
 }
 
 void LiveFeed::see_calibration(const TickRecord& tick) {
@@ -333,11 +296,12 @@ std::vector<std::string> LiveFeed::messages(std::size_t clients) {
     next_status_ = now + kStatusInterval;
   }
   // After the status, which says whether they are those of a run that has begun again.
-  for (std::vector<std::string>* told : {&changes_, &notices_}) {
-    std::ranges::move(*told, std::back_inserter(messages));
-    told->clear();
+  std::ranges::move(std::exchange(notices_, {}), std::back_inserter(messages));
+  if (!events_.empty()) {
+    const auto itself = [](const std::string& event) { return event; };
+    messages.push_back(R"({"type":"events","events":)" +
+                       json_list(std::exchange(events_, {}), itself) + "}");
   }
-  if (!events_.empty()) messages.push_back(events_message(std::exchange(events_, {})));
   return messages;
 }
 
@@ -350,7 +314,6 @@ std::string LiveFeed::status(std::size_t clients) {
       .member("paused", pace_->paused)
       .member("speed", pace_->speed)
       .member("real_factor", real_factor_)
-      .member("clock", std::chrono::duration<double>(Clock::now() - begun_).count())
       .member("time", time_)
       .member("tick", tick_)
       .member("clients", clients)
@@ -358,8 +321,7 @@ std::string LiveFeed::status(std::size_t clients) {
       .member("recording", std::string_view(recording_))
       .member("generation", session_.generation)
       .member("begun", session_.begun)
-      .member("undo", operator_.undo_count())
-      .member("pending", std::string_view(pending_));
+      .member("changes", changes_);
   const std::optional<UserCommand> wanted = operator_.walk_wanted();
   const UserCommand& walk = wanted.value_or(user_);
   json.key("command").object().member("walk", walk.walk);
@@ -372,9 +334,6 @@ std::string LiveFeed::status(std::size_t clients) {
   calibrates_till_ ? json.value(std::max(0.0, *calibrates_till_ - time_)) : json.null();
   json.key("ended");
   ended_.empty() ? json.null() : json.value(std::string_view(ended_));
-  force_member(json, "push", forces_.push, session_.bodies);
-  force_member(json, "pull", forces_.pull, session_.bodies);
-  json.member("pull_is_weaker", forces_.is_weaker).member("newton_seconds_left", forces_.store);
   json.end_object();
   return text;
 }

@@ -2,9 +2,6 @@
 
 #include "app/event_finder.hpp"
 #include "app/live_operator.hpp"
-#include "app/operator_forces.hpp"
-#include "app/operator_text.hpp"
-#include "app/past_events.hpp"
 #include "app/run_steering.hpp"
 #include "app/view_robot.hpp"
 #include "app/view_tick.hpp"
@@ -19,6 +16,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace surefoot {
@@ -30,7 +28,6 @@ struct ViewTick {
   TickRecord record;
   GroundTruth truth;
   TickTiming timing;
-  OutsideForces forces;
 };
 
 /// What the pages of a live run are told. The run's thread hands ticks, and what else is new, over
@@ -42,14 +39,10 @@ class LiveFeed final : public WebContent {
   // Of the run's thread. The server may only begin after the first `begin`.
   void begin(const RunParts& parts, const StackOptions& stack, double friction);
   void put(std::uint32_t number, const TickRecord& tick, const GroundTruth& truth,
-           const TickTiming& timing, const OutsideForces& forces);
+           const TickTiming& timing);
   void set_control(const StackOptions& stack, double friction, std::uint32_t tick);
   void set_pace(bool paused, double speed);
   void set_ended(const std::string& reason);
-  /// What the operator's forces are and may give, where no tick tells it: of a run that is paused.
-  void set_forces(const OutsideForces& forces);
-  /// What is wanted and no tick has taken yet; "": nothing.
-  void set_pending(const std::string& text);
   /// The log that is written from the next begin on.
   void set_recording(const std::string& path);
   void show(const logged::Change& change);
@@ -99,6 +92,7 @@ class LiveFeed final : public WebContent {
   void take_news_before(const ViewTick& tick);
   void take(const ViewTick& tick, std::string& bytes);
   void keep(const std::vector<SharedBlock>& blocks);
+  void add_event(double time, const std::string& event);
   void measure();
   void see_calibration(const TickRecord& tick);
 
@@ -117,11 +111,12 @@ class LiveFeed final : public WebContent {
   std::uint64_t heard_ = 0;  // the last that was taken
   LevelNames names_;         // with which ticks are packed
   std::optional<EventFinder> finder_;
-  ToldChanges told_changes_;
-  std::vector<std::string> events_, changes_, notices_;  // that no page was told yet
-  FrameHistory history_;                                 // of the present run
-  PastEvents past_;
-  std::string ended_, recording_, pending_;
+  int changes_ = 0;                            // from outside, of the present run
+  std::vector<std::string> events_, notices_;  // that no page was told yet
+  FrameHistory history_;                       // of the present run
+  /// What happened in it, with the time, for pages that come late; as old as the frames at most.
+  std::deque<std::pair<double, std::string>> past_;
+  std::string ended_, recording_;
   ViewFrame frame_;
   std::optional<FrictionCone> cone_;  // of the run's stack
   std::optional<StartAlignment> start_;
@@ -130,8 +125,6 @@ class LiveFeed final : public WebContent {
   std::uint32_t tick_ = 0;
   double time_ = 0.0;
   UserCommand user_;
-  OutsideForces forces_;
-  const Clock::time_point begun_ = Clock::now();
   Clock::time_point next_status_{}, measured_{};
   std::optional<Pace> pace_;  // from the first measure on
   double measured_time_ = 0.0, real_factor_ = 0.0;

@@ -15,9 +15,6 @@ namespace {
 
 using Type = ViewCommandType;
 
-constexpr std::chrono::seconds kOneChange{1};  // a slider's steps within this are one
-constexpr std::size_t kMostUndo = 100;
-
 template <typename... Parts>
 std::string text(const Parts&... parts) {
   std::ostringstream stream;
@@ -103,9 +100,6 @@ std::string LiveOperator::command(const ViewCommand& command) {
       case Type::push:
         push(command);
         break;
-      case Type::pull:
-        pull(command);
-        break;
       case Type::walk:
         walk(command);
         break;
@@ -117,9 +111,6 @@ std::string LiveOperator::command(const ViewCommand& command) {
         break;
       case Type::friction:
         friction(command);
-        break;
-      case Type::undo:
-        undo();
         break;
     }
   } catch (const Error& error) {
@@ -165,16 +156,6 @@ void LiveOperator::push(const ViewCommand& command) {
       {.body = command.body, .time = 0.0, .duration = command.duration, .force = force});
 }
 
-void LiveOperator::pull(const ViewCommand& command) {
-  check_body(command.body);
-  check("the force's size", command.force.norm(), 0.0, limits_.push_force, "N");
-  check("the point's distance", command.point.norm(), 0.0, 2.0, "m");
-  wishes_.pull = {.body = command.body, .point = command.point, .force = command.force};
-  wishes_.pull_ends = std::chrono::steady_clock::now() +
-                      std::chrono::duration_cast<std::chrono::steady_clock::duration>(
-                          std::chrono::duration<double>(kPullLasts));
-}
-
 void LiveOperator::walk(const ViewCommand& command) {
   if (command.by_scenario) {
     wishes_.walk.reset();
@@ -205,10 +186,9 @@ void LiveOperator::gain(const ViewCommand& command) {
   const ViewNumber range = view_number(task.task, command.name, number->second, reach_);
   check((task_title(level, task) + " " + command.name).c_str(), command.value, range.min, range.max,
         range.unit == "–" ? "" : range.unit.c_str());
-  if (command.value == number->second) return;
   number->second = command.value;
   (void)make_task(task.task, {task.numbers, task.choices});
-  want(std::move(control), command.level + "/" + command.task + "/" + command.name);
+  wishes_.control = std::move(control);
 }
 
 void LiveOperator::order(const ViewCommand& command) {
@@ -224,56 +204,14 @@ void LiveOperator::order(const ViewCommand& command) {
     throw Error(text("an order of ", command.levels.size(), " levels; valid is one of all ",
                      control.stack.levels.size(), ", each once"));
   }
-  if (!command.level.empty()) (void)find_level(control.stack, command.level);
   control.stack.levels = std::move(levels);
   check_order(control.stack);
-  const std::vector<std::string> moved = command.level.empty()
-                                             ? moved_levels(wishes_.control.stack, control.stack)
-                                             : std::vector{command.level};
-  want(std::move(control), "", moved);
+  wishes_.control = std::move(control);
 }
 
 void LiveOperator::friction(const ViewCommand& command) {
   check("friction", command.value, limits_.friction_min, limits_.friction_max, "");
-  if (command.value == wishes_.control.friction) return;
-  WantedControl control = wishes_.control;
-  control.friction = command.value;
-  want(std::move(control), "friction");
-}
-
-void LiveOperator::undo() {
-  if (undo_.empty()) throw Error("there is nothing to undo");
-  wishes_.control = std::move(undo_.back().control);
-  wishes_.reason = is_taken_ ? "undo: " : "";  // of what the run never had nothing is undone
-  is_taken_ = false;
-  remember_moved(undo_.back().moved);
-  undo_.pop_back();
-  undo_count_ = static_cast<int>(undo_.size());
-}
-
-void LiveOperator::want(WantedControl control, const std::string& subject,
-                        const std::vector<std::string>& moved) {
-  const auto now = std::chrono::steady_clock::now();
-  const bool goes_on = !subject.empty() && !undo_.empty() && undo_.back().subject == subject &&
-                       now - undo_.back().time < kOneChange;
-  if (goes_on) {
-    undo_.back().time = now;
-  } else {
-    undo_.push_back({wishes_.control, subject, now, moved});
-  }
-  if (undo_.size() > kMostUndo) undo_.erase(undo_.begin());
-  undo_count_ = static_cast<int>(undo_.size());
-  remember_moved(moved);
-  wishes_.control = std::move(control);
-  wishes_.reason.clear();
-  is_taken_ = false;
-}
-
-void LiveOperator::remember_moved(const std::vector<std::string>& levels) {
-  std::erase_if(wishes_.moved, [&](const std::string& name) {
-    return std::ranges::find(levels, name) != levels.end();
-  });
-  wishes_.moved.insert(wishes_.moved.begin(), levels.begin(), levels.end());
+  wishes_.control.friction = command.value;
 }
 
 bool LiveOperator::take(OperatorWishes& wishes) {
@@ -284,7 +222,6 @@ bool LiveOperator::take(OperatorWishes& wishes) {
   taken_ = changes_.load(std::memory_order_acquire);
   if (given_up_) wishes_.control = *std::exchange(given_up_, std::nullopt);
   wishes = wishes_;
-  is_taken_ = true;
   wishes_.halt = false;
   wishes_.steps = 0;
   wishes_.reset = false;
@@ -300,14 +237,8 @@ void LiveOperator::begin(std::vector<std::string> bodies) {
              .speed = wishes_.speed,
              .reset = false,
              .pushes = {},
-             .pull = {},
-             .pull_ends = {},
              .walk = {},
-             .control = scenario_control_,
-             .reason = {},
-             .moved = {}};
-  undo_.clear();
-  undo_count_ = 0;
+             .control = scenario_control_};
   ended_.clear();
   given_up_.reset();
   bodies_ = std::move(bodies);

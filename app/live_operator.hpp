@@ -8,7 +8,6 @@
 #include "surefoot/view/view_session.hpp"
 
 #include <atomic>
-#include <chrono>
 #include <cstdint>
 #include <mutex>
 #include <optional>
@@ -16,9 +15,6 @@
 #include <vector>
 
 namespace surefoot {
-
-/// That a pull goes on without being renewed [s].
-inline constexpr double kPullLasts = 1.5;
 
 /// Ticks that wait at most, to be made while it is paused: ten seconds.
 inline constexpr int kMostStepsWaiting = 4000;
@@ -37,12 +33,8 @@ struct OperatorWishes {
   double speed = 1.0;
   bool reset = false;
   std::vector<Push> pushes;
-  std::optional<Pull> pull;
-  std::chrono::steady_clock::time_point pull_ends;
   std::optional<UserCommand> walk;  ///< none: as the scenario says
   WantedControl control;
-  std::string reason;              ///< of the last change of `control`: "", or "undo: "
-  std::vector<std::string> moved;  ///< levels, also by an undo; the latest first
 };
 
 /// Takes the operator's commands, on the server's thread, and says what is wrong with them; the run
@@ -73,29 +65,16 @@ class LiveOperator {
 
   /// What the operator asks to walk; none: as the scenario says.
   [[nodiscard]] std::optional<UserCommand> walk_wanted();
-  [[nodiscard]] int undo_count() const { return undo_count_.load(); }
   [[nodiscard]] const ViewLimits& limits() const { return limits_; }
   [[nodiscard]] const StackReach& reach() const { return reach_; }
 
  private:
-  struct Undo {
-    WantedControl control;
-    std::string subject;  // what was changed, so that a slider's steps are one
-    std::chrono::steady_clock::time_point time;
-    std::vector<std::string> moved;  // levels
-  };
-
   void step(int ticks);
   void push(const ViewCommand& command);
-  void pull(const ViewCommand& command);
   void walk(const ViewCommand& command);
   void gain(const ViewCommand& command);
   void order(const ViewCommand& command);
   void friction(const ViewCommand& command);
-  void undo();
-  void want(WantedControl control, const std::string& subject,
-            const std::vector<std::string>& moved = {});
-  void remember_moved(const std::vector<std::string>& levels);
   void check_body(const std::string& body) const;
 
   const WantedControl scenario_control_;
@@ -106,10 +85,7 @@ class LiveOperator {
   std::mutex mutex_;                       // of all below
   std::vector<std::string> bodies_;
   OperatorWishes wishes_;
-  bool is_taken_ = true;  // the run has all changes of the control
-  std::vector<Undo> undo_;
   std::string ended_;
-  std::atomic<int> undo_count_{0};
   std::atomic<std::uint64_t> changes_{0};
 };
 

@@ -2,7 +2,6 @@
 
 #include "app/live_feed.hpp"
 #include "app/live_operator.hpp"
-#include "app/operator_forces.hpp"
 #include "app/run_pace.hpp"
 #include "app/run_steering.hpp"
 
@@ -26,7 +25,6 @@ class LiveView final : public RunSteering {
   [[nodiscard]] UserCommand user(const UserCommand& planned) override;
   void after_tick(const TickRecord& tick, const GroundTruth& truth,
                   const TickTiming& timing) override;
-  void end(double time) override;
 
   /// The run has ended; the pages are told why, and stay. True once it is to begin again, false
   /// once it is interrupted.
@@ -35,23 +33,15 @@ class LiveView final : public RunSteering {
  private:
   using Clock = std::chrono::steady_clock;
 
-  /// Is this how the controller is?
-  [[nodiscard]] bool has(const WantedControl& control) const;
   /// Is the next tick not to be made yet, whatever the pace is?
   [[nodiscard]] bool is_held() const;
   void take(double time);
   void take_control(double time);
   void take_walk(double time);
-  void take_pull(double time);
   void book(const Push& push, double time);
   void begin_pushes(double time);
-  void pull(const Pull& pull, bool is_weaker, double time);
-  void end_pull(double time);
   [[nodiscard]] bool change_stack(const std::string& text, double time);
   void keep(logged::Change change);
-  [[nodiscard]] std::string pending_text() const;
-  [[nodiscard]] std::string control_text() const;
-  void tell_pending(const std::string& text);
 
   LiveOperator& operator_;
   LiveFeed& feed_;
@@ -63,14 +53,11 @@ class LiveView final : public RunSteering {
   std::optional<UserCommand> walk_;
   RunPace pace_;
   int steps_ = 0;
-  std::optional<OperatorForces> forces_;  // from the first begin on
-  std::vector<Push> booked_;              // pushes that begin with the next tick
-  Pull pulled_;
-  double pull_taken_ = 0.0;  // when the pull was last another one [s]
-  bool hurries_ = false;     // the robot calibrates at the beginning, without a pace
+  std::vector<Push> booked_;  // pushes that begin with the next tick
+  std::vector<Push> pushes_;  // these and those that act
+  bool hurries_ = false;      // the robot calibrates at the beginning, without a pace
   bool reset_ = false, is_off_pace_ = false;
   bool is_pending_ = false;  // something of the control is wanted and not yet had
-  std::string pending_;      // of what waits, as the pages were told
   double speed_ = 1.0;
   std::uint32_t tick_ = 0;
 };

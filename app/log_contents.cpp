@@ -1,6 +1,5 @@
 #include "app/log_contents.hpp"
 
-#include "surefoot/logging/change_count.hpp"
 #include "surefoot/logging/log_reader.hpp"
 #include "surefoot/logging/tick_clock.hpp"
 
@@ -67,7 +66,6 @@ LogContents read_contents(const std::string& path) {
   contents.file_bytes = std::filesystem::file_size(path);
   McapReader file(path);
   Ticks ticks(contents.header.control_period);
-  ChangeCount changes;
   std::size_t known_losses = 0;
   for (McapMessage message; file.next(message);) {
     while (known_losses < file.losses().size()) ticks.add(file.losses()[known_losses++]);
@@ -76,9 +74,8 @@ LogContents read_contents(const std::string& path) {
     topic.bytes += message.data.size();
     topic.last_time = seconds(message.log_time);
     ticks.add(message, contents);
-    if (topic.topic == "/changes") changes.add(message.data);
+    if (topic.topic == "/changes") ++contents.changes;
   }
-  contents.changes = changes.count();
   contents.losses = file.losses();
   ticks.end(contents);
   for (const auto& [name, data] : file.attachments())

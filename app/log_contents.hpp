@@ -34,7 +34,7 @@ struct LogContents {
   std::string summary;  ///< JSON; empty without one
   std::string problem;  ///< why not all of it could be read; empty if it is whole
   std::vector<McapLoss> losses;
-  int changes = 0;               ///< by an operator while it ran; a pull counts once
+  int changes = 0;               ///< by an operator while it ran
   std::uint64_t lost_ticks = 0;  ///< that are known to be missing
   ClockSkips clock;
 };

@@ -64,7 +64,7 @@ void LogSummary::add(const LogChunk& chunk) {
   add_damage(chunk);
   for (const logged::Change& change : chunk.changes) add(change);
   for (const ViewFrame& frame : chunk.frames) {
-    for (const FoundEvent& event : finder_.see(frame)) events_.push_back(event.text);
+    for (const std::string& event : finder_.see(frame)) events_.push_back(event);
     add(frame);
   }
   if (!chunk.frames.empty()) known_ = chunk.frames.back().tick + 1;
@@ -117,10 +117,7 @@ void LogSummary::coarsen() {
 
 void LogSummary::add(const logged::Change& change) {
   finder_.acts(change);
-  if (told_.tells(change)) {
-    events_.push_back(
-        text_event(change.time, "change", change.text, force_mark(change, told_.given())));
-  }
+  events_.push_back(text_event(change.time, "change", change.text));
   if (change.stack.empty()) return;
   try {
     add_order(change);

@@ -2,7 +2,6 @@
 
 #include "app/event_finder.hpp"
 #include "app/log_frames.hpp"
-#include "app/operator_text.hpp"
 #include "surefoot/view/view_session.hpp"
 
 #include <atomic>
@@ -61,7 +60,6 @@ class LogSummary {
 
   LogFrames frames_;
   EventFinder finder_;
-  ToldChanges told_;
 
   std::mutex mutex_;  // of what follows
   std::vector<Range> ranges_;

@@ -3,20 +3,14 @@
 #include "surefoot/base/formatted.hpp"
 
 #include <cmath>
-#include <utility>
 
 namespace surefoot {
 namespace {
 
 constexpr double kTold = 0.38;  // share of a force that is told: less is within 22.5° of the others
 
-std::string with(const std::string& amount, const logged::Change& change, double yaw) {
-  const std::string direction = direction_text(change.force, yaw);
-  return change.body + " with " + amount + (direction.empty() ? "" : " " + direction);
-}
-
-}  // namespace
-
+/// Where a force in W goes as the robot sees it: "forwards and to the left"; empty where it or the
+/// heading is not known.
 std::string direction_text(const Vec3& force, double yaw) {
   const Vec3 seen = Eigen::AngleAxisd(-yaw, Vec3::UnitZ()) * force.normalized();
   if (!seen.allFinite() || force.isZero()) return "";
@@ -31,24 +25,17 @@ std::string direction_text(const Vec3& force, double yaw) {
   return out;
 }
 
-bool ToldChanges::tells(const logged::Change& change) {
-  if (change.kind != "pull") return true;
-  const bool goes_on = std::exchange(is_pulled_, !change.force.isZero());
-  const double passed = change.time - std::exchange(since_, change.time);
-  const double before = std::exchange(force_, change.force.norm());
-  given_ = goes_on ? given_ + before * passed : 0.0;
-  return !goes_on || !is_pulled_;
-}
+}  // namespace
 
 std::string operator_text(const logged::Change& change, double yaw) {
   const double force = change.force.norm();
   if (change.kind == "push") {
-    return "the operator pushes " +
-           with(formatted("%.3g N·s", force * change.duration), change, yaw) +
-           formatted(" (%.3g N", force) + formatted(" for %.3g s)", change.duration);
+    const std::string direction = direction_text(change.force, yaw);
+    return "the operator pushes " + change.body + " with " +
+           formatted("%.3g N·s", force * change.duration) +
+           (direction.empty() ? "" : " " + direction) + formatted(" (%.3g N", force) +
+           formatted(" for %.3g s)", change.duration);
   }
-  if (change.kind == "pull" && force > 0.0)
-    return "the operator pulls " + with(formatted("%.3g N", force), change, yaw);
   if (change.kind == "friction" || change.kind == "stack") return change.text + ", by the operator";
   return change.text;
 }

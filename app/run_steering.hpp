@@ -39,8 +39,6 @@ class RunSteering {
   [[nodiscard]] virtual UserCommand user(const UserCommand& planned) = 0;
   virtual void after_tick(const TickRecord& tick, const GroundTruth& truth,
                           const TickTiming& timing) = 0;
-  /// After the last tick: what still acts ends at this time [s], while changes can be kept.
-  virtual void end(double time) = 0;
 };
 
 }  // namespace surefoot

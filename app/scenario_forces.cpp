@@ -1,8 +1,6 @@
 #include "app/scenario_forces.hpp"
 
 #include <algorithm>
-#include <functional>
-#include <limits>
 #include <utility>
 
 namespace surefoot {
@@ -16,22 +14,12 @@ constexpr double kRounding = 1e-5;  // of a force that the page gets in single p
 ScenarioForces::ScenarioForces(std::vector<std::string> bodies) : bodies_(std::move(bodies)) {}
 
 void ScenarioForces::acts(const logged::Change& change) {
-  const bool is_pull = change.kind == "pull";
-  if (!is_pull && change.kind != "push") return;
-  if (is_pull) end_pull(change.time);
   const auto body = std::ranges::find(bodies_, change.body);
-  if (body == bodies_.end() || !change.force.allFinite()) return;
-  const double lasts = is_pull ? std::numeric_limits<double>::infinity() : change.duration;
+  if (change.kind != "push" || body == bodies_.end() || !change.force.allFinite()) return;
   forces_.push_back({.body = static_cast<std::size_t>(body - bodies_.begin()),
                      .force = change.force,
                      .from = change.time,
-                     .to = change.time + lasts,
-                     .is_pull = is_pull});
-}
-
-void ScenarioForces::end_pull(double time) {
-  const auto last = std::find_if(forces_.rbegin(), forces_.rend(), std::mem_fn(&Force::is_pull));
-  if (last != forces_.rend()) last->to = std::min(last->to, time);
+                     .to = change.time + change.duration});
 }
 
 void ScenarioForces::leave(double time, std::vector<double>& xfrc) {
@@ -48,7 +36,7 @@ void ScenarioForces::leave(double time, std::vector<double>& xfrc) {
   }
   for (const Force& force : forces_) {
     const bool ends_within = force.to > before_ + kSameTime && force.to < time - kSameTime;
-    if (force.is_pull || !ends_within || force.body >= sizes.size()) continue;
+    if (!ends_within || force.body >= sizes.size()) continue;
     if (last_.size() == xfrc.size()) std::copy_n(&last_[6 * force.body], 3, &xfrc[6 * force.body]);
   }
   std::erase_if(forces_, [&](const Force& force) { return force.to < time - kSameTime; });

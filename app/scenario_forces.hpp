@@ -14,7 +14,7 @@ class ScenarioForces {
   /// `bodies`: their names by the rows of the truth's `xfrc_applied`.
   explicit ScenarioForces(std::vector<std::string> bodies);
 
-  /// A push or a pull of the operator; before the ticks that have its force.
+  /// A push of the operator; before the ticks that have its force.
   void acts(const logged::Change& change);
   /// Of the forces at a tick leaves the scenario's; torques stay as they are. A tick has the force
   /// of the physics step before it. Which share of that a push had that ended meanwhile is not
@@ -26,10 +26,7 @@ class ScenarioForces {
     std::size_t body = 0;
     Vec3 force = Vec3::Zero();
     double from = 0.0, to = 0.0;  ///< [s]
-    bool is_pull = false;
   };
-
-  void end_pull(double time);
 
   std::vector<std::string> bodies_;
   std::vector<Force> forces_;  // of the operator, that act or will

@@ -1,5 +1,7 @@
 #include "app/stop_text.hpp"
 
+#include "surefoot/logging/message_fields.hpp"
+
 #include <algorithm>
 #include <array>
 
@@ -77,6 +79,21 @@ std::string text_of_stop(const TickRecord& tick) {
   if (now == nullptr || command.fault != SampleFault::none)
     return text_of_stop(command.cause, command.fault, command.joint);
   return text_of_stop(command.cause, now->fault, now->joint);
+}
+
+const std::vector<std::string>& stop_texts() {
+  static const std::vector<std::string> texts = [] {
+    std::vector<std::string> all;
+    const auto add = [&](const std::string& text) {
+      if (std::ranges::find(all, text) == all.end()) all.push_back(text);
+    };
+    for (std::size_t cause = 0; cause < logged::kCauseNames.size(); ++cause)
+      for (std::size_t fault = 0; fault < logged::kFaultNames.size(); ++fault)
+        for (int joint = -1; joint < kNumJoints; ++joint)
+          add(text_of_stop(static_cast<StopCause>(cause), static_cast<SampleFault>(fault), joint));
+    return all;
+  }();
+  return texts;
 }
 
 std::vector<FaultText> faults_of(const SensorHealth& health) {

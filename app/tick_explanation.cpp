@@ -248,7 +248,7 @@ class Search {
     logged::Decoder::decode(message.data, change);
     scenario_->acts(change);
     blends_.change(change);
-    if (!told_.tells(change) || !is_near(change.time)) return;
+    if (!is_near(change.time)) return;
     found_.events.push_back({change.time, operator_text(change, yaw_), "", "operator"});
   }
 
@@ -313,7 +313,6 @@ class Search {
   double time_, back_, nearest_ = kNaN;
   double first_ = kNaN, last_ = kNaN;  // of the ticks that were looked at [s]
   double yaw_ = kNaN;                  // believed at the last tick
-  ToldChanges told_;
   BlendWatch blends_;
   bool is_in_blend_ = false;  // the tick that is told, and none behind it was out of it yet
   std::optional<ScenarioForces> scenario_;

@@ -7,8 +7,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdint>
-#include <ranges>
 #include <sstream>
 #include <utility>
 
@@ -43,52 +41,25 @@ double within(const StackReach& reach, const std::string& task, const std::strin
 
 using Names = std::vector<std::string>;
 
-std::size_t place(const Names& names, const std::string& name) {
-  return static_cast<std::size_t>(std::ranges::find(names, name) - names.begin()) + 1;
-}
-
-/// Names of an order, and how well they are told as those that did not move.
-struct Part {
-  Names names;
-  std::uint64_t weight = 0;
-};
-
-/// More names weigh more, whichever; of as many those that were not moved, or long ago.
-std::uint64_t weight(const std::string& name, const Names& moved) {
-  static_assert(kMaxLevels < 32);
-  const std::size_t k = place(moved, name);
-  return (std::uint64_t{1} << 32) - (k > moved.size() || k > 31 ? 0 : std::uint64_t{1} << (31 - k));
-}
-
-/// The longest part of an order that stands as it did before; of several that without the levels
-/// that were `moved`, the latest first; then the one that lets others rise.
-Names stayed(const Names& order, const Names& before, const Names& moved) {
-  std::vector<Part> parts;  // the best that ends with each name
-  for (const std::string& name : order) {
-    Part best;
-    for (const Part& part : parts) {
-      const bool goes_on = place(before, part.names.back()) < place(before, name);
-      if (goes_on && part.weight >= best.weight) best = part;
+/// "order: torso_yaw from 8 to 5" where one level was moved; of more the new order of all between
+/// the first and the last that stand elsewhere.
+std::string order_text(const Names& before, const Names& after) {
+  std::size_t begin = 0, end = after.size();
+  while (begin < end && before[begin] == after[begin]) ++begin;
+  while (begin < end && before[end - 1] == after[end - 1]) --end;
+  if (begin == end) return "";
+  for (const auto& [from, to] : {std::pair(end - 1, begin), std::pair(begin, end - 1)}) {
+    Names moved = before;
+    moved.erase(moved.begin() + static_cast<std::ptrdiff_t>(from));
+    moved.insert(moved.begin() + static_cast<std::ptrdiff_t>(to), before[from]);
+    if (moved == after) {
+      return "order: " + before[from] + " from " + std::to_string(from + 1) + " to " +
+             std::to_string(to + 1);
     }
-    best.names.push_back(name);
-    best.weight += weight(name, moved);
-    parts.push_back(std::move(best));
   }
-  return std::ranges::max_element(parts | std::views::reverse, {}, &Part::weight)->names;
-}
-
-std::string order_text(const StackOptions& before, const StackOptions& after, const Names& moved) {
-  const Names was = level_names(before), is = level_names(after);
-  std::string text;
-  for (const std::string& name : moved_levels(before, after, moved)) {
-    text += (text.empty() ? "" : ", ") + name + " from " + std::to_string(place(was, name)) +
-            " to " + std::to_string(place(is, name));
-  }
-  return "order: " + text;
-}
-
-bool has_same_order(const StackOptions& a, const StackOptions& b) {
-  return std::ranges::equal(a.levels, b.levels, {}, &LevelSpec::name, &LevelSpec::name);
+  std::string text = "order from " + std::to_string(begin + 1) + ":";
+  for (std::size_t i = begin; i < end; ++i) text += (i == begin ? " " : ", ") + after[i];
+  return text;
 }
 
 }  // namespace
@@ -123,7 +94,6 @@ std::vector<ViewTask> view_tasks(const StackOptions& stack,
       view.level = static_cast<std::size_t>(number);
       view.level_name = level.name;
       view.task = task.task;
-      view.keeps_physics = keeps_physics(level);
       view.choices = task.choices;
       for (const TaskParameter& parameter : task_info(task.task).parameters) {
         const std::string name(parameter.name);
@@ -142,16 +112,7 @@ std::string change_text(double before, double after) {
   return text.str();
 }
 
-std::vector<std::string> moved_levels(const StackOptions& before, const StackOptions& after,
-                                      const std::vector<std::string>& moved) {
-  Names names = level_names(after);
-  const Names rest = stayed(names, level_names(before), moved);
-  std::erase_if(names, [&](const auto& name) { return place(rest, name) <= rest.size(); });
-  return names;
-}
-
-std::string change_text(const StackOptions& before, const StackOptions& after,
-                        const std::vector<std::string>& moved) {
+std::string change_text(const StackOptions& before, const StackOptions& after) {
   std::string text;
   const auto add = [&](const std::string& part) { text += (text.empty() ? "" : "; ") + part; };
   for (const LevelSpec& level : after.levels) {
@@ -165,7 +126,8 @@ std::string change_text(const StackOptions& before, const StackOptions& after,
       }
     }
   }
-  if (!has_same_order(before, after)) add(order_text(before, after, moved));
+  const std::string order = order_text(level_names(before), level_names(after));
+  if (!order.empty()) add(order);
   return text;
 }
 

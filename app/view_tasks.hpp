@@ -22,17 +22,9 @@ namespace surefoot {
 /// A task as changes and refusals call it: "motion, com_xy"; where its level has its name, by that.
 [[nodiscard]] std::string task_title(const LevelSpec& level, const TaskSpec& task);
 
-/// As few levels of the second stack as tell what is another in its order, highest first. Where it
-/// can be told by some or by others, as of two neighbours that change places, those that were
-/// `moved`, the latest first; then those that rise.
-[[nodiscard]] std::vector<std::string> moved_levels(const StackOptions& before,
-                                                    const StackOptions& after,
-                                                    const std::vector<std::string>& moved = {});
-
 /// What is another in the second stack, which has the levels and tasks of the first:
-/// "com_xy kp 100 → 150; order: torso_yaw from 8 to 5". Empty where nothing is. `moved`: see above.
-[[nodiscard]] std::string change_text(const StackOptions& before, const StackOptions& after,
-                                      const std::vector<std::string>& moved = {});
+/// "com_xy kp 100 → 150; order: torso_yaw from 8 to 5". Empty where nothing is.
+[[nodiscard]] std::string change_text(const StackOptions& before, const StackOptions& after);
 
 /// "0.4 → 0.5", with four digits that count.
 [[nodiscard]] std::string change_text(double before, double after);

@@ -1,5 +1,6 @@
 #include "app/view_tick.hpp"
 
+#include "app/stop_text.hpp"
 #include "surefoot/evaluation/estimate_fields.hpp"
 #include "surefoot/evaluation/truth_fields.hpp"
 #include "surefoot/logging/logged_model.hpp"
@@ -24,6 +25,23 @@ std::uint8_t number_of(const std::string& level, const ViewChannels& channels) {
   return found == channels.level_names.end()
              ? std::uint8_t{255}
              : static_cast<std::uint8_t>(found - channels.level_names.begin());
+}
+
+double number_of(const std::string& text) {
+  if (text.empty()) return 0.0;
+  return static_cast<double>(std::ranges::find(stop_texts(), text) - stop_texts().begin());
+}
+
+ToldFaults told_faults(const TickRecord& tick) {
+  const auto wrong = [&](StopCause group) {
+    const GroupHealth& now = *group_of(tick.health, group);
+    const bool is_wrong = now.fault != SampleFault::none;
+    return is_wrong ? number_of(text_of_stop(group, now.fault, now.joint)) : 0.0;
+  };
+  return {.stop = number_of(text_of_stop(tick)),
+          .encoders = wrong(StopCause::encoders),
+          .joint_torques = wrong(StopCause::joint_torques),
+          .imu = wrong(StopCause::imu)};
 }
 
 void add_rows(const logged::Hierarchy& hierarchy, const ViewChannels& channels, ViewFrame& frame) {
@@ -65,6 +83,9 @@ ViewChannels tick_channels(const std::vector<std::string>& level_names, const Gr
   lister.add("hierarchy", logged::Hierarchy());
   lister.add("command", tick.command);
   lister.add("commanded", CommandedForces());
+  lister.add("told", ToldFaults());
+  for (ViewChannel& channel : channels.channels)
+    if (channel.name.starts_with("told.")) channel.values = stop_texts();
   lister.add("timings", logged::Timing());
   lister.add("truth", truth);
   lister.add("estimate", AlignedEstimate());
@@ -85,6 +106,7 @@ void to_frame(const KnownTick& tick, const ViewChannels& channels, ViewFrame& fr
   writer.add(tick.hierarchy);
   writer.add(tick.record.command);
   writer.add(commanded_forces(tick.cone, tick.record));
+  writer.add(told_faults(tick.record));
   writer.add(tick.timing == nullptr ? no_timing() : *tick.timing);
   if (tick.truth != nullptr) writer.add(*tick.truth);
   if (tick.truth != nullptr && tick.start != nullptr)

@@ -12,8 +12,25 @@
 
 namespace surefoot {
 
-/// The channels of a run: every field of the log, under its topic, and `commanded` and `estimate`,
-/// which follow from them. `truth` has the sizes of MuJoCo's vectors.
+/// Why the controller stopped and what is wrong with the sensors, as numbers of `stop_texts`.
+struct ToldFaults {
+  double stop = 0.0, encoders = 0.0, joint_torques = 0.0, imu = 0.0;
+};
+
+namespace logged {
+
+template <typename Archive, Is<ToldFaults> T>
+void fields(Archive& field, T& told) {
+  field("stop", told.stop, "why the controller has stopped for safety, in words");
+  field("encoders", told.encoders, "what is wrong with the encoders, in words");
+  field("joint_torques", told.joint_torques, "what is wrong with the joint torques, in words");
+  field("imu", told.imu, "what is wrong with the IMU, in words");
+}
+
+}  // namespace logged
+
+/// The channels of a run: every field of the log, under its topic, and `commanded`, `told` and
+/// `estimate`, which follow from them. `truth` has the sizes of MuJoCo's vectors.
 [[nodiscard]] ViewChannels tick_channels(const std::vector<std::string>& level_names,
                                          const GroundTruth& truth);
 

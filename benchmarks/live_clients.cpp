@@ -210,7 +210,6 @@ class Stretches final : public RunSteering {
     }
     ++tick_;
   }
-  void end(double time) override { view_.end(time); }
 
   TickPairs ticks;     // without pages, and with
   long unsettled = 0;  // left out: not as many pages as there should be

@@ -27,7 +27,7 @@ class Events:
 
     def __init__(self, file, header):
         self._file, self._header = file, header
-        self._mode, self._is_pulled = None, False
+        self._mode = None
         self._state = None  # that was told last
         self._time = 0  # that was seen last [ns]
 
@@ -36,7 +36,7 @@ class Events:
         self._time = messages[0].time
         for message in messages:
             if message.topic == "/changes":
-                self._see_change(json.loads(bytes(message.data)))
+                self._tell(operator_text(json.loads(bytes(message.data)), heading_of(self._state)), "operator")
         found = {message.topic: message for message in messages}
         for text in events_of({topic: message.data for topic, message in found.items()}, self._header):
             self._tell(text, "planner")
@@ -49,13 +49,6 @@ class Events:
         ending = read_ending(summary) if summary is not None else None
         if ending is not None:
             self._tell(ending[0], "run", ERROR if ending[1] else INFO)
-
-    def _see_change(self, change):
-        """Of a pull its begin and its end."""
-        is_pull, pulls = change["kind"] == "pull", change["kind"] == "pull" and any(change["force"])
-        if not (pulls and self._is_pulled):
-            self._tell(operator_text(change, heading_of(self._state)), "operator")
-        self._is_pulled = pulls if is_pull else self._is_pulled
 
     def _see_command(self, found):
         command = json.loads(bytes(found["/command"].data))

@@ -33,6 +33,4 @@ def operator_text(change, yaw):
     if kind == "push":
         duration = change["duration"]
         return f"the operator pushes {change['body']} with {size * duration:.3g} N·s{direction} ({size:.3g} N for {duration:.3g} s)"
-    if kind == "pull" and size > 0:
-        return f"the operator pulls {change['body']} with {size:.3g} N{direction}"
     return f"{change['text']}, by the operator" if kind in ("friction", "stack") else change["text"]

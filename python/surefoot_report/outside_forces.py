@@ -1,6 +1,5 @@
-"""What pushed the robot from outside, and how often a run was changed by hand."""
+"""What pushed the robot from outside."""
 
-import json
 import re
 
 import numpy as np
@@ -42,17 +41,3 @@ def direction(force, q):
     if abs(force[2]) > TOLD * size:
         parts.append("upwards" if force[2] > 0 else "downwards")
     return ", " + " and ".join(parts)
-
-
-def count_changes(messages):
-    """A pull counts once, however many messages follow the operator's hand; a message that makes no sense is a change, too."""
-    count, pulled = 0, ""
-    for data in messages:
-        try:
-            change = json.loads(data)
-            is_pull, body = change["kind"] == "pull", change["body"] if any(change["force"]) else ""
-        except (ValueError, KeyError, TypeError):
-            is_pull, body = False, ""
-        count += body not in ("", pulled) if is_pull else 1
-        pulled = body if is_pull else pulled
-    return count

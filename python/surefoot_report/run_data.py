@@ -12,7 +12,7 @@ import pyarrow.json
 from surefoot_campaign.errors import InputError
 from surefoot_log.frames import ITERATION_CAP, LEGS
 from surefoot_log.log_file import SUMMARY
-from surefoot_report.outside_forces import count_changes, outside_forces
+from surefoot_report.outside_forces import outside_forces
 
 STANCE, UNLOADING, SWING, SEARCH = range(4)
 PHASES = ["stance", "unloading", "swing", "search"]
@@ -189,10 +189,13 @@ def laid_by_feet(contact, believed, true):
 def read_run(log):
     """Throws InputError as LogFile does, and if the log holds no tick."""
     topics = {name: Topic(name, log.path) for name in SCHEMAS}
-    changes = []
+    changes = 0
     for message in log.messages({*SCHEMAS, "/changes"}):
-        changes.append(bytes(message.data)) if message.topic == "/changes" else topics[message.topic].add(message)
-    return made_run(log, {name: topic.finish() for name, topic in topics.items()}, count_changes(changes))
+        if message.topic == "/changes":
+            changes += 1
+        else:
+            topics[message.topic].add(message)
+    return made_run(log, {name: topic.finish() for name, topic in topics.items()}, changes)
 
 
 def of_ticks(log, tables):

@@ -68,7 +68,6 @@ struct Change {
   double duration = kNaN;
   double friction = kNaN;
   std::string body;
-  Vec3 point = Vec3::Constant(kNaN);
   Vec3 force = Vec3::Constant(kNaN);
 };
 
@@ -318,7 +317,7 @@ void fields(Archive& field, T& hierarchy) {
 template <typename Archive, Is<Change> T>
 void fields(Archive& field, T& change) {
   field("time", change.time, "of the first tick that has it [s]");
-  field("kind", change.kind, "stack, friction, push, pull, walk");
+  field("kind", change.kind, "stack, friction, push, walk");
   field("text", change.text, "what was changed, in words");
   field("stack", change.stack, "of kind stack: the whole stack from now on, as a stack file");
   field(
@@ -326,10 +325,8 @@ void fields(Archive& field, T& change) {
       "of kind stack: in which the torques pass from one to the other; of kind push: its own [s]");
   field("friction", change.friction,
         "of kind friction: coefficient that the controller assumes from now on");
-  field("body", change.body, "of kind push and pull: the link that is pushed");
-  field("point", change.point, "of kind pull: where, in the link's frame [m]");
-  field("force", change.force,
-        "of kind push: at the link's centre of mass; of kind pull, until the next; in W [N]");
+  field("body", change.body, "of kind push: the link that is pushed");
+  field("force", change.force, "of kind push: at the link's centre of mass, in W [N]");
 }
 
 template <typename Archive, Is<JointCommand> T>

@@ -169,26 +169,15 @@ void Pushes::add(const Push& push, double time) {
   forces_.push_back({push, body_of(push.body, "the pushed body")});
 }
 
-void Pushes::set(const Pull& pull) {
-  const int body = body_of(pull.body, "the pulled body");
-  const bool is_known = std::ranges::find(released_, pulled_) != released_.end();
-  if (pulled_ >= 0 && pulled_ != body && !is_known) released_.push_back(pulled_);
-  pull_ = pull;
-  pulled_ = body;
-}
-
 void Pushes::apply(double timestep, mjData& data) noexcept {
   const auto clear = [&](int body) { std::fill_n(data.xfrc_applied + 6 * body, 6, 0.0); };
   for (const Force& force : forces_) clear(force.body);
   if (!hands_.empty()) clear(base_);
-  for (const int body : released_) clear(body);
-  if (pulled_ >= 0) clear(pulled_);
   for (const Force& force : forces_) {
     const double part = share(force.push, data.time, timestep);
     for (int i = 0; i < 3; ++i) data.xfrc_applied[6 * force.body + i] += part * force.push.force[i];
   }
   for (Hand& hand : hands_) lift(hand, data);
-  if (pulled_ >= 0) apply_pull(data);
 }
 
 void Pushes::lift(Hand& hand, mjData& data) const noexcept {
@@ -198,10 +187,6 @@ void Pushes::lift(Hand& hand, mjData& data) const noexcept {
   const Vec3 w(velocity.data()), v(velocity.data() + 3);
   const Vec3 v_W = v + w.cross(p_W - Vec3(data.xpos + 3 * base_));
   add_force(base_, p_W, hand.force(data.time, p_W, v_W), data);
-}
-
-void Pushes::apply_pull(mjData& data) const noexcept {
-  add_force(pulled_, place(data, pulled_, pull_.point), pull_.force, data);
 }
 
 }  // namespace surefoot::simulation

@@ -31,7 +31,7 @@ class Hand {
   Vec3 begin_ = Vec3::Constant(kNaN);  // start position [m]
 };
 
-/// Pushes, lifts and pulls. A push acts at the centre of mass of its link, or at the origin of a
+/// Pushes and lifts. A push acts at the centre of mass of its link, or at the origin of a
 /// base link whose own inertia was ignored.
 class Pushes {
  public:
@@ -42,8 +42,6 @@ class Pushes {
   /// Adds a push, and discards those that ended long before `time` [s], which is now. Throws as the
   /// constructor.
   void add(const Push& push, double time);
-  /// Replaces the pull. Throws as the constructor.
-  void set(const Pull& pull);
   /// Names of the bodies that can be pushed.
   [[nodiscard]] std::vector<std::string> bodies() const;
 
@@ -58,7 +56,6 @@ class Pushes {
   };
 
   void lift(Hand& hand, mjData& data) const noexcept;
-  void apply_pull(mjData& data) const noexcept;
   [[nodiscard]] int body_of(const std::string& body, const std::string& key) const;
 
   const mjModel& model_;
@@ -66,9 +63,6 @@ class Pushes {
   std::vector<Force> forces_;
   std::vector<Hand> hands_;
   int base_ = -1;
-  Pull pull_;
-  int pulled_ = -1;            // body of `pull_`; −1: none
-  std::vector<int> released_;  // bodies of earlier pulls
 };
 
 }  // namespace surefoot::simulation

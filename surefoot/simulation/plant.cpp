@@ -245,8 +245,6 @@ void Plant::push(const Push& push) {
   implementation_->pushes.add(valid, implementation_->data.time);
 }
 
-void Plant::pull(const Pull& pull) { implementation_->pushes.set(pull); }
-
 std::vector<std::string> Plant::bodies() const { return implementation_->pushes.bodies(); }
 
 const GroundTruth& Plant::truth() const { return implementation_->truth; }

@@ -27,8 +27,6 @@ class Plant final : public RobotPort {
   /// Between two ticks: adds a push; a past start time means now. Throws UnknownNameError, listing
   /// the robot's links, for an unknown body.
   void push(const Push& push);
-  /// Between two ticks: replaces the pull, from now on; a force of 0 ends it. Throws as `push`.
-  void pull(const Pull& pull);
   /// Names of the bodies that can be pushed.
   [[nodiscard]] std::vector<std::string> bodies() const;
 

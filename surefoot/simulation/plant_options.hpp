@@ -191,13 +191,6 @@ struct Push {
   Vec3 force = Vec3::Zero();  ///< in W [N]
 };
 
-/// A force at a point of a body, like a hand-held spring's.
-struct Pull {
-  std::string body;           ///< URDF link; empty: the base
-  Vec3 point = Vec3::Zero();  ///< in the body's frame [m]
-  Vec3 force = Vec3::Zero();  ///< in W [N]
-};
-
 /// Somebody lifts the robot at a point of its base, by a spring that only pulls up, and damps the
 /// point. The hand rises, stays, comes down again and lets go.
 struct Lift {

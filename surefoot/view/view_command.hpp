@@ -16,12 +16,10 @@ enum class ViewCommandType {
   speed,
   reset,
   push,
-  pull,
   walk,
   gain,
   order,
   friction,
-  undo,
 };
 
 /// What a page asks for, docs/view_protocol.md. Members that its type does not have keep their
@@ -30,17 +28,15 @@ struct ViewCommand {
   ViewCommandType type = ViewCommandType::pause;
   int ticks = 1;                      ///< of step
   double factor = 1.0;                ///< of speed, to real time
-  std::string body{};                 ///< of push and pull
+  std::string body{};                 ///< of push
   Vec3 impulse{0, 0, 0};              ///< of push, in W [N·s]
   double duration = 0.0;              ///< of push [s]
-  Vec3 point{0, 0, 0};                ///< of pull, in the body's frame [m]
-  Vec3 force{0, 0, 0};                ///< of pull, in W [N]
   bool by_scenario = false;           ///< of walk: the operator gives the command back
   bool walk = false;                  ///< of walk: the operator's command
   Vec2 velocity{0, 0};                ///< forward and lateral, in C [m/s]
   double yaw_rate = 0.0;              ///< [rad/s]
   double height = 0.0;                ///< [m]
-  std::string level{};                ///< of gain; of order the one that is moved, or ""
+  std::string level{};                ///< of gain
   std::string task{}, name{};         ///< of gain
   double value = 0.0;                 ///< of gain and friction
   std::vector<std::string> levels{};  ///< of order

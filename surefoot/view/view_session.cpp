@@ -11,15 +11,13 @@ void limits_member(JsonText& json, const ViewLimits& limits) {
   json.key("limits")
       .object()
       .member("push_newton_seconds", limits.push_impulse)
-      .member("push_newton_seconds_each_second", limits.push_refill)
       .member("push_newtons", limits.push_force)
       .member("push_seconds", limits.push_duration)
       .member("walk_velocity", limits.walk_velocity)
       .member("walk_yaw_rate", limits.walk_yaw_rate)
       .member("walk_height", limits.walk_height)
       .member("friction_min", limits.friction_min)
-      .member("friction_max", limits.friction_max)
-      .member("changes", limits.changes);
+      .member("friction_max", limits.friction_max);
   json.key("speeds").array();
   for (double speed = limits.slowest; speed <= limits.fastest; speed *= 2.0) json.value(speed);
   json.end_array().end_object();
@@ -29,8 +27,7 @@ void task_member(JsonText& json, const ViewTask& task) {
   json.object()
       .member("level", task.level)
       .member("level_name", std::string_view(task.level_name))
-      .member("task", std::string_view(task.task))
-      .member("keeps_physics", task.keeps_physics);
+      .member("task", std::string_view(task.task));
   json.key("numbers").array();
   for (const ViewNumber& number : task.numbers) {
     json.object()

@@ -12,9 +12,8 @@ namespace surefoot {
 
 /// What may be done to the robot from the page.
 struct ViewLimits {
-  double push_impulse = 60.0;  ///< that pushes and pulls may give at once [N·s]
-  double push_refill = 60.0;   ///< of it, each second [N·s/s]
-  double push_force = 300.0;   ///< of all pushes and pulls at one time [N]
+  double push_impulse = 60.0;  ///< [N·s]
+  double push_force = 300.0;   ///< of all pushes at one time [N]
   double push_duration = 1.0;  ///< [s]
   double slowest = 0.03125;    ///< of real time
   double fastest = 8.0;
@@ -22,7 +21,6 @@ struct ViewLimits {
   double walk_yaw_rate = 0.6;  ///< [rad/s]
   double walk_height = 0.1;    ///< offset, up or down [m]
   double friction_min = 0.05, friction_max = 2.0;
-  std::size_t changes = 200;  ///< of a live run that pages are told, the last
 };
 
 /// A number of a task that can be changed.
@@ -36,7 +34,6 @@ struct ViewNumber {
 struct ViewTask {
   std::size_t level = 0;  ///< in `header.level_names`
   std::string level_name, task;
-  bool keeps_physics = false;  ///< its level does, and stands above all that can be moved
   std::vector<ViewNumber> numbers;
   std::map<std::string, std::string> choices;  ///< e.g. axes: gravity
 };

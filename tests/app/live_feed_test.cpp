@@ -39,7 +39,6 @@ class CountedView final : public RunSteering {
     count([&] { view_.after_tick(tick, truth, timing); });
     ++ticks;
   }
-  void end(double time) override { view_.end(time); }
 
   std::size_t ticks = 0, allocations = 0, locks = 0;
 
@@ -126,14 +125,11 @@ TEST(LiveFeed, a_run_that_is_steered_before_a_busy_server_waits_for_no_lock) {
       for (int i = 0; !ends; ++i) {
         const double friction = 0.3 + 0.01 * (i % 10);
         const ViewCommand friction_now{.type = ViewCommandType::friction, .value = friction};
-        const ViewCommand pull{
-            .type = ViewCommandType::pull, .body = "base", .force = Vec3(0.0, i % 20, 0.0)};
         const ViewCommand push{.type = ViewCommandType::push,
                                .body = "base",
                                .impulse = Vec3(0.0, 0.1, 0.0),
                                .duration = 0.01};
-        const ViewCommand undo{.type = ViewCommandType::undo};
-        for (const ViewCommand& command : {friction_now, pull, push, undo})
+        for (const ViewCommand& command : {friction_now, push})
           taken += watched.feed.command(command).empty() ? 1 : 0;
         (void)watched.feed.blocks();
         (void)watched.feed.get("/api/session", {});
@@ -196,7 +192,6 @@ TEST(LiveFeed, a_speed_that_was_asked_for_just_now_is_not_said_to_be_missed) {
   ASSERT_NE(faster, told.begin());
   EXPECT_GT(number("real_factor")(*(faster - 1)), 0.0) << "measured by then";
   EXPECT_EQ(number("real_factor")(*faster), 0.0);
-  EXPECT_TRUE(std::ranges::is_sorted(told, {}, number("clock")));
 }
 
 TEST(LiveFeed, the_first_status_of_a_run_knows_no_speed_however_long_the_machine_has_been_up) {
@@ -232,7 +227,7 @@ TEST(LiveFeed, changes_of_a_run_before_are_not_told_with_those_of_the_run_that_h
     (void)watched.feed.blocks();
     const std::vector<std::string> told = watched.feed.messages(1);
     return std::ranges::count_if(told, [](const std::string& message) {
-      return message.starts_with(R"({"type":"change")");
+      return message.find(R"("kind":"change")") != std::string::npos;
     });
   };
   const auto run_with = [&](double friction) {

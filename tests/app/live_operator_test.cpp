@@ -31,10 +31,6 @@ class LiveOperatorTest : public ::testing::Test {
     EXPECT_TRUE(operator_.take(wishes));
     return wishes;
   }
-  double kp(const OperatorWishes& wishes) {
-    const auto level = std::ranges::find(wishes.control.stack.levels, "com_xy", &LevelSpec::name);
-    return level->tasks.at(0).numbers.at("kp");
-  }
 
   Scenario scenario_ = load_scenario({"walk_flat_ideal", 0, {"stack=terrain_adaptation"}});
   LiveOperator operator_{scenario_, ViewLimits()};
@@ -80,7 +76,6 @@ TEST_F(LiveOperatorTest, what_is_wrong_with_a_command_is_told_with_what_would_be
   EXPECT_TRUE(test::holds(operator_.command({.type = Type::speed, .factor = 100.0}), "to 8"));
   EXPECT_TRUE(test::holds(
       operator_.command({.type = Type::walk, .walk = true, .velocity = Vec2(3, 0)}), "m/s"));
-  EXPECT_TRUE(test::holds(operator_.command({.type = Type::undo}), "nothing to undo"));
 }
 
 TEST_F(LiveOperatorTest, a_refusal_names_the_level_and_gives_every_number_its_unit) {
@@ -120,55 +115,6 @@ TEST_F(LiveOperatorTest, an_order_must_have_all_levels_and_those_of_the_physics_
   std::iter_swap(order.end() - 1, order.end() - 2);
   EXPECT_EQ(asked(order), "");
   EXPECT_EQ(taken().control.stack.levels.back().name, order.back());
-}
-
-TEST_F(LiveOperatorTest, the_level_that_was_moved_is_known_also_of_an_undo) {
-  std::vector<std::string> order = level_names(scenario_.controller.stack);
-  const std::string upper = order[order.size() - 2], lower = order.back();
-  std::iter_swap(order.end() - 1, order.end() - 2);
-  const auto moved = [&](const ViewCommand& command) {
-    EXPECT_EQ(operator_.command(command), "");
-    return taken().moved;
-  };
-  using Names = std::vector<std::string>;
-  EXPECT_EQ(moved({.type = Type::order, .level = upper, .levels = order}), Names{upper});
-  std::iter_swap(order.end() - 1, order.end() - 2);
-  EXPECT_EQ(moved({.type = Type::order, .level = lower, .levels = order}), (Names{lower, upper}));
-  EXPECT_EQ(moved({.type = Type::undo}), (Names{lower, upper}));
-  EXPECT_EQ(moved({.type = Type::undo}), (Names{upper, lower}));
-  std::iter_swap(order.end() - 1, order.end() - 2);
-  EXPECT_EQ(moved({.type = Type::order, .levels = order}), (Names{lower, upper})) << "which rises";
-  const ViewCommand unknown{.type = Type::order, .level = "torso", .levels = order};
-  EXPECT_TRUE(test::holds(operator_.command(unknown), "unknown level \"torso\""));
-}
-
-TEST_F(LiveOperatorTest, undo_takes_back_change_by_change_and_a_sliders_steps_are_one) {
-  const double before = kp(taken());
-  for (const double value : {10.0, 20.0, 30.0}) EXPECT_EQ(gain("com_xy", "kp", value), "");
-  EXPECT_EQ(operator_.command({.type = Type::friction, .value = 0.3}), "");
-  EXPECT_EQ(operator_.undo_count(), 2);
-  EXPECT_EQ(kp(taken()), 30.0);
-  EXPECT_EQ(operator_.command({.type = Type::undo}), "");
-  EXPECT_EQ(taken().control.friction, scenario_.controller.planner.force.friction);
-  EXPECT_EQ(operator_.command({.type = Type::undo}), "");
-  EXPECT_EQ(kp(taken()), before);
-  EXPECT_EQ(operator_.undo_count(), 0);
-}
-
-TEST_F(LiveOperatorTest, a_number_that_is_set_to_what_it_is_makes_no_change_to_undo) {
-  EXPECT_EQ(gain("com_xy", "kp", kp(taken())), "");
-  const double friction = taken().control.friction;
-  EXPECT_EQ(operator_.command({.type = Type::friction, .value = friction}), "");
-  EXPECT_EQ(operator_.undo_count(), 0);
-}
-
-TEST_F(LiveOperatorTest, an_undo_is_told_as_one_only_of_what_the_run_had) {
-  EXPECT_EQ(gain("com_xy", "kp", 10.0), "");
-  EXPECT_EQ(operator_.command({.type = Type::friction, .value = 0.3}), "");
-  EXPECT_EQ(operator_.command({.type = Type::undo}), "");
-  EXPECT_EQ(taken().reason, "") << "the gain is new to the run, the friction it never had";
-  EXPECT_EQ(operator_.command({.type = Type::undo}), "");
-  EXPECT_EQ(taken().reason, "undo: ");
 }
 
 TEST_F(LiveOperatorTest, after_its_end_a_run_can_only_be_begun_again) {

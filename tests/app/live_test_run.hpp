@@ -5,6 +5,8 @@
 #include "surefoot/config/scenario_file.hpp"
 #include "surefoot/view/frame_block.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include <cstring>
 #include <functional>
 #include <map>
@@ -61,6 +63,7 @@ class LiveTestRun {
   std::vector<ViewFrame> frames;            // of all that the pages got
   std::vector<std::uint32_t> generations;   // of each frame
   std::vector<std::string> events;          // messages of these
+  std::vector<std::string> changes;         // texts of those of them that are changes
   std::vector<std::string> messages;        // without status and events
   std::vector<std::string> errors;          // of the commands
   std::function<void()> each_turn = [] {};  // before each tick, and while the run waits
@@ -94,8 +97,10 @@ class LiveTestRun {
     }
     for (std::string& message : feed.messages(1)) {
       if (message.starts_with(R"({"type":"status")")) continue;
-      const bool is_events = message.starts_with(R"({"type":"events")");
-      (is_events ? events : messages).push_back(std::move(message));
+      const auto parsed = nlohmann::json::parse(message);
+      for (const auto& event : parsed.value("events", nlohmann::json::array()))
+        if (event.is_object() && event.at("kind") == "change") changes.push_back(event.at("text"));
+      (parsed.contains("events") ? events : messages).push_back(std::move(message));
     }
   }
 

@@ -29,13 +29,11 @@ std::vector<std::string> good_messages() {
       message(R"("type":"step","ticks":3)"),
       message(R"("type":"speed","factor":4)"),
       message(R"("type":"push","body":"base","impulse":[0,20,0],"duration":0.2)"),
-      message(R"("type":"pull","body":"LF_SHANK","point":[0.1,0,0],"force":[0,100,20])"),
       message(R"("type":"walk","walk":true,"velocity":[0.1,0.05],"yaw_rate":0.1,"height":-0.02)"),
       message(R"("type":"walk","by":"scenario")"),
       message(R"("type":"gain","level":"com_xy","task":"com_xy","name":"kp","value":150)"),
       message(R"("type":"order","levels":["equations_of_motion","torque_limits"])"),
       message(R"("type":"friction","value":0.4)"),
-      message(R"("type":"undo")"),
   };
 }
 
@@ -51,7 +49,6 @@ bool is_within(const OperatorWishes& wishes, const ViewLimits& limits) {
     good = good && is_force(push.force) && push.duration > 0.0 &&
            push.duration <= limits.push_duration;
   }
-  if (wishes.pull) good = good && is_force(wishes.pull->force) && wishes.pull->point.norm() <= 2.0;
   if (wishes.walk) {
     good = good && wishes.walk->velocity.cwiseAbs().maxCoeff() <= limits.walk_velocity &&
            std::abs(wishes.walk->yaw_rate) <= limits.walk_yaw_rate &&

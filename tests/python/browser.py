@@ -36,7 +36,7 @@ class Browser:
                    "--remote-debugging-port=0", f"--user-data-dir={self.folder}", f"--window-size={width},{height}",
                    *flags, "about:blank"]
         self.process = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-        self.console, self.requests, self.count, self.dragged = [], [], 0, None
+        self.console, self.requests, self.count = [], [], 0
         self.open_things = contextlib.ExitStack()
         # Without pings: while nobody reads, as in tests with another page, what the page says keeps their answers back.
         self.socket = self.open_things.enter_context(connect(self.page_address(), max_size=None, compression=None, ping_interval=None))
@@ -81,8 +81,6 @@ class Browser:
             self.console.append(("error", details.get("exception", {}).get("description", details["text"])))
         elif method == "Log.entryAdded":
             self.console.append((params["entry"]["level"], params["entry"]["text"]))
-        elif method == "Input.dragIntercepted":
-            self.dragged = params["data"]
         elif method == "Network.requestWillBeSent":
             self.requests.append(params["request"]["url"])
 
@@ -129,20 +127,6 @@ class Browser:
 
     def wheel(self, x, y, down):
         self.call("Input.dispatchMouseEvent", type="mouseWheel", x=x, y=y, deltaX=0, deltaY=down)
-
-    def drop(self, begin, end):
-        """Drags what lies at one place and drops it at another; whether the browser, if not too busy, saw a drag in it."""
-        self.call("Input.setInterceptDrags", enabled=True)
-        self.dragged = None
-        self.mouse("mousePressed", *begin)
-        for step in (0.1, 0.5, 1):
-            self.mouse("mouseMoved", *(a + step * (b - a) for a, b in zip(begin, end)))
-            self.run("new Promise(done => setTimeout(done, 50))")
-        for kind in ("dragEnter", "dragOver", "drop") if self.dragged else ():
-            self.call("Input.dispatchDragEvent", type=kind, x=end[0], y=end[1], data=self.dragged)
-        self.mouse("mouseReleased", *end)
-        self.call("Input.setInterceptDrags", enabled=False)
-        return self.dragged is not None
 
     def touch(self, *fingers):
         """Each finger goes down at the first of its points, to the others, and up, all at the same time."""

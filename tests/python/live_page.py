@@ -178,6 +178,11 @@ class Page:
                 return heard
         raise AssertionError(f"not heard within {seconds} s: {self.texts[-5:]}")
 
+    def change(self, words="", seconds=30):
+        """The text of the next change from outside with these words."""
+        texts = lambda heard: [one["text"] for one in heard.get("events", []) if isinstance(one, dict) and one["kind"] == "change" and words in one["text"]]  # noqa: E731
+        return texts(self.wait(lambda heard: texts(heard) != [], seconds))[0]
+
     def status(self, is_it=lambda status: True, seconds=30):
         return self.wait(lambda heard: heard["type"] == "status" and is_it(heard), seconds)
 

@@ -22,16 +22,13 @@ def attachment(path, name):
 OPERATOR = [
     {"time": 0.5, "kind": "push", "text": "push of 12 N·s at base", "body": "base", "force": [0, 120, 0], "duration": 0.1},
     {"time": 0.6, "kind": "friction", "text": "friction 0.6 → 0.4", "friction": 0.4},
-    {"time": 0.7, "kind": "pull", "text": "pull at base", "body": "base", "point": [0, 0, 0], "force": [-30, 0, -30]},
-    {"time": 0.75, "kind": "pull", "text": "pull at base", "body": "base", "point": [0, 0, 0], "force": [-40, 0, -30]},
-    {"time": 0.8, "kind": "pull", "text": "the pull ends after 4 N·s", "body": "base", "point": [0, 0, 0], "force": [0, 0, 0]},
+    {"time": 0.7, "kind": "push", "text": "push of 4.24 N·s at base", "body": "base", "force": [-30, 0, -30], "duration": 0.1},
     {"time": 0.9, "kind": "walk", "text": "the operator commands: stand"},
 ]
 OPERATOR_TOLD = {
     0.5: "the operator pushes base with 12 N·s to the left (120 N for 0.1 s)",
     0.6: "friction 0.6 → 0.4, by the operator",
-    0.7: "the operator pulls base with 42.4 N backwards and downwards",
-    0.8: "the pull ends after 4 N·s",
+    0.7: "the operator pushes base with 4.24 N·s backwards and downwards (42.4 N for 0.1 s)",
     0.9: "the operator commands: stand",
 }
 """What an operator did while a robot looked along x, and how it is told."""

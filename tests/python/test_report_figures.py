@@ -269,11 +269,3 @@ def test_a_push_is_told_with_its_time_size_and_direction(log, tmp_path):
     quaternion = [1, 0, 0, 0]
     assert outside_forces.direction(np.array([-1.0, 0, 1]), quaternion) == ", 180° from ahead and upwards"
     assert outside_forces.direction(np.array([1.0, -1, 0]), quaternion) == ", 45° from ahead to the right"
-
-
-def test_a_pull_counts_once_and_what_makes_no_sense_is_a_change():
-    def pull(body, size):
-        return f'{{"kind":"pull","body":"{body}","force":[{size},0,0]}}'.encode()
-
-    messages = [pull("base", 1), pull("base", 2), pull("base", 0), pull("base", 1), pull("LF_FOOT", 1), b'{"kind":"friction"}', b"{"]
-    assert outside_forces.count_changes(messages) == 5

@@ -33,7 +33,7 @@ def test_pause_step_and_speed(run):
 def test_a_push_moves_the_robot(run):
     with run.page() as page:
         page.do("push", body="base", impulse=[0, 15, 0], duration=0.1)
-        page.wait(lambda heard: heard["type"] == "change" and "push of 15 N·s" in heard["text"])
+        page.change("push of 15 N·s")
         end = time.monotonic() + 1.0
         while time.monotonic() < end:
             page.hear()
@@ -43,7 +43,7 @@ def test_a_push_moves_the_robot(run):
     assert "60 N·s" in run_error(run, "push", body="base", impulse=[0, 100, 0], duration=1)
 
 
-def test_gains_order_and_friction_change_and_are_undone(run):
+def test_gains_order_and_friction_change(run):
     def gain(session):
         (task,) = [task for task in session["tasks"] if task["task"] == "com_xy"]
         return next(number["value"] for number in task["numbers"] if number["name"] == "kp")
@@ -51,27 +51,20 @@ def test_gains_order_and_friction_change_and_are_undone(run):
     before = run.session()
     order = before["orders"][-1]["levels"]
     with run.page() as page:
-        changed = lambda heard: heard["type"] == "change" and heard["kind"] in ("stack", "friction")  # noqa: E731
         page.do("gain", level="com_xy", task="com_xy", name="kp", value=77.0)
-        assert "→ 77" in page.wait(changed)["text"]
+        page.change("→ 77")
         yaw = order.index("torso_yaw")
         page.do("order", levels=[*order[: yaw - 1], order[yaw], order[yaw - 1], *order[yaw + 1 :]])
-        page.wait(changed)
+        page.change("order: torso_yaw")
         page.do("friction", value=0.25)
-        page.wait(changed)
+        page.change("→ 0.25")
         session = run.session()
         assert gain(session) == 77.0
         assert session["orders"][-1]["levels"].index("torso_yaw") == yaw - 1
         assert session["friction"] == 0.25
         assert session["generation"] > before["generation"]
         assert [channel["name"] for channel in session["channels"]] == [channel["name"] for channel in before["channels"]]
-        for _ in range(3):
-            page.do("undo")
-            assert page.wait(changed)["text"].startswith("undo: ")
-        assert page.status(lambda status: status["undo"] == 0)
-    after = run.session()
-    assert gain(after) == gain(before)
-    assert after["orders"][-1]["levels"] == order and after["friction"] == before["friction"]
+        assert page.status()["changes"] >= 3
 
 
 def test_the_operator_commands_the_walk_and_gives_it_back(run):

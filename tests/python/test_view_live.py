@@ -112,7 +112,7 @@ def test_after_its_end_the_page_stays_until_it_is_interrupted():
 def test_an_interrupt_ends_a_run_that_is_watched_as_any_other(tmp_path):
     with Served("run", "walk_flat", "--view", *LONG, "--record", tmp_path / "run.mcap") as run, run.page() as page:
         page.do("push", body="base", impulse=[0, 5, 0], duration=0.1)
-        page.wait(lambda heard: heard["type"] == "change")
+        page.change()
         assert run.end() == 2
     assert (tmp_path / "run.mcap.partial").exists()
     assert "interrupted" in run.errors

@@ -42,7 +42,7 @@ def test_nothing_covers_the_tabs_and_what_is_scrolled_to(browser, live):
         show(browser, live.link)
         tap(browser, "#tab-tune")
         last = "[...document.querySelectorAll('[data-gain]')].at(-1)"
-        for one in (last, "document.querySelector('#undo')", "document.querySelector('#tab-state')", "document.querySelector('#channel-search')"):
+        for one in (last, "document.querySelector('#friction')", "document.querySelector('#tab-state')", "document.querySelector('#channel-search')"):
             browser.run(f"{one}.scrollIntoView({{ block: 'start' }})")
             assert browser.run(f"(() => {{ const b = {one}.getBoundingClientRect(); return {one}.contains(document.elementFromPoint(b.x + b.width / 2, b.y + b.height / 2)); }})()"), one
         browser.run(f"{last}.scrollIntoView({{ block: 'start' }})")

@@ -1,11 +1,11 @@
-"""The plots of the viewer's page: any channel and any part of one, each plot whole, lines that can be told apart, and no holes where the program has the ticks."""
+"""The plots of the viewer's page: any channel and any part of one, each plot whole, and lines that can be told apart."""
 
 import numpy as np
 import pytest
 
 from browser import wait_for
 from viewer import Viewer
-from viewer_page import SCREENSHOTS, WALK, pixels, show
+from viewer_page import SCREENSHOTS, pixels, show
 
 # Plots of which something is not to be seen, or whose × can't be pressed, once it is scrolled to.
 CUT = """[...document.querySelectorAll('.plot')].filter(plot => {
@@ -84,22 +84,6 @@ def test_a_line_is_hidden_and_shown_again_by_a_press_on_its_name(replayed):
     assert replayed.run("document.querySelector('.legend .line').getAttribute('aria-pressed')") == "true"
 
 
-def test_the_values_of_a_plot_are_zoomed_with_shift_and_the_wheel(replayed):
-    replayed.run("surefoot.playing && document.querySelector('#play').click()")
-    drawn = "document.querySelector('.plot canvas').toDataURL()"
-    span = "document.querySelector('#span').value"
-    plain, time = replayed.run(f"[{drawn}, {span}]")
-    turn = "document.querySelector('.u-over').dispatchEvent(new WheelEvent('wheel', { deltaX: -500, shiftKey: true, cancelable: true, bubbles: true, clientX: %d, clientY: %d }))"
-    x, y = replayed.middle(".u-over")
-    replayed.run(turn % (x, y))
-    replayed.wait(f"document.querySelector('.plot').classList.contains('part') && {drawn} !== '{plain}'")
-    assert replayed.run(span) == time
-    assert replayed.run("document.querySelectorAll('.plot.part').length") == 1, "each plot by itself"
-    zoomed = replayed.run(drawn)
-    replayed.run("document.querySelector('.u-over').dispatchEvent(new MouseEvent('dblclick', { bubbles: true }))")
-    replayed.wait(f"!document.querySelector('.plot.part') && {drawn} !== '{zoomed}'")
-
-
 def test_twelve_lines_of_a_plot_are_told_apart_by_colours_of_the_legs_and_dashes(replayed):
     plot(replayed, "state.qd")
     for theme in ("light", "dark"):
@@ -109,36 +93,6 @@ def test_twelve_lines_of_a_plot_are_told_apart_by_colours_of_the_legs_and_dashes
         assert len(lines) == len({tuple(style) for _, *style in lines}) == 12
         assert all(len({colour for name, colour, _ in lines if name.startswith(leg)}) == 1 for leg in ("LF", "RF", "LH", "RH"))
         replayed.screenshot(SCREENSHOTS / f"plot_joints_{theme}.png")
-
-
-def test_ticks_that_the_page_lost_are_fetched_where_they_are_looked_at(browser):
-    lossy = """window.WebSocket = class extends WebSocket {
-      constructor(...given) { super(...given); this.addEventListener('message', event => {
-        if (!window.lossy || typeof event.data === 'string') return;
-        window.lost = (window.lost ?? 0) + new DataView(event.data).getUint32(4, true);  // ticks of the block
-        event.stopImmediatePropagation();
-      }); }
-    }"""
-    script = browser.call("Page.addScriptToEvaluateOnNewDocument", source=lossy)["identifier"]
-    try:
-        with Viewer(*WALK) as walk:
-            show(browser, walk.link)
-            browser.wait("surefoot.tick > 400", 60)
-            begin = browser.run("(() => { window.lossy = true; return surefoot.last; })()")
-            browser.wait(f"surefoot.status.time > {begin} + 2", 60)
-            browser.run("window.lossy = false")
-            browser.wait(f"Number(document.querySelector('#scrub').max) > {begin} + 2", 60)
-            tick = round((begin + 1) / 0.0025)
-            browser.run(f"""(() => {{ const scrub = document.querySelector('#scrub'); scrub.value = {tick * 0.0025 + 1e-4};
-              scrub.dispatchEvent(new Event('input')); }})()""")
-            browser.wait(f"surefoot.tick === {tick}", 30)
-            # The plots show more than the picture's time: all that was lost is asked for.
-            asked = "performance.getEntriesByType('resource').filter(one => one.name.includes('/api/frames')).reduce((sum, one) => sum + Number(/count=(\\d+)/.exec(one.name)[1]), 0)"
-            assert browser.run("window.lost") > 0
-            browser.wait(f"{asked} >= window.lost", 30)
-            browser.screenshot(SCREENSHOTS / "holes.png")
-    finally:
-        browser.call("Page.removeScriptToEvaluateOnNewDocument", identifier=script)
 
 
 def test_a_name_is_told_whole_in_as_many_lines_as_it_needs(replayed):

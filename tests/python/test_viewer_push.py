@@ -20,7 +20,6 @@ def test_a_push_moves_the_robot_and_is_shown_with_its_force(browser):
         browser.screenshot(SCREENSHOTS / "push.png")
         step_until(browser, f"!{pushed}", "its end")
         assert channel(browser, "truth.v_WB")[1] > before + 0.15  # 55 N·s on 30 kg, less what the feet take
-        assert "N" in browser.run("document.querySelector('.changes').textContent")
 
 
 def test_a_limit_that_becomes_active_is_seen_in_the_panel_by_words_and_colour(browser):
@@ -45,17 +44,13 @@ def test_a_limit_that_becomes_active_is_seen_in_the_panel_by_words_and_colour(br
         assert {colour for *_, colour in held}.isdisjoint({colour for status, _, colour in cards if status == "met"})
 
 
-def test_a_pull_that_still_acts_ends_with_the_run_and_nothing_can_be_pushed_after_it(browser):
+def test_a_run_that_has_ended_can_only_be_begun_again(browser):
     with Viewer("run", "walk_flat_ideal", "--view", "--set", "duration=1") as short, Page(short) as hand:
         hand.do("pause")
         show(browser, short.link)
         browser.click("#tab-drive")
         hand.do("resume")
-        while hand.status()["ended"] is None:
-            hand.ask("pull", body="base", point=[0, 0, 0], force=[0, 30, 0])
-        browser.wait("surefoot.status.ended !== null")
-        browser.wait("/the pull ends after/.test(document.querySelector('.changes').textContent)")
-        browser.wait("surefoot.status.pull === null && /The run has ended/.test(document.querySelector('#asked').textContent)")
+        browser.wait("surefoot.status.ended !== null && /The run has ended/.test(document.querySelector('#asked').textContent)", 60)
         assert browser.run(f"{CONTROLS}.every(one => one.matches(':disabled'))")
         browser.press("r")
         browser.wait(f"surefoot.status.ended === null && {CONTROLS}.every(one => !one.matches(':disabled'))", 60)

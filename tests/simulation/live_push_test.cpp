@@ -40,31 +40,10 @@ TEST(LivePush, one_that_is_asked_for_later_leaves_those_that_act) {
   for (const double force : plant.truth().xfrc_applied) EXPECT_EQ(force, 0.0);
 }
 
-TEST(LivePush, a_pull_acts_at_its_point_until_it_is_ended) {
-  Plant plant(test::anymal_b(), test::falling_options());
-  plant.pull({"base", Vec3(0.4, 0.0, 0.0), Vec3(0.0, 20.0, 0.0)});
-  for (int tick = 0; tick < 40; ++tick) plant.write({});
-  EXPECT_NEAR(momentum(plant).y(), 2.0, 0.02);
-  const double turning = plant.truth().w_WB_B.z();
-  EXPECT_GT(turning, 0.05) << "about the centre of mass";
-  plant.pull({"base", Vec3::Zero(), Vec3::Zero()});
-  for (int tick = 0; tick < 40; ++tick) plant.write({});
-  EXPECT_NEAR(momentum(plant).y(), 2.0, 0.02);
-}
-
-TEST(LivePush, a_pull_that_goes_to_another_body_leaves_the_first) {
-  Plant plant(test::anymal_b(), test::falling_options());
-  plant.pull({"LF_SHANK", Vec3::Zero(), Vec3(0.0, 20.0, 0.0)});
-  for (int tick = 0; tick < 20; ++tick) plant.write({});
-  plant.pull({"base", Vec3::Zero(), Vec3(0.0, -20.0, 0.0)});
-  for (int tick = 0; tick < 20; ++tick) plant.write({});
-  EXPECT_NEAR(momentum(plant).y(), 0.0, 0.02);
-}
-
 TEST(LivePush, a_body_that_does_not_exist_is_told_with_those_that_do) {
   Plant plant(test::anymal_b(), test::falling_options());
   EXPECT_THROW(plant.push({"LF_SHNK", 0.0, 0.1, Vec3::Zero()}), UnknownNameError);
-  EXPECT_THROW(plant.pull({"world", Vec3::Zero(), Vec3::Zero()}), UnknownNameError);
+  EXPECT_THROW(plant.push({"world", 0.0, 0.1, Vec3::Zero()}), UnknownNameError);
   const std::vector<std::string> bodies = plant.bodies();
   EXPECT_NE(std::ranges::find(bodies, "LF_SHANK"), bodies.end());
   EXPECT_NE(std::ranges::find(bodies, "base"), bodies.end());

@@ -46,7 +46,7 @@ class FakeContent final : public WebContent {
   }
   std::string command(const ViewCommand& command) override {
     ++commands;
-    return command.type == ViewCommandType::undo ? "there is nothing to undo" : "";
+    return command.type == ViewCommandType::reset ? "there is nothing to reset" : "";
   }
 
   void drawn() override { ++drawings; }

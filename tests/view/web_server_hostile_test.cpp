@@ -154,7 +154,6 @@ TEST_F(WebServerTest, conversations_that_make_no_sense_do_no_harm_while_blocks_a
   const std::vector<std::string> good{
       message(R"("type":"pause")"),
       message(R"("type":"speed","factor":4)"),
-      message(R"("type":"pull","body":"base","point":[0.1,0,0],"force":[0,100,20])"),
       message(R"("type":"order","levels":["equations_of_motion","torque_limits"])"),
       std::string(),
       std::string(4096, '['),

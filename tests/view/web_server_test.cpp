@@ -192,10 +192,10 @@ TEST_F(WebServerTest, says_what_is_wrong_with_a_message) {
   EXPECT_TRUE(test::holds(unknown, "resume")) << "valid ones are named: " << unknown;
   client.say(message(R"("type":"push","body":"base","impulse":[1,2],"duration":0.1)"));
   const std::string short_list = client.hear_text();
-  EXPECT_TRUE(test::holds(short_list, "list of 3 numbers")) << short_list;
-  client.say(message(R"("type":"undo")"));
-  EXPECT_TRUE(test::holds(client.hear_text(), "nothing to undo"));
-  const std::string cut = message(R"("type":"undo")").substr(1);
+  EXPECT_TRUE(test::holds(short_list, "impulse")) << short_list;
+  client.say(message(R"("type":"reset")"));
+  EXPECT_TRUE(test::holds(client.hear_text(), "nothing to reset"));
+  const std::string cut = message(R"("type":"reset")").substr(1);
   for (const std::string& text : {"{" + cut + "}", std::string("[]"), message(R"("value":NaN)")}) {
     client.say(text);
     const std::string reply = client.hear_text();

@@ -5,8 +5,6 @@ import { scalar, type Frame } from "./data/frame.ts";
 import { accountAt, levelStates } from "./data/hierarchy.ts";
 import { asSentence, unreadableText } from "./data/log_words.ts";
 import { listenToKeys, type KeyActions } from "./input/keys.ts";
-import { GamepadInput } from "./input/gamepad.ts";
-import { Pull } from "./input/pull.ts";
 import { LiveLink } from "./live_link.ts";
 import { aboutRun } from "./panels/about_run.ts";
 import { Announcer } from "./panels/announcer.ts";
@@ -23,8 +21,7 @@ import { StatePanel } from "./panels/state_panel.ts";
 import { Tabs } from "./panels/tabs.ts";
 import { courseOf, endedText, Transport } from "./panels/transport.ts";
 import { TunePanel } from "./panels/tune_panel.ts";
-import { tellWithoutCard } from "./panels/without_card.ts";
-import { Commands } from "./protocol/commands.ts";
+import { Commands, type Ask } from "./protocol/commands.ts";
 import { orderOf, type Session } from "./protocol/session.ts";
 import { ReplayLink } from "./replay_link.ts";
 import { NO_CONTEXT, watchContext } from "./scene/context.ts";
@@ -41,6 +38,8 @@ const WITHOUT_ROBOT = 2000;
 const OF_A_LOG = "This is a log: only a run can be pushed, steered or changed (`surefoot run SCENARIO --view`).";
 /** A run that waits for its page waits no longer for meshes [ms]. */
 const LONGEST_DRESSING = 10000;
+/** Commands that a run takes with its next tick. */
+const CHANGES = new Set(["push", "walk", "gain", "order", "friction"]);
 /** Texts and the time bar change this often [s]. */
 const TEXT_PERIOD = 0.1;
 
@@ -65,8 +64,6 @@ export class App {
   private readonly plots: PlotsPanel;
   private readonly transport: Transport;
   private readonly menu: OverlayMenu | undefined;
-  private readonly pull: Pull | undefined;
-  private readonly gamepad: GamepadInput;
   private readonly made = performance.now();
   private last = performance.now();
   private drawn = performance.now();
@@ -102,10 +99,11 @@ export class App {
 
     const tabs = new Tabs();
     const report = (text: string, kind?: "error" | "plain"): void => notes.say(text, kind);
+    const ask: Ask = (type, fields, wish) => this.command(type, fields, wish);
     this.hierarchy = new HierarchyPanel(tabs.add("hierarchy", "Hierarchy"), session.cut !== "" && session.ended === "");
     this.state = new StatePanel(tabs.add("state", "State"), this.aboutRun(), session.header.notes);
-    this.drive = new DrivePanel(live ? tabs.add("drive", "Drive") : h("div"), this.commands, session.limits, report);
-    this.tune = new TunePanel(live ? tabs.add("tune", "Tune") : h("div"), this.commands, session.limits.changes, report);
+    this.drive = new DrivePanel(live ? tabs.add("drive", "Drive") : h("div"), ask, session.limits, report);
+    this.tune = new TunePanel(live ? tabs.add("tune", "Tune") : h("div"), ask, report);
     this.tune.show(session);
     this.plots = new PlotsPanel(part("plots"), this.player, schema);
     this.transport = new Transport(part("transport"), this.player, session.limits.speeds, {
@@ -115,22 +113,10 @@ export class App {
       reset: () => this.reset(),
     });
     this.letCommand(live);
-    this.hierarchy.fix(session.tasks.filter((task) => task.keeps_physics).map((task) => task.level_name));
-    this.hierarchy.onOrder = (levels, level) => this.command("order", { levels, level }, this.hierarchy.wish);
+    this.hierarchy.onOrder = (levels) => this.command("order", { levels }, this.hierarchy.wish);
     this.hierarchy.newest = orderOf(session);
-    this.tune.onUndo = () => this.hierarchy.wish.drop();
-    if (this.world !== undefined) {
-      this.menu = new OverlayMenu(this.world);
-      this.pull = new Pull(this.world, part("canvas"), this.commands, session.limits, () => this.canAct && this.player.following);
-      this.pull.onError = (error) => notes.say(error.message, "error", "pull");
-    }
-    const { drive } = this;
-    drive.onAct = () => this.showNow();
-    this.gamepad = new GamepadInput(drive.most, {
-      walk: (walk) => drive.ask({ ...drive.walk, ...walk }), stand: () => drive.stand(), giveBack: () => drive.giveBack(),
-      tell: (text) => notes.say(text, "plain", "gamepad"),
-    });
-    document.addEventListener("visibilitychange", () => document.hidden && this.gamepad.release());
+    if (this.world !== undefined) this.menu = new OverlayMenu(this.world);
+    this.drive.onAct = () => this.showNow();
     this.wire();
     link.wire(this);
     this.wireKeys();
@@ -144,7 +130,6 @@ export class App {
         this.notes.take("context");
         world.invalidate();
       });
-      if (world.stage.quality.software) tellWithoutCard();
       world.library.onMissing = () => this.notes.keep("meshes", missingText(world.library.missing));
       return world;
     } catch (error) {
@@ -175,8 +160,9 @@ export class App {
 
   private aboutRun(): [string, string][] {
     const { link, recording, hasEnded } = this;
+    const isSteered = link === undefined ? this.player.source.marks.some(({ kind }) => kind === "change") : (link.status?.changes ?? 0) > 0;
     const ended = link === undefined ? this.ending : endedText(this.ending, courseOf(link.status, link.isHeard));
-    return aboutRun(this.session, { recording, hasEnded, ended, isSteered: this.player.source.marks.some(({ kind }) => kind === "change"), missing: missingText(this.world?.library.missing) });
+    return aboutRun(this.session, { recording, hasEnded, ended, isSteered, missing: missingText(this.world?.library.missing) });
   }
 
   private wire(): void {
@@ -202,13 +188,13 @@ export class App {
   /** Keys that change a live run; of a log letters say so, the others are the browser's. */
   private drivingKeys(): KeyActions {
     const { player, drive } = this;
-    if (!player.live) return Object.fromEntries([..."wsadqexgup"].map((key) => [key, () => this.notes.say(OF_A_LOG)]));
+    if (!player.live) return Object.fromEntries([..."wsadqexgp"].map((key) => [key, () => this.notes.say(OF_A_LOG)]));
     return {
       l: () => player.goLive(),
       w: () => drive.nudge("forward", 1), s: () => drive.nudge("forward", -1), a: () => drive.nudge("left", 1),
       d: () => drive.nudge("left", -1), q: () => drive.nudge("turn", 1), e: () => drive.nudge("turn", -1),
       PageUp: () => drive.nudge("height", 1), PageDown: () => drive.nudge("height", -1),
-      x: () => drive.stand(), g: () => drive.giveBack(), u: () => this.tune.undo(), p: () => drive.push(),
+      x: () => drive.stand(), g: () => drive.giveBack(), p: () => drive.push(),
     };
   }
 
@@ -235,8 +221,11 @@ export class App {
   }
 
   /** Sends a command of the run; a refusal is shown, and ends the wish. */
-  command(type: string, fields: object = {}, wish?: { drop: () => void }): void {
-    this.commands.send(type, fields).catch((error: Error) => {
+  private command(type: string, fields: object = {}, wish?: { drop: () => void }): void {
+    const taken = (): void => {
+      if (this.paused && CHANGES.has(type)) this.notes.say("The run is paused: that comes with its next tick.", "plain", "waits");
+    };
+    this.commands.send(type, fields).then(taken, (error: Error) => {
       wish?.drop();
       this.notes.say(error.message, "error");
     });
@@ -285,9 +274,7 @@ export class App {
   }
 
   private reset(): void {
-    const { link } = this;
-    if (link !== undefined)
-      link.reset(() => this.commands.send("reset")).catch((error: Error) => this.notes.say(error.message, "error"));
+    if (this.link !== undefined) this.command("reset");
     else this.player.seek(this.player.source.first);
   }
 
@@ -319,7 +306,6 @@ export class App {
   /** The run begins again: nothing of it is known yet. */
   restart(): void {
     this.player.restart();
-    this.gamepad.restart();
     this.frame = undefined;
     this.world?.clear();
     this.hierarchy.clear();
@@ -346,7 +332,6 @@ export class App {
     player.advance(dt, this.link?.rate ?? 0);
     player.source.expect(player.time, player.playing ? player.speed : 0);
     const frame = player.source.at(player.time);
-    this.gamepad.update(dt, this.canAct);
     const drawn = this.draw(begin, frame);
     if (drawn && frame !== undefined) {
       this.frame = frame;
@@ -367,7 +352,7 @@ export class App {
     const { quality } = world.stage;
     if (!quality.pace.begin(now)) return false;
     const dt = Math.min((now - this.drawn) / 1000, 1);
-    if (!world.draw(frame, player.source, dt, () => this.pull?.draw(this.link?.status))) return false;
+    if (!world.draw(frame, player.source, dt)) return false;
     this.drawn = now;
     quality.pace.drew(now);
     if (this.pictures > 5 && world.library.loading === 0) quality.measure();
@@ -425,7 +410,7 @@ export class App {
     const states = levelStates(frame, source.explained?.(frame.tick));
     const account = accountAt(frame, states, source.isComputing?.(frame.tick));
     this.levels = this.hierarchy.show(frame, states, account);
-    this.state.show(frame, source, account);
+    this.state.show(frame, account);
     this.tune.showBelief(LEG_CHANNELS.friction.map((name) => scalar(frame, name)));
   }
 }

@@ -1,6 +1,5 @@
 import type { App } from "./app.ts";
-import { changeText } from "./data/change_words.ts";
-import { PictureAge, paceText } from "./data/lag.ts";
+import { paceText } from "./data/speed.ts";
 import type { LiveSource, OpenBefore } from "./data/live_source.ts";
 import { endOf, marksOf, type RawEvent } from "./data/marks.ts";
 import { ReplaySource } from "./data/replay_source.ts";
@@ -38,9 +37,6 @@ export class LiveLink {
   private lostBefore = false;
   /** Which run's end has a mark: the generation with which it began. */
   private ended = NaN;
-  /** This page has asked for a reset. */
-  private resets = false;
-  private readonly age = new PictureAge();
   private app: App | undefined;
 
   constructor(
@@ -85,9 +81,7 @@ export class LiveLink {
     this.connection.onMessage = (message) => this.hear(message);
     this.connection.onState = (state) => this.turn(state);
     this.connection.onUnreadable = (error) => app.notes.say(error.message, "error");
-    this.source.onRestart = () => this.beginAgain();
-    this.source.fetchTicks = (first, ticks) => ask(`/api/frames?from=${first}&count=${ticks}&stride=1`);
-    this.source.onFilled = () => app.refresh();
+    this.source.onRestart = () => app.restart();
     setInterval(() => this.showState(), SILENCE_PERIOD);
   }
 
@@ -170,29 +164,21 @@ export class LiveLink {
     this.source.follow(session.begun);
   }
 
-  private hear(told: ServerMessage): void {
-    const message = inWords(told);
+  private hear(message: ServerMessage): void {
     const app = this.app as App;
     const { commands, tune, drive } = app.handlers();
     switch (message.type) {
       case "status":
         this.status = message;
-        this.age.hear(message, performance.now() / 1000);
         this.source.follow(message.begun);
         this.markEnd(message);
         drive.show(message);
         this.showUse();
         tune.showStatus(message);
-        this.showPending(message);
         this.showState();
         break;
-      case "change":
-        tune.changes.hear(message);
-        if (message.kind !== "pull") app.notes.say(message.text, "plain", message.kind === "walk" ? "walk" : undefined);
-        this.source.mark({ time: message.time, text: message.text, leg: "", kind: "change", force: message.force });
-        break;
       case "events":
-        this.source.mark(...marksOf(message.events, this.source.schema.events));
+        this.markEvents(message.events);
         break;
       case "reply":
         commands.reply(message);
@@ -209,22 +195,10 @@ export class LiveLink {
     this.source.mark(endOf((tick - 1) * this.source.schema.period, ended));
   }
 
-  /** The run is to begin again. */
-  async reset(send: () => Promise<void>): Promise<void> {
-    this.resets = true;
-    try {
-      await send();
-    } catch (error) {
-      this.resets = false;
-      throw error;
-    }
-  }
-
-  /** Nothing of the run before is shown; one that is paused makes its first tick for who has reset it, so that there is something to see. */
-  private beginAgain(): void {
-    this.app?.restart();
-    if (this.resets && this.status?.paused) this.app?.command("step", { ticks: 1 });
-    this.resets = false;
+  private markEvents(events: RawEvent[]): void {
+    const marks = marksOf(events, this.source.schema.events);
+    this.source.mark(...marks);
+    for (const { kind, text } of marks) if (kind === "change") this.app?.notes.say(text, "plain", "change");
   }
 
   private showState(): void {
@@ -244,18 +218,11 @@ export class LiveLink {
     this.app?.letCommand(this.isHeard && this.status?.ended == null);
   }
 
-  /** Of a run that stands nothing comes to effect: what was asked for is shown until it does. */
-  private showPending({ paused, pending }: Status): void {
-    if (paused && pending !== "") this.app?.notes.keep("pending", `With the next tick: ${pending}`);
-    else this.app?.notes.take("pending");
-  }
-
   private turn(state: ConnectionState): void {
     const app = this.app as App;
     this.showState();
     if (state !== "open") {
       this.lostBefore = true;
-      this.age.forget();
       app.handlers().commands.lost();
     }
     if (state === "lost") {
@@ -297,9 +264,7 @@ export class LiveLink {
       const { run } = this.source;
       const events = JSON.parse(textOf(await ask("/api/events"))) as RawEvent[];
       if (this.source.run !== run) return; // of a run before
-      const marks = marksOf(events, this.source.schema.events);
-      this.source.mark(...marks);
-      this.app?.handlers().tune.changes.recall(marks.filter(({ kind }) => kind === "change"));
+      this.source.mark(...marksOf(events, this.source.schema.events));
     } catch (error) {
       console.warn(error); // that the connection is lost is shown
     }
@@ -310,21 +275,15 @@ export class LiveLink {
     return "";
   }
 
-  /** Its log, speed against the wall clock, how old the picture is, lost ticks. */
+  /** Its log, speed against the wall clock, lost ticks. */
   tellFacts(): string[] {
     const facts: string[] = [];
     const log = this.status?.recording ?? "";
     if (log !== "") facts.push(logFact(log, courseOf(this.status, this.isHeard)));
-    if (this.status !== undefined && this.rate > 0) facts.push(paceText(this.status), this.ageText());
+    if (this.status !== undefined && this.rate > 0) facts.push(paceText(this.status));
     const lost = this.dropped + this.skipped;
     if (lost > 0) facts.push(`${lost} ticks not sent in time`);
     return facts.filter((fact) => fact !== "");
-  }
-
-  /** Of who looks at the newest picture. */
-  private ageText(): string {
-    const { frame, player } = this.app as App;
-    return frame === undefined || !player.following ? "" : this.age.text(frame.time, performance.now() / 1000);
   }
 }
 
@@ -333,12 +292,6 @@ export function logFact(path: string, course: Course): string {
   const name = path.slice(path.lastIndexOf("/") + 1);
   if (course === "unheard") return `log: ${name}`;
   return `${course === "ended" ? "recorded in" : "recording"} ${name}`;
-}
-
-/** What of a message is for people, as they read it. */
-function inWords(message: ServerMessage): ServerMessage {
-  if (message.type === "status") return { ...message, pending: changeText(message.pending) };
-  return message.type === "change" ? { ...message, text: changeText(message.text) } : message;
 }
 
 /** Why there is no connection; `reason`: what the program has said of it. */

@@ -7,7 +7,7 @@ import type { Mark } from "./data/source.ts";
 import { damageText, readText } from "./data/log_words.ts";
 import { part, say } from "./panels/dom.ts";
 import { showLink } from "./panels/stale.ts";
-import { ask, isTimeout, NoAnswer, textOf } from "./protocol/ask.ts";
+import { ask, NoAnswer, textOf } from "./protocol/ask.ts";
 import { fetchSession, type Session } from "./protocol/session.ts";
 
 /** How often a log that is being summarised is asked for more [ms]. */
@@ -16,8 +16,8 @@ const SUMMARY_PERIOD = 700;
 const SERVER_PERIOD = 2000;
 /** What takes longer to come than this is told [ms]. */
 const LONG = 1000;
-/** After which it is slow [ms], and from when on, looked at between two questions, it does not answer. */
-const SERVER_SILENCE = 3000, PATIENCE = 5000;
+/** After which it does not answer [ms]; it may be busy with the log. */
+const SERVER_SILENCE = 8000;
 
 /** Fills the source of a log with what the program reads of it, over times in which there is no program. */
 export class ReplayLink {
@@ -48,7 +48,7 @@ export class ReplayLink {
       app.notes.take("log");
     };
     cache.onError = (error) => {
-      if (error instanceof NoAnswer) void this.awaitServer(error.isLate);
+      if (error instanceof NoAnswer) void this.awaitServer();
       else app.notes.keep("log", `The log can't be read: ${error.message}`, "error");
     };
     showLink("", false);
@@ -79,37 +79,27 @@ export class ReplayLink {
       const answer = await fetch("/api/alive", { signal: AbortSignal.timeout(SERVER_SILENCE) });
       const start = (await answer.text()).trim();
       if (answer.ok && start !== this.session.start) return location.reload();
-    } catch (error) {
-      await this.awaitServer(isTimeout(error));
+    } catch {
+      await this.awaitServer();
     }
     setTimeout(() => void this.lookForServer(), SERVER_PERIOD);
   }
 
-  /** Says that the program which serves the log is slow or gone, until it answers; `isLate`: it is there, but has not answered in time. */
-  private awaitServer(isLate: boolean): Promise<void> {
-    return (this.awaited ??= this.findServer(isLate).finally(() => (this.awaited = undefined)));
+  /** Says that the program which serves the log does not answer, until it does. */
+  private awaitServer(): Promise<void> {
+    return (this.awaited ??= this.findServer().finally(() => (this.awaited = undefined)));
   }
 
-  private async findServer(isLate: boolean): Promise<void> {
+  private async findServer(): Promise<void> {
     const app = this.app as App;
-    const since = performance.now();
     const badge = part("link-state");
-    const tell = (): void => {
-      const isSlow = isLate && performance.now() - since < PATIENCE;
-      badge.dataset["state"] = isSlow ? "slow" : "lost";
-      say(badge, isSlow ? "slow" : "no answer");
-      badge.title = isSlow ? "the program that serves this log takes long to answer" : "";
-      if (isSlow) app.notes.take("server");
-      else app.notes.keep("server", "The program that serves this log does not answer; if it has ended, start `surefoot replay` again. The page tries again by itself.", "error");
-    };
+    badge.dataset["state"] = "lost";
+    say(badge, "no answer");
+    app.notes.keep("server", "The program that serves this log does not answer; if it has ended, start `surefoot replay` again. The page tries again by itself.", "error");
     let session = this.session;
-    while (session === this.session) {
-      tell();
-      session = await nextSession(this.session, (late) => (isLate = late));
-    }
+    while (session === this.session) session = await nextSession(this.session);
     if (session.start !== this.session.start) return location.reload();
     say(badge, "");
-    badge.title = "";
     delete badge.dataset["state"];
     app.notes.take("server");
     app.refresh();
@@ -123,7 +113,7 @@ export class ReplayLink {
   /** Marks and overviews of a log become known from front to back after it was opened. */
   private async summarise(): Promise<void> {
     const app = this.app as App;
-    for (let session = this.session; ; session = await nextSession(session, (isLate) => void this.awaitServer(isLate))) {
+    for (let session = this.session; ; session = await nextSession(session, () => void this.awaitServer())) {
       if (session.start !== this.session.start) return location.reload();
       const { summarised, damage, orders } = session;
       this.summarised = summarised;
@@ -143,14 +133,13 @@ export class ReplayLink {
   }
 }
 
-/** The session a little later; the one before where it can't be had just now: `failed` is told whether it only did not come in time. */
-async function nextSession(before: Session, failed: (isLate: boolean) => void): Promise<Session> {
+/** The session a little later; the one before where it can't be had just now. */
+async function nextSession(before: Session, failed = (): void => {}): Promise<Session> {
   await new Promise((resolve) => setTimeout(resolve, SUMMARY_PERIOD));
   try {
     return await fetchSession();
-  } catch (error) {
-    failed(error instanceof NoAnswer && error.isLate);
+  } catch {
+    failed();
     return before;
   }
 }
-

@@ -2,7 +2,6 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { marksOf } from "../src/data/marks.ts";
 import { nudged } from "../src/panels/drive_panel.ts";
-import { speedText } from "../src/data/lag.ts";
 import { Commands } from "../src/protocol/commands.ts";
 import { backoff, type Connection } from "../src/protocol/connection.ts";
 
@@ -74,10 +73,6 @@ test("what is asked to walk changes by steps and stays within its limits", () =>
   assert.deepEqual(walk, { walk: true, velocity: [0.15, 0], yaw_rate: 0, height: 0 });
   assert.deepEqual(nudged(walk, "turn", -1, limits).yaw_rate, -0.02);
   assert.deepEqual(walk.yaw_rate, 0, "what was asked before stays as it was");
-});
-
-test("speeds are told as fractions", () => {
-  assert.deepEqual([1 / 32, 0.5, 1, 8].map(speedText), ["1/32×", "1/2×", "1×", "8×"]);
 });
 
 test("marks of a log come with names for numbers", () => {

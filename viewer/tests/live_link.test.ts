@@ -14,7 +14,7 @@ function sessionOf(more: Partial<Session> = {}): Session {
   const header = { robot: { mass: 30 }, level_names: [], level_units: [], level_visible: [], event_names: [] };
   return {
     protocol: PROTOCOL, start: "this one", generation: 0, begun: 0, first_tick: 0, period: PERIOD, frame_floats: 1, header,
-    channels: [{ name: "x", unit: "", about: "", size: 1, offset: 0 }], orders: [], rows: [], bodies: [], limits: { changes: 200 }, ...more,
+    channels: [{ name: "x", unit: "", about: "", size: 1, offset: 0 }], orders: [], rows: [], bodies: [], limits: {}, ...more,
   } as unknown as Session;
 }
 
@@ -32,17 +32,16 @@ function watching() {
   const location = { protocol: "http:", host: "here", reload: () => ++program.loads };
   for (const [name, value] of Object.entries({ location, fetch: fetchFrom })) Object.defineProperty(globalThis, name, { value, configurable: true });
   const sockets = fakeSockets();
-  const said: string[] = [], kept: string[] = [], recalled: string[] = [];
+  const said: string[] = [], kept: string[] = [];
   const { session } = program, pictures = { pictures: 0 };
   const source = new LiveSource(schemaOf({ x: 1 }, { period: PERIOD }));
   const link = new LiveLink(source, session);
   const nothing = (): void => {};
-  const changes = { hear: nothing, recall: (all: { text: string }[]) => recalled.push(...all.map(({ text }) => text)) };
-  const handlers = { commands: { greet: nothing, lost: nothing }, tune: { changes, showStatus: nothing }, drive: { show: nothing } };
+  const handlers = { commands: { greet: nothing, lost: nothing }, tune: { showStatus: nothing }, drive: { show: nothing } };
   link.wire(Object.assign(pictures, { handlers: () => handlers, notes: { say: (text: string) => said.push(text), keep: (_: string, text: string) => kept.push(text), take: nothing }, letCommand: nothing, refresh: nothing, use: nothing, restart: nothing }) as unknown as App);
   const newest = (): FakeSocket => sockets.at(-1) as FakeSocket;
   const hear = (tick: number, generation = 0): void => newest().hear(blockOf([{ tick, time: tick * PERIOD, values: [tick] }], 0, generation));
-  return { program, source, link, said, kept, recalled, newest, hear, pictures };
+  return { program, source, link, said, kept, newest, hear, pictures };
 }
 
 /** What was asked is answered by now. */
@@ -82,19 +81,19 @@ test("another program that comes back is found, however often it can't say at fi
 test("the same program that comes back tells what happened meanwhile, and goes on", async (t) => {
   t.after(() => mock.timers.reset());
   const page = watching();
-  const { program, source, said, recalled, hear } = page;
+  const { program, source, said, hear } = page;
   hear(7);
   await answered();
   program.events = [{ time: 0.02, kind: "change", text: "friction 0.5 → 0.4" }];
   await loseAndFind(page);
   hear(9);
   await answered();
-  assert.deepEqual([source.last, said, recalled], [9 * PERIOD, ["Connected again."], ["friction 0.5 → 0.4"]]);
+  assert.deepEqual([source.last, said, source.marks.map(({ text }) => text)], [9 * PERIOD, ["Connected again."], ["friction 0.5 → 0.4"]]);
 });
 
 test("what happened in a run that was reset meanwhile is not told of the one that goes on", async (t) => {
   t.after(() => mock.timers.reset());
-  const { program, source, recalled, newest } = watching();
+  const { program, source, newest } = watching();
   let answer: () => void = () => {};
   program.answer = new Promise((resolve) => (answer = resolve));
   program.events = [{ time: 3, kind: "change", text: "friction 0.5 → 0.4" }];
@@ -104,7 +103,7 @@ test("what happened in a run that was reset meanwhile is not told of the one tha
   source.follow(4);
   answer();
   await answered();
-  assert.deepEqual([source.marks, recalled], [[], []]);
+  assert.deepEqual(source.marks, []);
 });
 
 test("a program that waits hears that the robot is drawn, and a connection after it, too", async (t) => {
@@ -142,4 +141,13 @@ test("what can't be read is told, and what comes behind it is read", async (t) =
   const wrong = "what the program said is no message: program and page are of different versions, load the page again";
   assert.deepEqual([said, kept], [[wrong, wrong, wrong], ["what came is no block of frames: program and page are of different versions, load the page again"]]);
   assert.equal(source.last, 8 * PERIOD);
+});
+
+test("a change that comes to effect is told and has a mark, other events have a mark alone", async (t) => {
+  t.after(() => mock.timers.reset());
+  const { source, said, newest, hear } = watching();
+  hear(7);
+  await answered();
+  newest().hear({ type: "events", events: [{ time: 0.02, kind: "change", text: "friction 0.5 → 0.4" }, { time: 0.02, kind: "mode", text: "command mode: hold" }] });
+  assert.deepEqual([said, source.marks.map(({ kind }) => kind)], [["friction 0.5 → 0.4"], ["change", "mode"]]);
 });

@@ -3,7 +3,6 @@ import { test } from "node:test";
 import { marksOf } from "../src/data/marks.ts";
 import { LiveSource, LIVE_SECONDS } from "../src/data/live_source.ts";
 import type { Mark } from "../src/data/source.ts";
-import { toldForces } from "../src/data/told_forces.ts";
 import { Player } from "../src/data/player.ts";
 import { silenceOf } from "../src/protocol/connection.ts";
 import { linkText, staleText, timeText } from "../src/panels/stale.ts";
@@ -57,56 +56,13 @@ test("marks are what the program says happened, for as long as there are frames,
   assert.deepEqual(source.marks, []);
 });
 
-test("that a run was steered is known until it begins again, however long ago it was", () => {
-  const source = new LiveSource(schemaOf({ x: 1 }));
-  source.follow(0);
-  const append = (from: number, to: number): void => {
-    for (let tick = from / PERIOD; tick < to / PERIOD; ++tick) source.append(tick, tick * PERIOD, Float32Array.of(tick), undefined);
-  };
-  append(0, 2);
-  source.mark({ time: 1, text: "push", leg: "", kind: "change" }, { time: 1, text: "lift-off", leg: "LF", kind: "event" });
-  append(2, 3 * LIVE_SECONDS);
-  source.mark({ time: source.last, text: "touchdown", leg: "LF", kind: "event" });
-  assert.deepEqual(source.marks.map(({ text }) => text), ["push", "touchdown"]);
-  source.follow(1);
-  assert.deepEqual(source.marks, []);
-});
-
-test("of a force that still acts, or is told to end, the begin is known however long ago it was", () => {
-  const source = new LiveSource(schemaOf({ x: 1 }));
-  source.follow(0);
-  const append = (time: number): void => source.append(time * 400, time, Float32Array.of(0), undefined);
-  const force = (time: number, body: string, begins: boolean, text = `${body} ${begins ? "begins" : "ends"}`): Mark => ({ time, text, leg: "", kind: "force", force: { kind: "scenario", body, begins } });
-  const pull = (time: number, begins: boolean): Mark => ({ time, text: begins ? "pull" : "the pull ends", leg: "", kind: "change", force: { kind: "pull", body: "base", begins } });
-  for (const time of [5, 5 + LIVE_SECONDS + 1]) append(time);
-  source.mark(force(1, "base", true), force(2, "LF_SHANK", true), force(3, "LF_SHANK", false), pull(3, true));
-  for (let k = 0; k < 300; ++k) source.mark({ time: 4, text: `walk ${k}`, leg: "", kind: "change" });
-  const told = (): string[] => source.marks.map(({ text }) => text).filter((text) => !text.startsWith("walk"));
-  assert.deepEqual(told(), ["base begins", "pull"]);
-  assert.deepEqual([...toldForces(source.marks, source.last, PERIOD).pushed], ["base"]);
-  source.mark(force(source.last, "base", false), pull(source.last, false));
-  assert.deepEqual(told(), ["base begins", "pull", "base ends", "the pull ends"]);
-  for (let tick = 400 * source.last + 1; tick < 3 * LIVE_SECONDS * 400; ++tick) append(tick / 400);
-  source.mark({ time: source.last, text: "touchdown", leg: "LF", kind: "event" });
-  for (let k = 0; k < 300; ++k) source.mark({ time: source.last, text: `walk ${k} again`, leg: "", kind: "change" });
-  assert.deepEqual(told(), ["touchdown"]);
-});
-
 test("marks of one time stay in the order in which they came, each once", () => {
   const source = filled();
   const mark = (text: string): Mark => ({ time: 1, text, leg: "", kind: "change" });
-  const texts = ["the pull ends after 40.0 N·s", "pull at LF_SHANK, force (1, 0, 0) N", "friction 0.5 → 0.4"];
+  const texts = ["push of 4 N·s at LF_SHANK", "push of 3 N·s at base", "friction 0.5 → 0.4"];
   for (const text of [...texts, ...texts]) source.mark(mark(text));
   source.mark(...texts.map(mark));
   assert.deepEqual(source.marks.map(({ text }) => text), texts);
-});
-
-test("of an hour of changes the last are kept, so that a mark costs the same in the end", () => {
-  const source = new LiveSource(schemaOf({ x: 1 }));
-  source.follow(0);
-  source.append(1, 3600, Float32Array.of(0), undefined);
-  for (let k = 0; k < 1000; ++k) source.mark({ time: k, text: `walk ${k}`, leg: "", kind: "change" });
-  assert.deepEqual([source.marks.length, source.marks[0]?.text, source.marks.at(-1)?.text], [200, "walk 800", "walk 999"]);
 });
 
 test("frames of a run before a reset are old, those of this run's first control are not", () => {

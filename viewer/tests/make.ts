@@ -10,7 +10,7 @@ export function schemaOf(sizes: Record<string, number>, more: Partial<Session> =
     return channel;
   });
   const header = { robot: { mass: 30 }, level_names: ["first", "second"], level_units: ["N", "m/s²"], level_visible: [0.5, 0.02], event_names: ["none", "lift-off"] };
-  const session = { channels, frame_floats: offset, rows: [["a", "b"], ["c"]], header, orders: [], bodies: [], limits: { changes: 200 }, ...more };
+  const session = { channels, frame_floats: offset, rows: [["a", "b"], ["c"]], header, orders: [], bodies: [], ...more };
   return new Schema(session as unknown as Session);
 }
 

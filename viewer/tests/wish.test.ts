@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { moved } from "../src/data/reorder.ts";
+import { moved } from "../src/panels/hierarchy_panel.ts";
 import { Wish, WISH_LASTS } from "../src/data/wish.ts";
 
 function wishAt(): { wish: Wish<number>; pass: (ms: number) => void } {

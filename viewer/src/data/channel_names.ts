@@ -1,7 +1,7 @@
 import type { ChannelInfo } from "../protocol/session.ts";
 import { digits, seen } from "./numbers.ts";
 import { hasBodies, LEGS, type Schema } from "./schema.ts";
-import type { Mark, Series } from "./source.ts";
+import type { Series } from "./source.ts";
 
 /** A component's name among those of its channel; "" where it is the only one. */
 export function componentOf({ size, labels }: Pick<ChannelInfo, "size" | "labels">, index: number): string {
@@ -63,24 +63,17 @@ export interface Choice {
   series: Series[];
 }
 
-/** The bodies that marks tell to have been pushed or pulled, by their numbers. */
-function pushed(bodies: string[], marks: Mark[]): Set<number> {
-  return new Set(marks.flatMap(({ force }) => (force === undefined ? [] : [bodies.indexOf(force.body)])));
-}
-
-/** Of what pushes from outside: the force on each body, on those first that were pushed, before the torques. */
-function pushChoices({ name }: ChannelInfo, { bodies }: Schema, marks: Mark[]): Choice[] {
-  const first = pushed(bodies, marks);
-  const order = bodies.map((_, k) => k).sort((a, b) => Number(first.has(b)) - Number(first.has(a)) || a - b);
+/** Of what pushes from outside: the force on each body, before the torques. */
+function pushChoices({ name }: ChannelInfo, { bodies }: Schema): Choice[] {
   const part = (what: string, begin: number): Choice[] =>
-    order.map((k) => ({ name: `${what} on ${bodies[k]}`, series: [0, 1, 2].map((i) => ({ channel: name, index: 6 * (k + 1) + begin + i })) }));
+    bodies.map((body, k) => ({ name: `${what} on ${body}`, series: [0, 1, 2].map((i) => ({ channel: name, index: 6 * (k + 1) + begin + i })) }));
   return [...part("force", 0), ...part("torque", 3)];
 }
 
 /** What can be plotted of a channel beside all of it: single components, and where a name has to do with legs, what goes together. */
-export function choicesOf(channel: ChannelInfo, schema: Schema, marks: Mark[] = []): Choice[] {
+export function choicesOf(channel: ChannelInfo, schema: Schema): Choice[] {
   const { name, size } = channel;
-  if (hasBodies(channel, schema)) return pushChoices(channel, schema, marks);
+  if (hasBodies(channel, schema)) return pushChoices(channel, schema);
   const components = Array.from({ length: size }, (_, index) => ({ component: componentOf(channel, index), series: { channel: name, index } }));
   const single: Choice[] = size === 1 ? [] : components.map(({ component, series }) => ({ name: component, series: [series] }));
   const legs: Choice[] = LEGS.map((leg, k) => ({ name: `${leg} whole`, series: components.filter(({ component }) => legIn(component) === k).map(({ series }) => series) }));

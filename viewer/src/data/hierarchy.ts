@@ -1,3 +1,4 @@
+import { groupBy } from "./group_by.ts";
 import { quantity } from "./numbers.ts";
 import { percent } from "../math/friction.ts";
 import type { Explained } from "./explained.ts";
@@ -118,17 +119,8 @@ const cutOffText = (level: LevelState | undefined): string =>
 export interface Account {
   kind: "good" | "bad" | "none";
   line: string;
-  /** That two hierarchies are blended, that the solve was cut off, and that what holds back what is estimated, where that is so. */
-  first: string[];
-  /** That, and each level that gives way, and to which, or what is held back without that. */
-  whole: string;
-  /** A sentence for each of these levels, with its rows. */
+  /** That two hierarchies are blended and that what holds back what is estimated, where that is so; then a sentence for each level that gives way. */
   more: string[];
-}
-
-/** What is to be had beside the line, where there are sentences on levels. */
-export function detailsOf({ line, first, more }: Account): string[] {
-  return more.length === 0 ? [] : [...first.filter((one) => one !== line), ...more];
 }
 
 /** How far the torques are on the way from one hierarchy to another; 1: on none. */
@@ -153,35 +145,28 @@ export function accountAt(frame: Frame, states = levelStates(frame), computing =
 
 /** What gives way to what, and what is held back without that; `nothing`: what is said where nothing is solved. */
 export function accountOf(states: LevelState[], nothing: string, { share = 1, stopped = false, computing = false }: Circumstances = {}): Account {
-  if (states.every((state) => state.status === "not solved")) return { kind: stopped ? "bad" : "none", ...same(nothing), more: [] };
+  if (states.every((state) => state.status === "not solved")) return { kind: stopped ? "bad" : "none", line: nothing, more: [] };
   const account = accountOfLevels(states, computing);
   if (share >= 1) return account;
   const blended = `Two hierarchies are blended; this tick is ${percent(share)} of the way, at the optimum of neither.`;
-  const { line, whole } = account.kind === "good" ? same("All tasks are met.") : account; // who holds back what is minimised is not known on the way
-  return {
-    ...account, line: `Between two hierarchies: ${line.replace(/^All/, "all")}`, whole: `${blended} ${whole}`,
-    first: [blended, ...account.first],
-  };
+  const line = account.kind === "good" ? "all tasks are met." : account.line; // who holds back what is minimised is not known on the way
+  return { ...account, line: `Between two hierarchies: ${line}`, more: [blended, ...account.more] };
 }
 
 function accountOfLevels(states: LevelState[], computing: boolean): Account {
   const yielding = states.filter((state) => state.status === "gives way");
   const held = states.filter((state) => state.status === "minimised" && state.blocked.length > 0);
-  const more = [...yielding, ...held].map((state) => sentenceOf(state, states));
   const isEstimated = [...yielding, ...held].some(({ blocked, others }) => blocked.length > 0 && others === undefined);
   const estimate = isEstimated ? [ESTIMATED + (computing ? " It is being computed exactly." : "")] : [];
+  const more = [...estimate, ...[...yielding, ...held].map((state) => sentenceOf(state, states))];
+  const note = isEstimated ? ` (${computing ? "computing …" : "estimate"})` : "";
   const first = states.find((state) => state.status === "not solved");
-  if (first !== undefined) {
-    const cut = cutOffText(first);
-    const others = yielding.length > 0 ? yieldingText(yielding, states) : held.length > 0 ? `${heldText(held, states)}.` : "";
-    return { kind: "bad", line: cut, first: [cut, ...estimate], whole: `${cut} ${others}`.trim(), more };
-  }
-  if (yielding.length > 0) return { kind: "bad", line: yieldingLine(yielding, states, isEstimated ? (computing ? "computing …" : "estimate") : ""), first: estimate, whole: yieldingText(yielding, states), more };
-  if (held.length > 0) return { kind: "good", ...same(`All tasks are met; ${heldText(held, states)}.`), first: estimate, more };
-  return { kind: "good", ...same("Every level gets what it asks for."), more };
+  const cut = first === undefined ? [] : [cutOffText(first)];
+  if (yielding.length > 0) return { kind: "bad", line: [...cut, `${yieldingText(yielding, states)}${note}.`].join(" "), more };
+  const kept = held.length > 0 ? `${heldText(held, states)}.` : "";
+  if (first !== undefined) return { kind: "bad", line: [...cut, ...(kept === "" ? [] : [kept])].join(" "), more };
+  return { kind: "good", line: kept === "" ? "Every level gets what it asks for." : `All tasks are met; ${kept}`, more };
 }
-
-const same = (line: string): Pick<Account, "line" | "first" | "whole"> => ({ line, first: [], whole: line });
 
 /** Of levels that are to be as small as can be, and would be smaller alone. */
 function heldText(held: LevelState[], states: LevelState[]): string {
@@ -194,45 +179,17 @@ function aboveOf({ blocked }: LevelState, states: LevelState[]): string {
   return listed([...new Set(blocked.map(({ by }) => nameOf(states, by)))]);
 }
 
-/** Each gives way to what `to` says of it, "": nobody knows; those that give way to the same are told once with it. */
-function yieldingBy(to: (state: LevelState) => string, yielding: LevelState[]): string {
-  const groups = new Map<string, LevelState[]>();
-  for (const state of yielding) groups.set(to(state), [...(groups.get(to(state)) ?? []), state]);
-  const parts = [...groups].map(([above, states], k) => {
-    const verb = k > 0 && above !== "" ? "" : states.length > 1 ? " give way" : " gives way";
-    return `${listed(states.map(plainName))}${verb}${above === "" ? "" : ` ${above}`}`;
-  });
-  return `${parts.join("; ")}.`;
-}
-
+/** Levels that give way to the same are told once with it. */
 function yieldingText(yielding: LevelState[], states: LevelState[]): string {
-  const to = (state: LevelState): string => (state.blocked.length === 0 ? "" : `to ${aboveOf(state, states)}`);
-  return yieldingBy(to, yielding);
+  const groups = groupBy(yielding, (state) => aboveOf(state, states));
+  return [...groups].map(([above, group], k) => {
+    const verb = k > 0 && above !== "" ? "" : group.length > 1 ? " give way" : " gives way";
+    return `${listed(group.map(plainName))}${verb}${above === "" ? "" : ` to ${above}`}`;
+  }).join("; ");
 }
-
-/** Costs that differ by less are the same: of such rows the first is told [share]. */
-const SAME = 1e-3;
 
 /** Of the rows that hold levels back, where they are not known exactly: live, while the time goes on, and of a log that can't be replayed. */
 const ESTIMATED = "Which rows hold back what is the control loop's estimate.";
-
-/** As much is read at a glance, in two lines beside the button for more [letters]. */
-const GLANCE = 78;
-
-/** What gives way to what. Where that is too long of several levels, each to the one whose row costs it most; then how many they are, and the highest. */
-function yieldingLine(yielding: LevelState[], states: LevelState[], note: string): string {
-  const mostly = (state: LevelState): string => {
-    if (state.blocked.length === 0) return "";
-    const most = state.blocked.reduce((dearest, row) => (row.cost > (1 + SAME) * dearest.cost ? row : dearest));
-    return `${state.blocked.every(({ by }) => by === most.by) ? "" : "mostly "}to ${nameOf(states, most.by)}`;
-  };
-  const [first] = yielding as [LevelState];
-  const noted = (text: string): string => (note === "" ? text : `${text.slice(0, -1)} (${note}).`);
-  const whole = noted(yieldingText(yielding, states)), short = noted(yieldingBy(mostly, yielding));
-  if (yielding.length === 1 || whole.length <= GLANCE) return whole;
-  const highest = `${yielding.length} levels give way, first ${plainName(first)} ${mostly(first)}`.trimEnd();
-  return short.length <= GLANCE ? short : noted(`${note === "" ? highest : highest.replace(" mostly to", " to")}.`);
-}
 
 function sentenceOf(state: LevelState, states: LevelState[]): string {
   const told = state.blocked.map(({ by, row }) => `${nameOf(states, by)} (${row})`);

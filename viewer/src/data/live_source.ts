@@ -1,7 +1,5 @@
 import { Envelope } from "./envelope.ts";
 import type { Frame } from "./frame.ts";
-import { readBlock } from "../protocol/block.ts";
-import { Holes, type Stretch } from "./holes.ts";
 import { FrameRing } from "./ring.ts";
 import type { Schema } from "./schema.ts";
 import type { FrameSource, Mark, Series } from "./source.ts";
@@ -13,16 +11,6 @@ export const LIVE_SECONDS = 120;
 /** Frames of ticks `first` to `first + ticks - 1`, which the program still has. */
 export type OpenBefore = (first: number, ticks: number) => FrameSource;
 
-/** Asks the program for ticks, as a block. */
-export type FetchTicks = (first: number, ticks: number) => Promise<ArrayBuffer>;
-
-/** Most ticks of a hole that are asked for at once. */
-const PIECE = 512;
-/** Of a time so close to the newest [s] nothing is asked for while ticks are still being lost: that would lose more of them. */
-const NEW = 2;
-/** Ticks are not being lost any more where none was for so long; what could not be had is asked for again after as long [ms]. */
-const QUIET = 1000;
-
 /** Each mark once, in the order of time; those of one time as they came. */
 function inOrder(marks: Mark[]): Mark[] {
   const known = new Map<string, Mark>();
@@ -33,49 +21,18 @@ function inOrder(marks: Mark[]): Mark[] {
   return [...known.values()].sort((a, b) => a.time - b.time);
 }
 
-/** What is not from before `first`, and the last changes, so many, however old; of a force that is told to end, or still acts, its begin. */
-function keptSince(first: number, marks: Mark[], most: number): Mark[] {
-  const changes = new Set(marks.filter(({ kind }) => kind === "change").slice(-most));
-  const kept = new Set(marks.filter((mark) => !(mark.time < first) || changes.has(mark)));
-  return marks.filter((mark, k) => kept.has(mark) || lasts(marks, k, kept));
-}
-
-/** Whether the force that begins with this mark has no end yet, or one that is kept; pushes of the operator end by themselves. */
-function lasts(marks: Mark[], k: number, kept: Set<Mark>): boolean {
-  const force = marks[k]?.force;
-  if (force === undefined || !force.begins || force.kind === "push") return false;
-  const end = marks.slice(k + 1).find(({ force: other }) => other?.begins === false && other.kind === force.kind && other.body === force.body);
-  return end === undefined || kept.has(end);
-}
-
 /** The last two minutes of a live run: what came, and what the program still knows of the time before. */
 export class LiveSource implements FrameSource {
   /** Called when the run has begun again, and nothing of the one before is left. */
   onRestart: () => void = () => {};
   marks: Mark[] = [];
-  /** How ticks can be had that did not come; without it they stay away. */
-  fetchTicks: FetchTicks | undefined;
-  /** Called when some of them are here. */
-  onFilled: () => void = () => {};
-  private readonly holes = new Holes();
-  private newestTick = NaN;
-  /** When a tick was lost last, and when one could not be had [ms]. */
-  private lost = -Infinity;
-  private failed = -Infinity;
-  private asking = false;
-  private later: ReturnType<typeof setTimeout> | undefined;
-  /** How often all frames were forgotten. */
-  private forgotten = 0;
   private readonly ring = new FrameRing(LIVE_SECONDS);
   private before: FrameSource | undefined;
   private oldest = Infinity;
   private openBefore: OpenBefore | undefined;
   private begun: number | undefined;
 
-  constructor(
-    public schema: Schema,
-    private readonly clock: () => number = () => performance.now(),
-  ) {}
+  constructor(public schema: Schema) {}
 
   /** The run that goes on began with generation `begun`: of one before it nothing is left. */
   follow(begun: number): void {
@@ -109,70 +66,18 @@ export class LiveSource implements FrameSource {
 
   append(tick: number, time: number, values: Float32Array, rows: Uint8Array | undefined): void {
     if (this.ring.empty && tick > this.oldest) this.before = this.openBefore?.(this.oldest, tick - this.oldest + 1);
-    if (!this.ring.empty && tick > this.newestTick + 1) this.miss(this.newestTick + 1, tick);
-    else if (tick <= this.newestTick) this.holes.clear();
-    this.newestTick = tick;
     this.ring.append(this.schema, tick, time, values, rows);
     if (this.last - LIVE_SECONDS >= this.ring.first) this.before = undefined;
   }
 
-  private miss(first: number, end: number): void {
-    this.holes.add(first, end);
-    this.lost = this.clock();
-  }
-
-  /** Asks for what is missing in [from, to], a piece at a time. */
-  private complete(from: number, to: number): void {
-    if (this.fetchTicks === undefined || this.asking || this.clock() - this.failed < QUIET) return;
-    if (to > this.last - NEW && this.clock() - this.lost < QUIET) return this.lookAgain();
-    const { period } = this.schema;
-    this.holes.forget(this.ring.first / period);
-    const piece = this.holes.take(Math.floor(from / period), Math.floor(to / period) + 1, PIECE);
-    if (piece !== undefined) void this.fetchPiece(piece, this.fetchTicks);
-  }
-
-  /** Whoever shows what is missing is to ask again. */
-  private lookAgain(): void {
-    this.later ??= setTimeout(() => {
-      this.later = undefined;
-      this.onFilled();
-    }, QUIET);
-  }
-
-  private async fetchPiece(piece: Stretch, fetchTicks: FetchTicks): Promise<void> {
-    const { forgotten } = this;
-    const isOld = (): boolean => forgotten !== this.forgotten;
-    this.asking = true;
-    try {
-      const block = await fetchTicks(piece.first, piece.end - piece.first);
-      if (!isOld()) this.insert(block, piece);
-    } catch {
-      this.failed = this.clock();
-      this.lookAgain();
-      if (!isOld()) this.holes.giveBack(piece);
-    }
-    this.asking = false;
-    this.onFilled();
-  }
-
-  private insert(block: ArrayBuffer, { first, end }: Stretch): void {
-    const frames = new FrameTable(this.schema, end - first);
-    readBlock(block, this.schema.frameFloats, (tick, time, values, rows) => {
-      if (tick >= first && tick < end && !frames.full) frames.append(tick, time, values, rows);
-    });
-    this.ring.insert(frames);
-  }
-
   private forget(): void {
-    ++this.forgotten;
-    this.holes.clear();
     this.ring.clear();
     this.before = undefined;
   }
 
-  /** Something happened, of which some may be known; what is from before the frames is forgotten, but not the last changes of the run. */
+  /** Something happened, of which some may be known; what is from before the frames is forgotten. */
   mark(...marks: Mark[]): void {
-    this.marks = keptSince(this.first, inOrder([...this.marks, ...marks]), this.schema.mostChanges);
+    this.marks = inOrder([...this.marks, ...marks]).filter(({ time }) => !(time < this.first));
   }
 
   get first(): number {
@@ -189,7 +94,6 @@ export class LiveSource implements FrameSource {
   }
 
   at(time: number): Frame | undefined {
-    this.complete(time, time);
     return (this.beforeFor(time) ?? this.ring).at(time);
   }
   neighbour(time: number, steps: number): number {
@@ -200,7 +104,6 @@ export class LiveSource implements FrameSource {
   }
 
   fill(envelope: Envelope, series: Series[]): void {
-    this.complete(envelope.from, envelope.to);
     this.beforeFor(envelope.from)?.fill(envelope, series);
     this.ring.visit(envelope.from, envelope.to, (table, begin, end) => fillFrom(table, begin, end, envelope, series, this.schema.period));
   }

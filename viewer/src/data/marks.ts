@@ -1,8 +1,7 @@
-import { changeText } from "./change_words.ts";
 import { endingText } from "./mark_columns.ts";
-import type { ForceMark, Mark } from "./source.ts";
+import type { Mark } from "./source.ts";
 
-export type RawEvent = [time: number, event: number, leg: string | null] | { time: number; kind: "mode" | "change" | "damage" | "force"; text: string; force?: ForceMark };
+export type RawEvent = [time: number, event: number, leg: string | null] | { time: number; kind: "mode" | "change" | "damage" | "force"; text: string };
 
 /** The end of a run, and why it came. */
 export function endOf(time: number, why: string): Mark {
@@ -12,7 +11,7 @@ export function endOf(time: number, why: string): Mark {
 /** What the program says of what happened, as marks. */
 export function marksOf(raw: RawEvent[], events: string[]): Mark[] {
   return raw.map((entry) => {
-    if (!Array.isArray(entry)) return { time: entry.time, text: entry.kind === "change" ? changeText(entry.text) : entry.text, leg: "", kind: entry.kind, ...(entry.force && { force: entry.force }) };
+    if (!Array.isArray(entry)) return { time: entry.time, text: entry.text, leg: "", kind: entry.kind };
     const [time, event, leg] = entry;
     return { time, text: events[event] ?? `event ${event}`, leg: leg ?? "", kind: "event" as const };
   });

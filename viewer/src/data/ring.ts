@@ -29,17 +29,6 @@ export class FrameRing {
     return old;
   }
 
-  /** Frames that lie between two that are here and follow each other. */
-  insert(frames: FrameTable): void {
-    const at = this.segmentAt(frames.first);
-    const segment = this.segments[at];
-    if (segment === undefined || frames.size === 0 || !(frames.first > this.first)) return;
-    const begin = segment.indexAt(frames.first) + 1;
-    if (begin === segment.size) return void this.segments.splice(at + 1, 0, frames);
-    const isNewest = at === this.segments.length - 1;
-    this.segments.splice(at, 1, segment.part(0, begin), frames, segment.part(begin, segment.size, isNewest ? SEGMENT : undefined));
-  }
-
   clear(): void {
     this.segments.length = 0;
   }

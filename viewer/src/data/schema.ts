@@ -44,7 +44,7 @@ export function hasBodies({ name, size }: ChannelInfo, { bodies }: Pick<Session,
 function withBodies(channel: ChannelInfo, { bodies }: Session): ChannelInfo {
   if (!hasBodies(channel, { bodies })) return channel;
   const labels = ["world", ...bodies].flatMap((body) => PUSH_PARTS.map((part) => `${body}.${part}`));
-  return { ...channel, labels, about: `push, pull, outside force on each body (${channel.about})` };
+  return { ...channel, labels, about: `push, outside force on each body (${channel.about})` };
 }
 
 /** Of a robot [N]. */
@@ -67,8 +67,6 @@ export class Schema {
   readonly events: string[];
   /** All that can be pushed, in the order of the physics. */
   readonly bodies: string[];
-  /** Of a live run that are kept, the last. */
-  readonly mostChanges: number;
   private readonly byName = new Map<string, ChannelInfo>();
 
   constructor(session: Session) {
@@ -83,7 +81,6 @@ export class Schema {
     this.orders = session.orders;
     this.events = session.header.event_names;
     this.bodies = session.bodies;
-    this.mostChanges = session.limits.changes;
     for (const channel of this.channels) this.byName.set(channel.name, channel);
   }
 

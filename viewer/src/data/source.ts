@@ -3,25 +3,12 @@ import type { Frame } from "./frame.ts";
 import type { Envelope } from "./envelope.ts";
 import type { Schema } from "./schema.ts";
 
-/** Begin or end of a force from outside. */
-export interface ForceMark {
-  /** Of the operator, or of the scenario. */
-  kind: "push" | "pull" | "scenario";
-  body: string;
-  /** A push ends by itself, after its `duration` [s]. */
-  begins: boolean;
-  duration?: number;
-  /** What a pull that ends gave as a whole [N·s]. */
-  given?: number;
-}
-
 /** Something that happened, for the marks on the time bar. */
 export interface Mark {
   time: number;
   text: string;
   leg: string;
   kind: "event" | "mode" | "change" | "damage" | "force" | "end";
-  force?: ForceMark | undefined;
 }
 
 /** One line of a plot: a number of a channel. */

@@ -38,15 +38,6 @@ export class FrameTable {
     this.rows[i] = rows;
   }
 
-  /** A copy of frames [begin, end). */
-  part(begin: number, end: number, capacity = end - begin): FrameTable {
-    const part = new FrameTable(this.schema, capacity);
-    const n = this.schema.frameFloats;
-    for (let i = begin; i < end; ++i)
-      part.append(this.ticks[i] as number, this.times[i] as number, this.values.subarray(i * n, (i + 1) * n), this.rows[i]);
-    return part;
-  }
-
   /** Index of the last frame at or before `time`; 0 where all are later. */
   indexAt(time: number): number {
     let low = 0;

@@ -1,4 +1,5 @@
 import type * as THREE from "three";
+import { svg } from "../panels/dom.ts";
 
 /** Where an axis of W goes in the picture: to the right, up, and towards who looks; at most 1 each. */
 export type Course = [right: number, up: number, nearer: number];
@@ -14,17 +15,11 @@ const SIZE = 60, MIDDLE = 0.5 * SIZE, ARM = 18, LETTER = 25;
 
 const NAMES = ["x", "y", "z"];
 
-function element(name: string, attributes: Record<string, string>): SVGElement {
-  const made = document.createElementNS("http://www.w3.org/2000/svg", name);
-  for (const [key, value] of Object.entries(attributes)) made.setAttribute(key, value);
-  return made;
-}
-
 /** The world's axes in a corner of the picture: directions of pushes are told by them. */
 export class Axes {
-  readonly root = element("svg", { id: "axes", viewBox: `0 0 ${SIZE} ${SIZE}`, "aria-hidden": "true" });
-  private readonly arms = NAMES.map(() => element("path", {}));
-  private readonly letters = NAMES.map(() => element("text", { "text-anchor": "middle", "dominant-baseline": "central" }));
+  readonly root = svg("svg", { id: "axes", viewBox: `0 0 ${SIZE} ${SIZE}`, "aria-hidden": "true" });
+  private readonly arms = NAMES.map(() => svg("path", {}));
+  private readonly letters = NAMES.map(() => svg("text", { "text-anchor": "middle", "dominant-baseline": "central" }));
   private drawn = "";
 
   constructor() {

@@ -3,7 +3,6 @@ import { scalar } from "../data/frame.ts";
 import { isFollowed } from "../data/hierarchy.ts";
 import { digits } from "../data/numbers.ts";
 import { leverOf, pushesOf, type Push } from "../data/pushes.ts";
-import { forceText, spentForces, spentText, toldForces, type SpentForce } from "../data/told_forces.ts";
 import { LEG_CHANNELS, LEGS } from "../data/schema.ts";
 import type { Palette } from "../scene/palette.ts";
 import { Arrows, paint, paintOverBodies } from "./arrow.ts";
@@ -81,14 +80,10 @@ const LEAST_BELIEVED = 1;
 const MOST_PUSHES = 32;
 /** No body reaches further from its centre of mass [m]. */
 const BODY_REACH = 1;
-/** So long a push is still told of that is over: a short one would be gone before it is seen, or fall between two pictures [s]. */
-const LINGER = 1;
-/** More time than this passes between two pictures only where another time is looked at [s]. */
-const NEXT = 4;
 
 /**
  * What pushes the robot beside the ground, each in the line in which it acts, and their sum as the controller believes it. Has an edge, as it is
- * seen over bodies of any colour; a push that has just ended is darker.
+ * seen over bodies of any colour.
  */
 export class OutsideForce implements Overlay {
   readonly space = "world";
@@ -97,10 +92,7 @@ export class OutsideForce implements Overlay {
   private readonly edgeColour = new THREE.Color();
   private readonly believed = new Arrows(paintOverBodies(0.45), 0.009, 1, 2);
   private readonly edges = new Arrows(paintOverBodies(), 0.02, MOST_PUSHES, 3, 0.08);
-  private readonly spent = new Arrows(paintOverBodies(0.5), 0.015, MOST_PUSHES, 4, 0.08);
   private readonly arrows = new Arrows(paintOverBodies(), 0.015, MOST_PUSHES, 4, 0.08);
-  /** Time of the picture before. */
-  private shown = NaN;
   private readonly start = new THREE.Vector3();
   private readonly point = new THREE.Vector3();
   private readonly force = new THREE.Vector3();
@@ -108,7 +100,7 @@ export class OutsideForce implements Overlay {
   private readonly turn = new THREE.Matrix4();
 
   constructor() {
-    this.root.add(this.believed.root, this.edges.root, this.spent.root, this.arrows.root);
+    this.root.add(this.believed.root, this.edges.root, this.arrows.root);
   }
 
   wear(palette: Palette): void {
@@ -117,38 +109,11 @@ export class OutsideForce implements Overlay {
   }
 
   update(picture: Picture): void {
-    const all = [this.arrows, this.spent, this.edges, this.believed];
+    const all = [this.arrows, this.edges, this.believed];
     for (const arrows of all) arrows.begin();
-    const pushes = pushesOf(picture.frame)?.slice(0, MOST_PUSHES);
-    if (pushes !== undefined) this.drawPushes(pushes, picture);
+    for (const push of pushesOf(picture.frame)?.slice(0, MOST_PUSHES) ?? []) this.draw(push, picture);
     this.drawBelieved(picture);
     for (const arrows of all) arrows.end();
-  }
-
-  private drawPushes(pushes: Push[], picture: Picture): void {
-    const { frame: { time, schema }, source: { marks }, held } = picture;
-    const told = toldForces(marks, time, schema.period);
-    for (const push of pushes) {
-      const body = schema.bodies[push.body] ?? "";
-      if (body === held && !told.pushed.has(body)) continue; // the spring to the pointer stands for the pull
-      this.draw(push, this.arrows, (size) => forceText(body, size, told), picture);
-    }
-    const isNext = this.shown < time && time < this.shown + NEXT;
-    const since = isNext ? Math.min(this.shown, time - LINGER) : time - LINGER;
-    for (const one of spentForces(marks, since, time, schema.period)) {
-      if (!pushes.some(({ body }) => schema.bodies[body] === one.body)) this.drawSpent(one, picture);
-    }
-    this.shown = time;
-  }
-
-  /** As it was at half of its time, where that is here. */
-  private drawSpent(one: SpentForce, picture: Picture): void {
-    const { source, frame: { schema } } = picture;
-    const middle = 0.5 * (one.begin + one.end);
-    const then = source.at(middle);
-    if (then === undefined || Math.abs(then.time - middle) > schema.period) return;
-    const push = pushesOf(then)?.find(({ body }) => schema.bodies[body] === one.body);
-    if (push !== undefined) this.draw(push, this.spent, (size) => spentText(size, one), picture);
   }
 
   /** How a force is drawn [m]. */
@@ -156,13 +121,13 @@ export class OutsideForce implements Overlay {
     return this.force.setLength(SEEN_LENGTH + newton * this.force.length());
   }
 
-  private draw(push: Push, arrows: Arrows, textOf: (size: string) => string, { frame, labels, newton, longest, centreOf }: Picture): void {
+  private draw(push: Push, { frame, labels, newton, longest, centreOf }: Picture): void {
     if (centreOf(frame.schema.bodies[push.body] ?? "", this.start)) this.start.add(this.point.fromArray(leverOf(push, BODY_REACH)));
     else if (!vector(frame, "truth.p_WCom", this.start)) return;
     const newtons = this.force.fromArray(push.force).length();
-    arrows.add(this.start, this.stretch(newton), this.colour, longest);
-    this.point.copy(arrows.tip).z += NUMBER_OVER;
-    labels.put(this.point, textOf(`${newtons < 10 ? digits(newtons) : newtons.toFixed(0)} N`), "push");
+    this.arrows.add(this.start, this.stretch(newton), this.colour, longest);
+    this.point.copy(this.arrows.tip).z += NUMBER_OVER;
+    labels.put(this.point, `push ${newtons < 10 ? digits(newtons) : newtons.toFixed(0)} N`, "push");
     this.over.copy(this.force).setLength(EDGE);
     this.edges.add(this.start.sub(this.over), this.force.addScaledVector(this.over, 2.5), this.edgeColour, longest + 2.5 * EDGE);
   }

@@ -17,8 +17,6 @@ export interface Picture {
   longest: number;
   /** Takes what was planned and believed to where the robot really is. */
   beliefToWorld: THREE.Matrix4;
-  /** The body that the pointer holds, whose pull it shows itself. */
-  held: string | undefined;
   /** Centre of mass of a body in W; false: there is no such body. */
   centreOf: (body: string, out: THREE.Vector3) => boolean;
   /** Trails are drawn anew in this picture. */

@@ -6,6 +6,7 @@ import { percent, pyramidCorners, pyramidHeight, useClass } from "../math/fricti
 import type { Palette } from "../scene/palette.ts";
 import { SEEN_THROUGH } from "./arrow.ts";
 import { vector, type Overlay, type Picture } from "./overlay.ts";
+import { attribute } from "./trail.ts";
 
 /** Sides as triangles: tip 0, corners 1 … 4. */
 const SIDES = [0, 1, 2, 0, 2, 3, 0, 3, 4, 0, 4, 1];
@@ -60,10 +61,6 @@ class Pyramids {
     this.root.visible = this.count > 0;
     this.points.needsUpdate = this.sideColours.needsUpdate = this.edgeColours.needsUpdate = this.root.visible;
   }
-}
-
-function attribute(count: number, size: number): THREE.BufferAttribute {
-  return new THREE.BufferAttribute(new Float32Array(size * count), size).setUsage(THREE.DynamicDrawUsage);
 }
 
 /**

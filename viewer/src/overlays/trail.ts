@@ -57,6 +57,7 @@ export class Pen {
   }
 }
 
-function attribute(count: number): THREE.BufferAttribute {
-  return new THREE.BufferAttribute(new Float32Array(3 * count), 3).setUsage(THREE.DynamicDrawUsage);
+/** Numbers that are others in each picture. */
+export function attribute(count: number, size = 3): THREE.BufferAttribute {
+  return new THREE.BufferAttribute(new Float32Array(size * count), size).setUsage(THREE.DynamicDrawUsage);
 }

@@ -1,4 +1,4 @@
-import { detailsOf, type Account } from "../data/hierarchy.ts";
+import type { Account } from "../data/hierarchy.ts";
 import { h, say } from "./dom.ts";
 
 /** One line on what the hierarchy came to, and the rest when asked for. */
@@ -12,10 +12,10 @@ export class AccountView {
     this.root = h("div", { class: "account", id: "account" }, this.button, this.line, this.list);
   }
 
-  show(account: Account): void {
-    const more = detailsOf(account);
-    this.root.dataset["kind"] = account.kind;
-    say(this.line, account.line);
+  show({ kind, line, more }: Account): void {
+    this.root.dataset["kind"] = kind;
+    say(this.line, line);
+    this.line.title = line; // of a long one three lines are seen
     this.button.hidden = more.length === 0;
     this.list.hidden = this.button.hidden || this.button.getAttribute("aria-expanded") !== "true";
     while (this.list.children.length > more.length) this.list.lastElementChild?.remove();

@@ -1,8 +1,7 @@
-import { worldDirection } from "../data/change_words.ts";
 import { asSentence } from "../data/log_words.ts";
 import { fixed } from "../data/numbers.ts";
 import { Wish } from "../data/wish.ts";
-import { VIEW_ONLY, type Commands, type Walk } from "../protocol/commands.ts";
+import { VIEW_ONLY, type Ask, type Walk } from "../protocol/commands.ts";
 import type { Status } from "../protocol/connection.ts";
 import type { Limits } from "../protocol/session.ts";
 import { h, say } from "./dom.ts";
@@ -32,13 +31,10 @@ export function nudged(walk: Walk, axis: Axis, steps: number, limits: Record<Axi
   return next;
 }
 
-/** What acts on the robot, and what more of it may. A tick shows the forces of the one before. */
-export function givenText({ push, pull, newton_seconds_left }: Status): string {
-  const of = (what: string, one: typeof push): string => {
-    if (one === null) return "";
-    return one.given > 0 ? `${what}ed ${one.given.toFixed(1)} N·s by now. ` : `A ${what.toLowerCase()} begins: the tick after it shows its force. `;
-  };
-  return `${of("Push", push)}${of("Pull", pull)}Up to ${Math.max(0, newton_seconds_left).toFixed(0)} N·s now.`;
+/** A direction in the plane, counted from the world's x towards its y; along an axis it is called by that, too. */
+export function worldDirection(degrees: number): string {
+  const axis = ["+x", "+y", "−x", "−y"][(((degrees / 90) % 4) + 4) % 4];
+  return `${String(degrees).replace("-", "−")}°${axis === undefined ? "" : ` (${axis})`}`;
 }
 
 /** Who commands the walk, and what. */
@@ -54,7 +50,6 @@ export class DrivePanel {
   readonly most: Record<Axis, number>;
   private readonly wish = new Wish<Walk>();
   private readonly asked = h("p", { id: "asked", class: "asked" });
-  private readonly given = h("p", { id: "given", class: "asked" });
   private readonly values = new Map<Axis, HTMLElement>();
   private readonly impulse: HTMLInputElement;
   private readonly direction: HTMLInputElement;
@@ -63,7 +58,7 @@ export class DrivePanel {
   private readonly controls: HTMLFieldSetElement;
   private readonly viewOnly = h("p", { class: "soft view-only", hidden: true }, asSentence(VIEW_ONLY));
 
-  constructor(root: HTMLElement, private readonly commands: Commands, limits: Limits, private readonly report: Report) {
+  constructor(root: HTMLElement, private readonly askRun: Ask, limits: Limits, private readonly report: Report) {
     this.most = walkLimits(limits);
     const number = (id: string, value: number, max: number, step: number): HTMLInputElement =>
       h("input", { type: "number", id, value, min: 0, max, step });
@@ -73,8 +68,7 @@ export class DrivePanel {
     this.showDirection();
     this.controls = h("fieldset", { class: "controls" },
       h("h2", {}, "Push"),
-      h("p", { class: "soft" }, `Pull the robot with the mouse, or push its base: together at most ${limits.push_newtons} N at one time, ${limits.push_newton_seconds} N·s at once and ${limits.push_newton_seconds_each_second} N·s more each second of the run.`),
-      this.given,
+      h("p", { class: "soft" }, `Pushes the base: at most ${limits.push_newton_seconds} N·s, and ${limits.push_newtons} N at one time.`),
       this.field("Impulse", this.impulse, "N·s"), this.field("Duration", this.duration, "s"),
       h("label", { class: "field" }, "Direction in the world", h("span", { class: "with-unit" }, this.direction, this.directionText)),
       h("button", { id: "push", class: "primary", title: "push (p)", onclick: () => this.push() }, "Push"),
@@ -144,7 +138,7 @@ export class DrivePanel {
   ask(walk: Walk): void {
     this.walk = { walk: walk.walk, velocity: walk.velocity, yaw_rate: walk.yaw_rate, height: walk.height };
     this.wish.ask(this.walk);
-    this.send("walk", walk);
+    this.send("walk", walk, this.wish);
     this.showValues();
   }
 
@@ -158,17 +152,13 @@ export class DrivePanel {
     this.send("walk", { by: "scenario" });
   }
 
-  private send(type: string, fields: object): void {
+  private send(type: string, fields: object, wish?: Wish<Walk>): void {
     this.onAct();
-    this.commands.send(type, fields).catch((error: Error) => {
-      if (type === "walk") this.wish.drop();
-      this.report(error.message, "error");
-    });
+    this.askRun(type, fields, wish);
   }
 
   show(status: Status): void {
     const { command } = status;
-    say(this.given, givenText(status));
     const [forward = 0, left = 0] = command.velocity;
     this.walk = this.wish.or({ walk: command.walk, velocity: [forward, left], yaw_rate: command.yaw_rate, height: command.height });
     if (status.ended !== null) say(this.asked, "The run has ended: a reset begins it again.");

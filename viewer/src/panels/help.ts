@@ -25,7 +25,6 @@ const DRIVING: Key[] = [
   ["x", "stand on four feet"],
   ["g", "back to the scenario's commands"],
   ["p", "push, as the panel Drive says"],
-  ["u", "undo the last change"],
 ];
 
 /** What can be pressed: of a live run more than of a log. */
@@ -39,8 +38,7 @@ export function makeHelp(live: boolean): () => void {
     h("div", { class: "row" }, h("h2", {}, "Keys"), close),
     h("dl", { class: "keys" }, ...keysOf(live).flatMap(([keys, does]) => [h("dt", {}, h("kbd", {}, keys)), h("dd", {}, does)])),
     h("h2", {}, "Mouse and fingers"),
-    h("p", {}, `Drag turns the view, with the right button or two fingers it moves, the wheel or two fingers zoom. ${live ? "Drag the robot to pull it; with shift the drag turns the view there, too. " : ""}Press in a plot to go to that time; the wheel zooms its time, with shift its values, and a double press shows all of these.`),
-    ...(live ? [h("h2", {}, "Gamepad"), h("p", {}, "Left stick: walk. Right stick: turn. First button: stand. Second button: the scenario commands again.")] : []),
+    h("p", {}, "Drag turns the view, with the right button or two fingers it moves, the wheel or two fingers zoom. Press in a plot to go to that time; the wheel zooms its time."),
   );
   dialog.addEventListener("click", (event) => {
     if (event.target === dialog) dialog.close();

@@ -5,19 +5,6 @@ import { h, plain, say } from "./dom.ts";
 /** Sign and word of each status: colour is never the only sign. */
 const SIGNS = { met: "✓", "at limit": "▲", "gives way": "✕", minimised: "·", "no rows": "–", "not solved": "–" } as const;
 
-/** What the card of a level asks of those who know all of them. */
-export interface Moves {
-  /** By so many places down. */
-  move: (name: string, steps: number) => void;
-  /** It is taken by the pointer, and let go again. */
-  lift: (name: string) => void;
-  drop: () => void;
-  /** Whether one is lifted that may be put elsewhere: what else is dragged over a card is no level. */
-  isLifted: () => boolean;
-  /** The one that is lifted comes to where this one is. */
-  putAt: (name: string) => void;
-}
-
 /** A level in two lines: how it came out, and what of it matters most. Open it says all, a line for each kind. */
 export class LevelCard {
   readonly root: HTMLLIElement;
@@ -31,24 +18,11 @@ export class LevelCard {
   private readonly meta = h("p", { class: "meta" });
   private readonly opener: HTMLButtonElement;
   private readonly movers: HTMLButtonElement[];
-  readonly canMove: boolean;
 
-  /** `order`: of all levels; `physics`: those of them that keep the physics, and so their place. */
-  constructor(
-    readonly name: string,
-    index: number,
-    order: string[],
-    physics: ReadonlySet<string>,
-    moves: Moves,
-  ) {
-    const button = (text: string, steps: number, label: string): HTMLButtonElement => {
-      const hindrance = hindranceOf(order, physics, index, steps);
-      return h("button", {
-        class: "small", "aria-label": `${plain(name)}: ${label}${hindrance === "" ? "" : ` (${hindrance})`}`, title: hindrance || label,
-        disabled: hindrance !== "", onclick: () => moves.move(name, steps),
-      }, text);
-    };
-    this.canMove = !physics.has(name);
+  /** `move`: it is to go so many places down. */
+  constructor(readonly name: string, index: number, move: (steps: number) => void) {
+    const button = (text: string, steps: number, label: string): HTMLButtonElement =>
+      h("button", { class: "small", "aria-label": `${plain(name)}: ${label}`, title: label, onclick: () => move(steps) }, text);
     this.movers = [button("↑", -1, "one up"), button("↓", 1, "one down")];
     const title = `${index + 1} ${plain(name)}`;
     this.opener = h("button", { class: "level-name", title: plain(name), "aria-expanded": "false", onclick: () => this.open() }, title);
@@ -58,7 +32,6 @@ export class LevelCard {
       this.rows, this.blocked, this.meta,
       h("span", { class: "movers" }, ...this.movers),
     );
-    if (this.canMove) this.drag(name, moves);
   }
 
   private open(): void {
@@ -69,30 +42,7 @@ export class LevelCard {
   follow(before: LevelCard | undefined): HTMLButtonElement | undefined {
     if (before?.root.classList.contains("open")) this.open();
     if (before?.opener === document.activeElement) return this.opener;
-    const mover = this.movers[before?.movers.indexOf(document.activeElement as HTMLButtonElement) ?? -1];
-    return mover?.disabled ? this.opener : mover;
-  }
-
-  private drag(name: string, moves: Moves): void {
-    const { root } = this;
-    root.addEventListener("dragstart", (event) => {
-      if (event.target !== root) return; // text of an open card, say
-      event.dataTransfer?.setData("text/plain", name);
-      moves.lift(name);
-    });
-    root.addEventListener("dragend", () => moves.drop());
-    root.addEventListener("dragover", (event) => {
-      if (!moves.isLifted()) return;
-      event.preventDefault();
-      root.classList.add("drop");
-    });
-    root.addEventListener("dragleave", () => root.classList.remove("drop"));
-    root.addEventListener("drop", (event) => {
-      root.classList.remove("drop");
-      if (!moves.isLifted()) return;
-      event.preventDefault();
-      moves.putAt(name);
-    });
+    return this.movers[before?.movers.indexOf(document.activeElement as HTMLButtonElement) ?? -1];
   }
 
   show(state: LevelState, all: LevelState[]): void {
@@ -109,14 +59,6 @@ export class LevelCard {
     say(this.blocked, heldText(state, all));
     say(this.meta, state.rows === 0 ? "" : metaOf(state));
   }
-}
-
-/** Why a level can't be moved by so many places; "": it can. */
-export function hindranceOf(order: string[], physics: ReadonlySet<string>, index: number, steps: number): string {
-  const other = order[index + steps];
-  if (physics.has(order[index] as string)) return "keeps the physics: stays above the levels that can be moved";
-  if (other === undefined) return steps < 0 ? "is the highest" : "is the lowest";
-  return physics.has(other) ? "the level above keeps the physics and stays there" : "";
 }
 
 /** What holds a level back that wants more than it gets. */

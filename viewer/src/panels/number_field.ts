@@ -15,8 +15,8 @@ export function takeNumber(input: Pick<HTMLInputElement, "value">, kept: number)
 }
 
 export interface NumberFieldActions {
-  /** A number was given; `refused`: it is not taken. */
-  ask: (value: number, refused: () => void) => void;
+  /** A number was given; the field is to drop one that is not taken. */
+  ask: (value: number, field: NumberField) => void;
   /** What was given is no number, and the field says again what it said. */
   reject: (kept: string) => void;
 }
@@ -39,7 +39,7 @@ export class NumberField {
     this.said = this.input.value;
     if (value === undefined) return this.actions.reject(this.said);
     this.wish.ask(value);
-    this.actions.ask(value, () => this.refuse());
+    this.actions.ask(value, this);
   }
 
   /** The number of the run is this one. */
@@ -57,10 +57,6 @@ export class NumberField {
   /** Nothing is asked for any more. */
   drop(): void {
     this.wish.drop();
-  }
-
-  private refuse(): void {
-    this.drop();
     this.say(this.now);
   }
 

@@ -4,8 +4,7 @@ import { Envelope } from "../data/envelope.ts";
 import { scalar, type Frame } from "../data/frame.ts";
 import type { FrameSource, Series } from "../data/source.ts";
 import type { Schema } from "../data/schema.ts";
-import { ticksOf, tickTexts } from "../data/ticks.ts";
-import { h, say } from "./dom.ts";
+import { h, say, svg } from "./dom.ts";
 import { stylesOf, type LineStyle } from "./line_styles.ts";
 
 /** Of more lines than these the legend has no numbers: there is no room for them. */
@@ -19,8 +18,8 @@ interface Line {
   value: HTMLElement;
 }
 
-/** Height of the axis of the time, and of a number of the other one [pixels]. */
-const TIMES_HEIGHT = 22, TICK_HEIGHT = 22;
+/** Height of the axis of the time [pixels]. */
+const TIMES_HEIGHT = 22;
 
 /** Some channels over time, with the time of the picture as a line. */
 export class Plot {
@@ -41,8 +40,6 @@ export class Plot {
   private readonly size = new ResizeObserver(() => this.resize());
   private lines: Line[] = [];
   private time = NaN;
-  /** What of the values is shown; undefined: all of them. */
-  private values: [low: number, high: number] | undefined;
 
   /** `title`: of these lines; without one it is what their names have in common. */
   constructor(series: Series[], private readonly schema: Schema, title?: string) {
@@ -67,7 +64,6 @@ export class Plot {
     const styles = stylesOf(series.map((one) => legIn(partsOf(one, this.schema).join("."))));
     this.name.replaceChildren(...breakable(title ?? names.title));
     say(this.unit, unit ? ` [${unit}]` : "");
-    this.showValues(undefined);
     this.lines = series.map((one, k) => ({
       series: one, style: styles[k] as LineStyle, shown: !hidden.includes(one), value: h("output", { "aria-live": "off" }),
       unit: unit === undefined ? (this.schema.channel(one.channel)?.unit ?? "") : "",
@@ -125,12 +121,9 @@ export class Plot {
   }
 
   /** Of numbers, or of the words that they stand for. */
-  private valueAxis(): Pick<uPlot.Axis, "size" | "space" | "splits" | "values"> {
+  private valueAxis(): Pick<uPlot.Axis, "size" | "splits" | "values"> {
     const words = wordsOf(this.shown.map(({ series }) => series), this.schema);
-    if (words === undefined) return {
-      size: 52, values: (_u, ticks) => tickTexts(ticks),
-      splits: (u, _axis, low, high) => ticksOf(low, high, Math.floor((u.height - TIMES_HEIGHT) / TICK_HEIGHT)),
-    };
+    if (words === undefined) return { size: 52 };
     const longest = Math.max(...words.map((one) => one.length));
     return {
       size: Math.min(16 + 6 * longest, 120),
@@ -155,25 +148,9 @@ export class Plot {
     u.over.addEventListener("wheel", (event) => {
       event.preventDefault();
       const box = u.over.getBoundingClientRect();
-      const factor = 1.0015 ** (event.deltaY || event.deltaX); // with shift a wheel turns sideways
-      if (event.shiftKey) this.zoomValues(u, factor, u.posToVal(event.clientY - box.top, "y"));
-      else this.onZoom(factor, u.posToVal(event.clientX - box.left, "x"));
+      const factor = 1.0015 ** (event.deltaY || event.deltaX);
+      this.onZoom(factor, u.posToVal(event.clientX - box.left, "x"));
     }, { passive: false });
-    u.over.addEventListener("dblclick", () => this.showValues(undefined));
-  }
-
-  /** A spike that flattens all else goes beyond the edge. */
-  private zoomValues(u: uPlot, factor: number, about: number): void {
-    const { min, max } = u.scales["y"] ?? {};
-    if (min == null || max == null || !(max > min)) return;
-    this.showValues([about - (about - min) * factor, about + (max - about) * factor]);
-  }
-
-  private showValues(values: [number, number] | undefined): void {
-    if (values === this.values) return;
-    this.values = values;
-    this.root.classList.toggle("part", values !== undefined);
-    this.onBuilt();
   }
 
   private drawTime(u: uPlot, colour: string): void {
@@ -201,7 +178,7 @@ export class Plot {
     chart.batch(() => {
       chart.setData(envelope.columns() as unknown as uPlot.AlignedData, false);
       chart.setScale("x", { min: from, max: to });
-      const [low, high] = this.values ?? envelope.bounds();
+      const [low, high] = envelope.bounds();
       chart.setScale("y", { min: low, max: high });
     });
   }
@@ -228,14 +205,9 @@ function breakable(name: string): Node[] {
 
 /** A piece of the line, for the legend. */
 function sample({ colour, dash }: LineStyle): SVGElement {
-  const element = (name: string, attributes: Record<string, string>): SVGElement => {
-    const made = document.createElementNS("http://www.w3.org/2000/svg", name);
-    for (const [key, value] of Object.entries(attributes)) made.setAttribute(key, value);
-    return made;
-  };
-  const line = element("path", { d: "M0 4H18", "stroke-width": "2.4", "stroke-dasharray": dash.join(" ") || "none" });
+  const line = svg("path", { d: "M0 4H18", "stroke-width": "2.4", "stroke-dasharray": dash.join(" ") || "none" });
   line.style.stroke = `var(${colour})`;
-  const picture = element("svg", { class: "sample", viewBox: "0 0 18 8", "aria-hidden": "true" });
+  const picture = svg("svg", { class: "sample", viewBox: "0 0 18 8", "aria-hidden": "true" });
   picture.append(line);
   return picture;
 }

@@ -2,7 +2,7 @@ import type { Frame } from "../data/frame.ts";
 import type { Player } from "../data/player.ts";
 import type { Schema } from "../data/schema.ts";
 import { hasBodies, LEGS } from "../data/schema.ts";
-import type { Mark, Series } from "../data/source.ts";
+import type { Series } from "../data/source.ts";
 import { digits } from "../data/numbers.ts";
 import { choicesOf, type Choice } from "../data/channel_names.ts";
 import type { ChannelInfo } from "../protocol/session.ts";
@@ -35,12 +35,12 @@ interface Match {
 }
 
 /** The channels, or components of one, whose names and descriptions have every word of what was typed. */
-export function search(schema: Schema, typed: string, marks: Mark[] = []): Match[] {
+export function search(schema: Schema, typed: string): Match[] {
   const words = typed.trim().toLowerCase().split(/\s+/);
   const holds = (text: string): boolean => words.every((word) => text.toLowerCase().includes(word));
   const found = schema.channels.flatMap((channel): Match[] => {
     const text = `${channel.about} ${channel.unit}`;
-    const choices = choicesOf(channel, schema, marks);
+    const choices = choicesOf(channel, schema);
     const few = hasBodies(channel, schema) ? choices.slice(0, MOST_CHOICES) : choices.length > MOST_CHOICES ? [] : choices;
     if (holds(`${channel.name} ${text}`)) return [{ channel, choices: few, isPart: false }];
     const some = choices.filter(({ name }) => holds(`${channel.name}.${name} ${text}`));
@@ -171,7 +171,7 @@ export class PlotsPanel {
   }
 
   private list(): void {
-    const matching = search(this.schema, this.search.value, this.player.source.marks);
+    const matching = search(this.schema, this.search.value);
     this.found.replaceChildren(...matching.slice(0, LONGEST_LIST).map((match, k) => this.item(match, k === 0)));
     if (matching.length > LONGEST_LIST) this.found.append(h("li", { class: "soft" }, `and ${matching.length - LONGEST_LIST} more`));
     if (matching.length === 0) this.found.append(h("li", { class: "soft" }, "no channel is called so"));

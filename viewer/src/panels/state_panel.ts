@@ -1,9 +1,6 @@
 import { read, scalar, word, type Frame } from "../data/frame.ts";
 import { accountAt, type Account } from "../data/hierarchy.ts";
 import { LEG_CHANNELS, LEGS } from "../data/schema.ts";
-import { TOLD } from "../data/change_words.ts";
-import { LYING_WINDOW, lyingText, touchOf, type GroundTouch } from "../data/lying.ts";
-import type { FrameSource } from "../data/source.ts";
 import { pushesOf } from "../data/pushes.ts";
 import { pyramidUse } from "../data/pyramid_use.ts";
 import { yawOf } from "../math/geometry.ts";
@@ -78,46 +75,21 @@ function pyramidUses(frame: Frame): string {
   return uses.filter(([, use]) => !Number.isNaN(use)).map(([leg, use]) => `${leg} ${percent(use)}`).join(", ");
 }
 
-/** One or two levels with the rows that hold them back, of more with the levels: the panel of the hierarchy has the rest. */
-function hierarchyText({ first, whole, more }: Account): string {
-  const estimates = first.filter((one) => !whole.startsWith(one));
-  return more.length === 0 || more.length > 2 ? [whole, ...estimates].join(" ") : [...first, ...more].join(" ");
-}
-
-/** Where a force in W goes, seen along the robot's heading. */
-function directionText([x, y, z]: [number, number, number], yaw: number): string {
-  const size = Math.hypot(x, y, z);
-  const parts: string[] = [];
-  if (Math.hypot(x, y) > TOLD * size) {
-    const angle = Math.atan2(y, x) - yaw;
-    const degrees = Math.round((Math.atan2(Math.sin(angle), Math.cos(angle)) * 180) / Math.PI);
-    const side = degrees % 180 === 0 ? "" : degrees > 0 ? " to the left" : " to the right";
-    parts.push(`${Math.abs(degrees)}° from ahead${side}`);
-  }
-  if (Math.abs(z) > TOLD * size) parts.push(z > 0 ? "upwards" : "downwards");
-  return parts.join(" and ");
-}
-
 /** What pushes the robot from outside; "" where nobody knows. */
 function pushText(frame: Frame): string {
   const pushes = pushesOf(frame);
-  const q = [1, 0, 0, 0];
-  if (pushes === undefined || !read(frame, "truth.q_WB", q)) return "";
-  const forces = pushes.map(({ body, force }) => {
-    const name = body === 0 ? "the base" : (frame.schema.bodies[body] ?? `body ${body + 1}`);
-    return `${digits(Math.hypot(...force))} N, ${directionText(force, yawOf(q))}, on ${name}`;
-  });
+  if (pushes === undefined) return "";
+  const forces = pushes.map(({ body, force }) =>
+    `${digits(Math.hypot(...force))} N on ${frame.schema.bodies[body] ?? `body ${body + 1}`}, (${force.map((part) => fixed(part, 1)).join(", ")}) N in the world`);
   return forces.length === 0 ? "nothing" : `${forces.join("; ")} (truth: the controller is not told)`;
 }
 
 /** The state in sentences: what a picture shows to those who see it; "" of what there is nothing to say now. */
-function allSentences(frame: Frame, touch: GroundTouch, account: Account): [string, string][] {
-  const lying = lyingText(touch);
+function allSentences(frame: Frame, account: Account): [string, string][] {
   const truth = whereabouts(frame, "truth");
   return [
     ["Time", `${secondsText(frame.time)}, tick ${frame.tick}`],
     ["Feet", feetText(frame)],
-    ["Lies on", lying === "" ? "" : `${lying} (last ${LYING_WINDOW} s)`],
     ["Pyramid used", pyramidUses(frame)],
     [truth === "" ? "Base, believed" : "Base, true", truth || whereabouts(frame, "state")],
     ["Estimate drifted by", estimateError(frame)],
@@ -126,13 +98,13 @@ function allSentences(frame: Frame, touch: GroundTouch, account: Account): [stri
     ["Pushed by", pushText(frame)],
     ["Command", commandText(frame) + wishesText(frame)],
     ["Sensors now", faultsText(frame)],
-    ["Hierarchy", hierarchyText(account)],
+    ["Hierarchy", account.line],
   ];
 }
 
 /** Those that say something. */
-export function sentences(frame: Frame, touch = touchOf(frame), account = accountAt(frame)): [string, string][] {
-  return allSentences(frame, touch, account).filter(([, text]) => text !== "");
+export function sentences(frame: Frame, account = accountAt(frame)): [string, string][] {
+  return allSentences(frame, account).filter(([, text]) => text !== "");
 }
 
 /** The state in words, and what the run is. */
@@ -167,8 +139,8 @@ export class StatePanel {
   }
 
   /** Rows that this frame has nothing for are hidden, and have their place. */
-  show(frame: Frame, source: FrameSource, account: Account): void {
-    const all = allSentences(frame, touchOf(frame, source), account);
+  show(frame: Frame, account: Account): void {
+    const all = allSentences(frame, account);
     const told = new Map(all.filter(([, text]) => text !== ""));
     for (const [name] of all) if (!this.rows.has(name)) this.add(name);
     for (const [row, { name, text }] of this.rows) {

@@ -1,6 +1,6 @@
 import type { Frame } from "../data/frame.ts";
 import type { Player } from "../data/player.ts";
-import { speedText } from "../data/lag.ts";
+import { speedText } from "../data/speed.ts";
 import { columnsOf, hintOf, type Weight } from "../data/mark_columns.ts";
 import { secondsText } from "../data/numbers.ts";
 import { Wish } from "../data/wish.ts";

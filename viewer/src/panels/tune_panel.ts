@@ -1,9 +1,7 @@
-import type { Commands } from "../protocol/commands.ts";
+import type { Ask } from "../protocol/commands.ts";
 import { orderOf, type Session, type TaskInfo, type TaskNumber } from "../protocol/session.ts";
 import { LEGS } from "../data/schema.ts";
-import { changeText } from "../data/change_words.ts";
 import type { Status } from "../protocol/connection.ts";
-import { ChangeList } from "./change_list.ts";
 import { h, plain, say } from "./dom.ts";
 import { NumberField } from "./number_field.ts";
 
@@ -16,29 +14,23 @@ export function beliefText(friction: number[], given: number): string {
   return `The controller believes now, after slips: ${LEGS.map((leg, k) => `${leg} ${friction[k]?.toFixed(2)}`).join(", ")}.`;
 }
 
-/** Numbers of the tasks, the friction that the controller assumes, and undo. */
+/** Numbers of the tasks, and the friction that the controller assumes. */
 export class TunePanel {
-  onUndo: () => void = () => {};
   private readonly tables = h("div", { class: "gains" });
   private readonly tasks = new Map<string, TaskTable>();
-  private readonly undoButton: HTMLButtonElement;
   private readonly controls: HTMLFieldSetElement;
-  readonly changes: ChangeList;
   private readonly friction: NumberField;
   private readonly belief = h("p", { class: "soft", id: "friction-belief" });
   private frictionNow = NaN;
 
-  constructor(root: HTMLElement, private readonly commands: Commands, mostChanges: number, private readonly report: Report) {
-    this.changes = new ChangeList(mostChanges);
-    this.undoButton = h("button", { id: "undo", title: "undo the last change (u)", onclick: () => this.undo() }, "Undo");
+  constructor(root: HTMLElement, private readonly ask: Ask, private readonly report: Report) {
     this.friction = new NumberField({ id: "friction", step: 0.05, "aria-label": "friction coefficient that the controller assumes of ground it has not felt yet" }, {
-      ask: (value, refused) => this.send("friction", { value }, refused),
+      ask: (value, field) => this.ask("friction", { value }, field),
       reject: (kept) => this.report(`No change: the friction was no number. It is ${kept} again.`, "error"),
     });
     this.controls = h("fieldset", { class: "controls" },
-      h("div", { class: "row" }, h("label", { class: "field" }, "Friction μ", this.friction.input), this.undoButton),
+      h("label", { class: "field" }, "Friction μ", this.friction.input),
       this.belief,
-      h("h2", {}, "Changes"), this.changes.root,
       h("h2", {}, "Gains"), this.tables,
     );
     root.append(this.controls);
@@ -48,31 +40,13 @@ export class TunePanel {
     this.controls.disabled = !allowed;
   }
 
-  undo(): void {
-    this.onUndo();
-    this.dropWishes();
-    this.send("undo", {});
-  }
-
   /** The run begins again, with the numbers of its scenario. */
   restart(): void {
-    this.dropWishes();
-    this.changes.clear();
-  }
-
-  private dropWishes(): void {
     for (const field of this.fields()) field.drop();
   }
 
   private fields(): NumberField[] {
     return [this.friction, ...[...this.tasks.values()].flatMap((task) => task.fields)];
-  }
-
-  private send(type: string, fields: object, failed: () => void = () => {}): void {
-    this.commands.send(type, fields).catch((error: Error) => {
-      this.report(changeText(error.message), "error");
-      failed();
-    });
   }
 
   show(session: Session): void {
@@ -92,24 +66,21 @@ export class TunePanel {
     say(this.belief, beliefText(friction, this.frictionNow));
   }
 
-  showStatus({ undo, pending }: Pick<Status, "undo" | "pending">): void {
-    say(this.undoButton, undo > 0 ? `Undo (${undo})` : "Undo");
-    this.undoButton.disabled = undo === 0;
-    this.changes.wait(pending);
-    for (const field of this.fields()) field.refresh(pending !== "");
+  /** Of a run that stands nothing comes to effect: what was asked for is shown until it does. */
+  showStatus({ paused }: Pick<Status, "paused">): void {
+    for (const field of this.fields()) field.refresh(paused);
   }
 
   private table(task: TaskInfo, place: number): TaskTable {
     const key = `${task.level_name}.${task.task}`;
     const known = this.tasks.get(key);
-    const table = known ?? new TaskTable(task, (gain, failed) => this.send("gain", gain, failed), (text) => this.report(text, "error"));
+    const table = known ?? new TaskTable(task, this.ask, (text) => this.report(text, "error"));
     this.tasks.set(key, table);
     table.show(task, place);
     return table;
   }
 }
 
-type SendGain = (gain: object, failed: () => void) => void;
 type Tell = (text: string) => void;
 
 /** The numbers of a task. */
@@ -119,9 +90,9 @@ class TaskTable {
   private readonly title = h("span", {});
   readonly fields: NumberField[];
 
-  constructor(task: TaskInfo, send: SendGain, tell: Tell) {
+  constructor(task: TaskInfo, ask: Ask, tell: Tell) {
     const detail = task.task === task.level_name ? undefined : h("span", { class: "soft" }, ` ${plain(task.task)}`);
-    const gains = task.numbers.map((number) => new GainField(task, number, send, tell));
+    const gains = task.numbers.map((number) => new GainField(task, number, ask, tell));
     this.fields = gains.map(({ field }) => field);
     this.root = h("section", { class: "task" }, h("h3", {}, this.title, detail), ...gains.map(({ root }) => root));
   }
@@ -147,12 +118,12 @@ class GainField {
   readonly root: HTMLElement;
   readonly field: NumberField;
 
-  constructor(task: TaskInfo, number: TaskNumber, send: SendGain, tell: Tell) {
+  constructor(task: TaskInfo, number: TaskNumber, ask: Ask, tell: Tell) {
     const unit = number.unit === "–" ? "" : ` ${number.unit}`;
     const range = `from ${number.min} to ${number.max}${unit}`.trimEnd();
     const hint = [number.about, range].filter((text) => text !== "").join("; ");
     this.field = new NumberField({ min: number.min, max: number.max, step: "any", "data-gain": `${task.level_name}.${task.task}.${number.name}`, title: hint }, {
-      ask: (value, refused) => send({ level: task.level_name, task: task.task, name: number.name, value }, refused),
+      ask: (value, field) => ask("gain", { level: task.level_name, task: task.task, name: number.name, value }, field),
       reject: (kept) => tell(`No change: ${taskTitle(task)} ${plain(number.name)} was no number. It is ${kept}${unit} again.`),
     });
     const name = h("span", {}, plain(number.name), h("small", { class: "hint" }, hint));

@@ -1,11 +1,9 @@
-/** There is no server at the other end, or it went away meanwhile, or `isLate`: it does not answer in time. */
+/** There is no server at the other end, or it went away meanwhile, or does not answer in time. */
 export class NoAnswer extends Error {
-  constructor(readonly isLate = false) {
+  constructor() {
     super("the program does not answer");
   }
 }
-
-export const isTimeout = (error: unknown): boolean => error instanceof DOMException && error.name === "TimeoutError";
 
 export type Fetch = (url: string) => Promise<Response>;
 
@@ -21,8 +19,8 @@ export async function ask(url: string, fetchFrom = fetchInTime): Promise<ArrayBu
   try {
     answer = await fetchFrom(url);
     bytes = await answer.arrayBuffer();
-  } catch (error) {
-    throw new NoAnswer(isTimeout(error));
+  } catch {
+    throw new NoAnswer();
   }
   if (!answer.ok) throw new Error(textOf(bytes).trim() || `the server answered ${answer.status}`);
   return bytes;

@@ -10,6 +10,9 @@ export interface Walk {
 /** What a page without the token says wherever it can't do something. */
 export const VIEW_ONLY = "this page can only look: open the link with #token=… that the program printed last";
 
+/** Asks the run for something; a refusal is shown, and ends the wish. */
+export type Ask = (type: string, fields: object, wish?: { drop: () => void }) => void;
+
 /** Asks the server for changes of the run. Each needs the token of the link that the program printed. */
 export class Commands {
   /** The program does not know the token: it is that of an earlier start, say. */

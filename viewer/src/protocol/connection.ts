@@ -1,5 +1,4 @@
 import type { RawEvent } from "../data/marks.ts";
-import type { ForceMark } from "../data/source.ts";
 
 /** What the server says in text messages. */
 export interface Status {
@@ -8,8 +7,6 @@ export interface Status {
   speed: number;
   /** Seconds of the run in one of the clock's, at this speed; 0: not measured yet. */
   real_factor: number;
-  /** By the program's clock, when this was said [s]. */
-  clock: number;
   time: number;
   tick: number;
   clients: number;
@@ -22,30 +19,8 @@ export interface Status {
   /** With which generation the run began that goes on. */
   begun: number;
   command: { walk: boolean; velocity: number[]; yaw_rate: number; height: number; by: string };
-  undo: number;
-  /** What of the control is wanted and no tick has taken yet; "": nothing. */
-  pending: string;
-  push: OutsideForce | null;
-  pull: OutsideForce | null;
-  /** The pull is held at less than was asked for. */
-  pull_is_weaker: boolean;
-  /** That pushes and pulls may give at once now. */
-  newton_seconds_left: number;
-}
-
-/** What the operator does to the robot, and what that has given since it began [N·s]. */
-export interface OutsideForce {
-  force: number[];
-  body: string;
-  given: number;
-}
-
-export interface Change {
-  type: "change";
-  time: number;
-  kind: string;
-  text: string;
-  force?: ForceMark;
+  /** From outside, since the run began. */
+  changes: number;
 }
 
 export interface Reply {
@@ -68,7 +43,7 @@ export interface Events {
   events: RawEvent[];
 }
 
-export type ServerMessage = Status | Change | Events | Reply | Notice;
+export type ServerMessage = Status | Events | Reply | Notice;
 
 /** Reads a text message; an error says that it is none. */
 export function readMessage(text: string): ServerMessage {

@@ -41,8 +41,6 @@ export interface TaskInfo {
   level: number;
   level_name: string;
   task: string;
-  /** Its level does, and stands above all that can be moved. */
-  keeps_physics: boolean;
   numbers: TaskNumber[];
   /** What it was given besides numbers, e.g. axes: gravity. */
   choices: Record<string, string>;
@@ -81,7 +79,6 @@ export interface Header {
 
 export interface Limits {
   push_newton_seconds: number;
-  push_newton_seconds_each_second: number;
   push_newtons: number;
   push_seconds: number;
   speeds: number[];
@@ -91,8 +88,6 @@ export interface Limits {
   walk_height: number;
   friction_min: number;
   friction_max: number;
-  /** Of a live run that are kept, the last. */
-  changes: number;
 }
 
 /** The levels' order from a tick on. */

@@ -78,19 +78,6 @@ export class Robot {
     link.localToWorld(out.copy(centre));
     return true;
   }
-
-  /** Name of the moving body that a part of the scene belongs to, and the body itself. */
-  bodyOf(part: THREE.Object3D): { name: string; link: THREE.Object3D } | undefined {
-    let at: THREE.Object3D | null = part;
-    while (at !== null && at !== this.urdf) {
-      if ("isURDFJoint" in at && (at as unknown as { jointType: string }).jointType !== "fixed") {
-        const link = at.children.find((child) => "isURDFLink" in child);
-        if (link !== undefined) return { name: link.name, link };
-      }
-      at = at.parent;
-    }
-    return at === null ? undefined : { name: this.urdf.name, link: this.urdf };
-  }
 }
 
 /** Only joints move against what they hang on: of all else the place is known once. */

@@ -30,12 +30,9 @@ export class World {
   readonly robot: Robot;
   readonly ghost: Robot;
   readonly library: MeshLibrary;
-  readonly extras = new THREE.Group();
   readonly labels: Labels;
   readonly newton: number;
   palette: Palette = paletteOf(false);
-  /** The body that the pointer holds. */
-  held: string | undefined;
   private readonly axes = new Axes();
   private readonly terrain: Terrain;
   private readonly ghostPaint = new THREE.MeshLambertMaterial({ transparent: true, opacity: 0.3 });
@@ -70,7 +67,7 @@ export class World {
     this.ghost = new Robot(urdf, this.library, this.ghostPaint);
     this.terrain = new Terrain(session.header.terrain, this.stage.quality.software);
     this.newton = WEIGHT_LENGTH / newtonsOf(session.header.robot);
-    this.stage.scene.add(this.terrain.root, this.robot.root, this.overlays.root, this.extras);
+    this.stage.scene.add(this.terrain.root, this.robot.root, this.overlays.root);
     this.clear();
     this.stage.quality.onStep = () => this.invalidate();
     this.library.onLoad = () => this.invalidate();
@@ -128,8 +125,8 @@ export class World {
     return this.dirty || moved || frame?.time !== this.shown || this.settling > 0;
   }
 
-  /** Draws the frame where the picture would be another one; `dt`: since the last picture [s]; `extras` may move what it has added. */
-  draw(frame: Frame | undefined, source: FrameSource, dt: number, extras: () => void): boolean {
+  /** Draws the frame where the picture would be another one; `dt`: since the last picture [s]. */
+  draw(frame: Frame | undefined, source: FrameSource, dt: number): boolean {
     const { quality } = this.stage;
     if (this.changed(frame)) quality.move();
     else if (frame === undefined || !quality.rest()) return false;
@@ -139,7 +136,6 @@ export class World {
     this.labels.begin(this.stage.width, this.stage.height);
     if (frame !== undefined) this.show(frame, source, dt);
     if (this.first) this.overlays.root.visible = false;
-    extras();
     this.view.copy(this.stage.camera.matrixWorld);
     this.axes.turn(this.stage.camera);
     this.stage.render();
@@ -169,8 +165,8 @@ export class World {
     if (trails) this.sinceTrails = 0;
     this.shown = frame.time;
     const { header } = this.session;
-    const { labels, newton, held, centreOf } = this;
-    for (const set of [this.overlays, ...this.copies]) set.update({ frame, source, header, labels, newton, longest: LONGEST, trails, held, centreOf, beliefToWorld: set.beliefToWorld });
+    const { labels, newton, centreOf } = this;
+    for (const set of [this.overlays, ...this.copies]) set.update({ frame, source, header, labels, newton, longest: LONGEST, trails, centreOf, beliefToWorld: set.beliefToWorld });
   }
 
   /** Draws all overlays as often as for this many robots, side by side. */
