@@ -2,15 +2,21 @@
 
 #include "app/exit_code.hpp"
 #include "app/results_table.hpp"
+#include "surefoot/base/error.hpp"
 #include "surefoot/base/formatted.hpp"
 #include "surefoot/base/printable.hpp"
 #include "surefoot/config/config_json.hpp"
 #include "surefoot/config/config_tree.hpp"
 #include "surefoot/config/data_file.hpp"
+#include "surefoot/config/json_schema.hpp"
+#include "surefoot/config/nearest_name.hpp"
+#include "surefoot/config/option_list.hpp"
 #include "surefoot/config/robot_file.hpp"
 #include "surefoot/config/stack_file.hpp"
+#include "surefoot/logging/json_text.hpp"
 #include "surefoot/tasks/catalog.hpp"
 
+#include <algorithm>
 #include <iostream>
 
 namespace surefoot {
@@ -84,15 +90,53 @@ Table randomisations() {
   return table;
 }
 
+Table options(const std::vector<OptionRow>& rows) {
+  Table table;
+  for (const OptionRow& row : rows)
+    table.push_back(
+        {row.key, row.value + (row.unit.empty() ? "" : " " + row.unit), row.range, row.help});
+  return table;
+}
+
+std::string options_json(const std::vector<OptionRow>& rows) {
+  std::string text;
+  JsonText json(text);
+  json.array();
+  for (const OptionRow& row : rows) {
+    json.object().member("key", row.key).member("default", row.value).member("unit", row.unit);
+    json.member("range", row.range).member("help", row.help).end_object();
+  }
+  json.end_array();
+  return text + "\n";
+}
+
+int list_options_command(const ListFilter& filter) {
+  const std::vector<OptionRow> rows = list_options(filter.about);
+  if (rows.empty()) throw Error("no option begins with \"" + filter.about + "\"");
+  std::cout << (filter.json ? options_json(rows) : printable(aligned(options(rows)), "\n"));
+  return kPassed;
+}
+
+int list_schema_command(const std::string& kind) {
+  const std::vector<std::string>& kinds = kinds_of_files();
+  if (std::ranges::find(kinds, kind) == kinds.end())
+    throw Error("a schema is of a kind of file; " + valid_names(kind, kinds));
+  std::cout << json_schema(kind) << "\n";
+  return kPassed;
+}
+
 }  // namespace
 
 const std::vector<std::string>& listable() {
-  static const std::vector<std::string> kListable{"robots", "stacks", "scenarios", "randomisations",
-                                                  "tasks"};
+  static const std::vector<std::string> kListable{
+      "robots", "stacks", "scenarios", "randomisations", "tasks", "options", "schema"};
   return kListable;
 }
 
-int list_command(const std::string& what) {
+int list_command(const std::string& what, const ListFilter& filter) {
+  if (what == "options") return list_options_command(filter);
+  if (what == "schema") return list_schema_command(filter.about);
+  if (!filter.about.empty()) throw Error("only of options and schemas there is a part to list");
   Table table;
   if (what == "robots") table = robots();
   if (what == "stacks") table = stacks();

@@ -8,8 +8,14 @@ namespace surefoot {
 /// What `surefoot list` can list.
 [[nodiscard]] const std::vector<std::string>& listable();
 
-/// Prints the robots, stacks, scenarios, randomisations or tasks that there are. Returns an
-/// ExitCode.
-int list_command(const std::string& what);
+/// What of it, for options and schemas alone.
+struct ListFilter {
+  std::string about;  ///< how keys of options begin; or the kind of file that a schema is of
+  bool json = false;  ///< options as JSON
+};
+
+/// Prints what there is, as `listable()` names it. Returns an ExitCode. Throws Error on a filter
+/// that makes no sense.
+int list_command(const std::string& what, const ListFilter& filter = {});
 
 }  // namespace surefoot

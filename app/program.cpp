@@ -130,6 +130,8 @@ Examples:
   surefoot list scenarios
   surefoot list tasks                                    with parameters, defaults and units
   surefoot list randomisations                           what randomise.include=NAME draws
+  surefoot list options planner.swing                    keys of a scenario with default, range and help
+  surefoot list schema scenario > scenario.schema.json   for editors: scenario, randomisation, robot or stack
 )";
 
 std::string demo_footer() {
@@ -196,14 +198,23 @@ void add_run(CLI::App& app, Command& chosen) {
 }
 
 void add_list(CLI::App& app, Command& chosen) {
-  CLI::App* list = app.add_subcommand(
-      "list", "Show what there is: robots, stacks, scenarios, randomisations or tasks");
+  CLI::App* list = app.add_subcommand("list",
+                                      "Show what there is: robots, stacks, scenarios, "
+                                      "randomisations, tasks, options, or the schema "
+                                      "of a kind of file");
   list->footer(kListFooter);
   const auto what = std::make_shared<std::string>();
-  list->add_option("what", *what, "robots, stacks, scenarios, randomisations or tasks")
+  const auto filter = std::make_shared<ListFilter>();
+  list->add_option("what", *what,
+                   "robots, stacks, scenarios, randomisations, tasks, options or schema")
       ->required()
       ->check(CLI::IsMember(listable()));
-  list->callback([&chosen, what] { chosen = [what] { return list_command(*what); }; });
+  list->add_option("about", filter->about,
+                   "How keys of options begin; or the kind of file that a schema is of");
+  list->add_flag("--json", filter->json, "Print options as JSON");
+  list->callback([&chosen, what, filter] {
+    chosen = [what, filter] { return list_command(*what, *filter); };
+  });
 }
 
 void add_solve(CLI::App& app, Command& chosen) {

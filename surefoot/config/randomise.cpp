@@ -4,7 +4,7 @@
 #include "surefoot/base/formatted.hpp"
 #include "surefoot/config/data_file.hpp"
 #include "surefoot/config/nearest_name.hpp"
-#include "surefoot/config/plant_vectors.hpp"
+#include "surefoot/config/scenario_fields.hpp"
 #include "surefoot/config/section.hpp"
 #include "surefoot/math/random_bits.hpp"
 
@@ -33,6 +33,20 @@ struct Entry {
   std::vector<std::string> paths;
   std::string where;
 };
+
+/// Names of the numbers that a key takes, in their order; none for a key that takes one number.
+std::vector<std::string> elements_of(const std::string& key) {
+  const std::optional<Field> option = scenario_option(key);
+  const auto* numbers = option ? std::get_if<Numbers>(&option->value) : nullptr;
+  return numbers == nullptr ? std::vector<std::string>{} : numbers->names;
+}
+
+/// Of delays in ticks, seeds, counts.
+bool is_whole_number(const std::string& key) {
+  const std::optional<Field> option = scenario_option(key);
+  return option && (std::holds_alternative<int*>(option->value) ||
+                    std::holds_alternative<std::uint64_t*>(option->value));
+}
 
 Range read_range(const ConfigNode& range, const std::string& path) {
   const std::string key = "randomise." + path;

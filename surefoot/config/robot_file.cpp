@@ -4,8 +4,9 @@
 #include "surefoot/base/formatted.hpp"
 #include "surefoot/config/data_directory.hpp"
 #include "surefoot/config/data_file.hpp"
+#include "surefoot/config/field_reader.hpp"
 #include "surefoot/config/nearest_name.hpp"
-#include "surefoot/config/section.hpp"
+#include "surefoot/config/robot_fields.hpp"
 #include "surefoot/model/mesh_files.hpp"
 #include "surefoot/model/robot_model.hpp"
 #include "surefoot/model/urdf.hpp"
@@ -28,38 +29,7 @@ std::string resolve_urdf(const Section& top, const std::string& urdf,
   return found.string();
 }
 
-/// HAA, HFE, KFE of all legs alike.
-void read_per_joint(Section& section, const char* key, JointVector& value) {
-  Vec3 joints = value.head<3>();
-  section.vector(key, joints);
-  value = joints.replicate<kNumLegs, 1>();
-}
-
-/// One number for all joints, or those of HAA, HFE and KFE.
-void read_drive_limit(Section& limits, const char* key, JointVector& value) {
-  const ConfigNode* given = limits.node(key);
-  Vec3 joints = Vec3::Zero();
-  if (given != nullptr && given->kind == ConfigNode::Kind::scalar) {
-    limits.number(key, joints[0], kPositive);
-    joints.setConstant(joints[0]);
-  } else {
-    limits.elements(key, joints.data(), {"HAA", "HFE", "KFE"}, kPositive);
-    if ((joints.array() <= 0.0).any()) limits.fail(key, "does not tell all of HAA, HFE and KFE");
-  }
-  value = joints.replicate<kNumLegs, 1>();
-}
-
-void read_limits(Section& limits, RobotDescription& robot) {
-  for (const char* key : {"torque", "velocity", "position_min", "position_max"})
-    limits.require(key);
-  read_drive_limit(limits, "torque", robot.torque_limit);
-  read_drive_limit(limits, "velocity", robot.velocity_limit);
-  read_per_joint(limits, "position_min", robot.q_min);
-  read_per_joint(limits, "position_max", robot.q_max);
-  if ((robot.q_min.array() >= robot.q_max.array()).any()) {
-    limits.fail("position_max", "must be above position_min at every joint");
-  }
-}
+JointVector of_all_legs(const Vec3& joints) { return joints.replicate<kNumLegs, 1>(); }
 
 /// Is a leg's posture within the limits? `bad` gets the joint that is not.
 bool is_within_limits(const RobotDescription& robot, Leg leg, const Vec3& q, Eigen::Index& bad) {
@@ -70,15 +40,9 @@ bool is_within_limits(const RobotDescription& robot, Leg leg, const Vec3& q, Eig
   return true;
 }
 
-/// The posture of a front leg, its knee backward. Hind legs mirror HFE and KFE (X-configuration),
-/// but where their limits leave that out, they stand like the front ones.
-void read_posture(Section& posture, RobotDescription& robot) {
-  posture.require("nominal");
-  Vec3 front = Vec3::Zero();
-  posture.vector("nominal", front);
-  if (front.y() * front.z() >= 0.0) {
-    posture.fail("nominal", "HFE and KFE must bend the knee, one above 0 and the other below");
-  }
+/// Hind legs mirror HFE and KFE of a front leg (X-configuration), but where their limits leave that
+/// out, they stand like the front ones.
+void set_posture(const Section& top, const Vec3& front, RobotDescription& robot) {
   for (const Leg leg : kLegs) {
     const Vec3 mirrored(front.x(), -front.y(), -front.z());
     Eigen::Index bad = 0;
@@ -87,95 +51,69 @@ void read_posture(Section& posture, RobotDescription& robot) {
     robot.q_nominal.segment<3>(first_joint(leg)) = q;
     if (is_within_limits(robot, leg, q, bad)) continue;
     const Eigen::Index joint = first_joint(leg) + bad;
-    posture.fail("nominal",
-                 std::string(kJointNames[static_cast<std::size_t>(bad)]) +
-                     formatted(" at %g rad lies outside limits.position_min and position_max, "
-                               "%g to %g rad",
-                               q[bad], robot.q_min[joint], robot.q_max[joint]));
+    top.fail("posture.nominal",
+             std::string(kJointNames[static_cast<std::size_t>(bad)]) +
+                 formatted(" at %g rad lies outside limits.position_min and position_max, "
+                           "%g to %g rad",
+                           q[bad], robot.q_min[joint], robot.q_max[joint]));
   }
 }
 
-void read_gains(Section& gains, RobotDescription& robot) {
-  gains.section("hold", [&](Section& hold) {
-    hold.number("kp", robot.hold_kp, kNotNegative);
-    hold.number("kd", robot.hold_kd, kNotNegative);
-  });
-  gains.number("damping", robot.damping_kd, kNotNegative);
-}
-
-/// Reads names and holds them against those of the URDF.
-class NameReader {
+/// Holds names against those of the URDF.
+class NameCheck {
  public:
-  explicit NameReader(const Urdf& urdf) : urdf_(urdf) {
+  NameCheck(const Section& top, const Urdf& urdf) : top_(top), urdf_(urdf) {
     for (const UrdfLink& link : urdf.links) links_.push_back(link.name);
     for (const UrdfJoint& joint : urdf.joints) {
       if (joint.type != "fixed") joints_.push_back(joint.name);
     }
   }
 
-  void frame(Section& section, const char* key, std::string& value) const {
-    section.require(key);
-    section.text(key, value);
-    if (section.node(key) != nullptr) check(section, key, "frame", value, links_);
+  void frame(const std::string& key, const std::string& name) const {
+    check(key, "frame", name, links_);
   }
 
-  void joints(Section& section, const char* key, std::array<std::string, kJointsPerLeg>& names) {
-    section.require(key);
-    const ConfigNode* given = section.node(key);
-    if (given == nullptr) return;
-    if (given->items.size() != names.size())
-      section.fail(key, "is not a list of 3 joints: HAA, HFE, KFE");
-    for (std::size_t i = 0; i < names.size(); ++i) {
-      names[i] = read_text(given->items[i], section.path_of(key));
-      check(section, key, "joint", names[i], joints_);
-      check_hinge(section, key, names[i]);
+  void leg(const std::string& key, const LegDescription& leg) {
+    for (const std::string& joint : leg.joints) {
+      check(key + ".joints", "joint", joint, joints_);
+      check_hinge(key + ".joints", joint);
     }
+    frame(key + ".hip", leg.hip_frame);
+    frame(key + ".thigh", leg.thigh_link);
+    frame(key + ".shank", leg.shank_link);
+    frame(key + ".foot", leg.foot_frame);
   }
 
  private:
   /// A leg's joints are hinges, and each stands at one place.
-  void check_hinge(const Section& section, const char* key, const std::string& name) {
+  void check_hinge(const std::string& key, const std::string& name) {
     const auto joint = std::ranges::find(urdf_.joints, name, &UrdfJoint::name);
+    const std::string place = " (" + urdf_.path + ":" + std::to_string(joint->line) + ")";
     if (joint->type != "revolute" && joint->type != "continuous") {
-      section.fail(key, "joint \"" + name + "\" is " + joint->type + " (" + urdf_.path + ":" +
-                            std::to_string(joint->line) + "); a leg's joint must be revolute");
+      top_.fail(key, "joint \"" + name + "\" is " + joint->type + place +
+                         "; a leg's joint must be revolute");
     }
     if (!joint->mimics.empty()) {
-      section.fail(key, "joint \"" + name + "\" mimics \"" + joint->mimics + "\" (" + urdf_.path +
-                            ":" + std::to_string(joint->line) +
-                            "); a leg's joints must each have a drive of their own");
+      top_.fail(key, "joint \"" + name + "\" mimics \"" + joint->mimics + "\"" + place +
+                         "; a leg's joints must each have a drive of their own");
     }
-    const auto [first, is_new] = places_.emplace(name, section.path_of(key));
-    if (!is_new) {
-      section.fail(key, "joint \"" + name + "\" stands at two places, also in " + first->second);
-    }
+    const auto [first, is_new] = places_.emplace(name, key);
+    if (is_new) return;
+    top_.fail(key, "joint \"" + name + "\" stands at two places, also in " + first->second);
   }
 
-  void check(const Section& section, const char* key, const char* what, const std::string& name,
+  void check(const std::string& key, const char* what, const std::string& name,
              const std::vector<std::string>& valid) const {
     if (std::ranges::find(valid, name) != valid.end()) return;
-    section.fail(key, std::string("unknown ") + what + " \"" + name + "\" in " + urdf_.path + "; " +
-                          valid_names(name, valid));
+    top_.fail(key, std::string("unknown ") + what + " \"" + name + "\" in " + urdf_.path + "; " +
+                       valid_names(name, valid));
   }
 
+  const Section& top_;
   const Urdf& urdf_;
   std::vector<std::string> links_, joints_;
   std::map<std::string, std::string> places_;  // of the joints so far
 };
-
-void read_leg(Section& section, LegDescription& leg, NameReader& names) {
-  names.joints(section, "joints", leg.joints);
-  names.frame(section, "hip", leg.hip_frame);
-  names.frame(section, "thigh", leg.thigh_link);
-  names.frame(section, "shank", leg.shank_link);
-  names.frame(section, "foot", leg.foot_frame);
-}
-
-void read_foot(Section& foot, RobotDescription& robot) {
-  foot.require("radius");
-  foot.number("radius", robot.foot_radius, kPositive);
-  foot.vector("center", robot.foot_center);
-}
 
 /// The URDF's content, with the robot file's line in front of what is wrong with it.
 Urdf read_urdf_of(const Section& top, const std::string& path) {
@@ -223,35 +161,26 @@ RobotDescription load_robot(const std::string& name_or_path, const std::filesyst
   const std::filesystem::path file = find_data_file("robots", name_or_path, beside);
   const ConfigNode tree = parse_yaml_file(file);
   Section top(tree, "");
-  RobotDescription robot;
-  for (const char* key : {"name", "urdf", "base", "legs", "foot", "limits", "posture"}) {
-    top.require(key);
-    (void)top.node(key);
-  }
-  (void)top.node("gains");
+  RobotInFile given;
+  read(top, fields(given));
   top.finish();
 
-  top.text("name", robot.name);
-  std::string urdf_name;
-  top.text("urdf", urdf_name);
-  robot.urdf_path = resolve_urdf(top, urdf_name, file);
+  RobotDescription& robot = given.robot;
+  for (const Leg leg : kLegs)
+    std::ranges::copy(given.joints[index(leg)], robot.legs[index(leg)].joints.begin());
+  robot.torque_limit = of_all_legs(given.torque);
+  robot.velocity_limit = of_all_legs(given.velocity);
+  robot.q_min = of_all_legs(given.position_min);
+  robot.q_max = of_all_legs(given.position_max);
+  robot.urdf_path = resolve_urdf(top, robot.urdf_path, file);
   for (const std::filesystem::path& folder : package_directories())
     robot.package_folders.push_back(folder.string());
   const Urdf urdf = read_urdf_of(top, robot.urdf_path);
-  NameReader names(urdf);
-  names.frame(top, "base", robot.base_link);
-  top.section("legs", [&](Section& legs) {
-    for (const Leg leg : kLegs) {
-      const char* name = kLegNames[index(leg)].data();
-      legs.require(name);
-      legs.section(name,
-                   [&](Section& section) { read_leg(section, robot.legs[index(leg)], names); });
-    }
-  });
-  top.section("foot", [&](Section& foot) { read_foot(foot, robot); });
-  top.section("limits", [&](Section& limits) { read_limits(limits, robot); });
-  top.section("posture", [&](Section& posture) { read_posture(posture, robot); });
-  top.section("gains", [&](Section& gains) { read_gains(gains, robot); });
+  NameCheck names(top, urdf);
+  names.frame("base", robot.base_link);
+  for (const Leg leg : kLegs)
+    names.leg("legs." + std::string(kLegNames[index(leg)]), robot.legs[index(leg)]);
+  set_posture(top, given.nominal, robot);
   check_robot(top, *tree.find("legs"), robot);
   return robot;
 }

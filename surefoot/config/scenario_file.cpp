@@ -2,27 +2,22 @@
 
 #include "surefoot/base/error.hpp"
 #include "surefoot/base/formatted.hpp"
-#include "surefoot/config/choices.hpp"
 #include "surefoot/config/config_json.hpp"
-#include "surefoot/config/controller_section.hpp"
 #include "surefoot/config/criteria_section.hpp"
 #include "surefoot/config/data_file.hpp"
-#include "surefoot/config/estimator_section.hpp"
+#include "surefoot/config/field_reader.hpp"
 #include "surefoot/config/initial_posture.hpp"
 #include "surefoot/config/nearest_name.hpp"
-#include "surefoot/config/plant_section.hpp"
-#include "surefoot/config/plant_vectors.hpp"
 #include "surefoot/config/robot_file.hpp"
+#include "surefoot/config/scenario_fields.hpp"
 #include "surefoot/config/scenario_notes.hpp"
 #include "surefoot/config/section.hpp"
 #include "surefoot/config/stack_file.hpp"
-#include "surefoot/config/switch_section.hpp"
-#include "surefoot/config/user_section.hpp"
+#include "surefoot/control/level_switcher.hpp"
 #include "surefoot/control/stack_reach.hpp"
 #include "surefoot/control/standing_torque.hpp"
 #include "surefoot/math/random_bits.hpp"
 #include "surefoot/model/urdf.hpp"
-#include "surefoot/simulation/check_options.hpp"
 
 #include <algorithm>
 #include <array>
@@ -122,35 +117,6 @@ auto load_named(Section& top, const char* key, const Load& load) {
   }
 }
 
-/// Of a leg that is not named, those of the stance.
-void read_joints(Section& joints, InitialState& state) {
-  for (const Leg leg : kLegs) {
-    double* q = &state.q[first_joint(leg)];
-    std::fill_n(q, kJointsPerLeg, kNaN);
-    joints.elements(leg_elements()[index(leg)].c_str(), q,
-                    {kJointNames.begin(), kJointNames.end()});
-  }
-}
-
-void read_initial(Section& initial, InitialState& state) {
-  initial.number("x", state.position.x());
-  initial.number("y", state.position.y());
-  initial.number("z", state.position.z());
-  initial.number("yaw", state.yaw);
-  const ConfigNode* joints = initial.node("joints");
-  state.is_given = joints != nullptr && joints->kind == ConfigNode::Kind::map;
-  initial.section("joints", [&](Section& s) { read_joints(s, state); });
-  initial.flag("limp", state.limp);
-  initial.number("settle", state.settle, {.min = 0.0, .max = 5.0, .words = "from 0 to 5 s"});
-  if (state.limp && state.settle == 0.0)
-    initial.fail("limp", "needs time to sink down: a settle above 0 s");
-}
-
-void read_goal(Section& section, Goal& goal) {
-  section.number("feet_beyond_x", goal.feet_beyond_x);
-  section.number("walk_on", goal.walk_on, kNotNegative);
-}
-
 void read_paper(Section& section, std::vector<PaperFigure>& paper) {
   const std::vector<std::string> names = metric_names();
   for (const std::string& metric : section.keys()) {
@@ -164,46 +130,18 @@ void read_paper(Section& section, std::vector<PaperFigure>& paper) {
   }
 }
 
-/// Of a run; quantiles of its ticks' times are told, which are kept.
-constexpr NumberRange kDuration{
-    .min = 0.0, .max = 1e6, .min_included = false, .words = "a number above 0, at most 1e6 s"};
-
-/// The control period is made of physics steps.
-void check_period(const Section& top, Scenario& scenario) {
-  scenario.plant.control_period = scenario.controller.period;
-  try {
-    (void)simulation::steps_per_period(scenario.plant);
-  } catch (const Error&) {
-    std::ostringstream message;
-    message << scenario.controller.period << " s is not a whole multiple of the timestep, "
-            << scenario.plant.timestep << " s";
-    top.fail("period", message.str());
-  }
-}
-
 void read_body(Section& top, Scenario& scenario) {
-  top.text("name", scenario.name);
-  top.text("description", scenario.description);
-  top.number("duration", scenario.duration, kDuration);
-  top.choice<Estimation>("estimation", scenario.estimation, named(kEstimations));
-  top.section("estimator", [&](Section& s) { read_estimator(s, scenario.estimator); });
-  read_controller(top, scenario.controller);
-  read_plant(top, scenario.plant);
-  check_period(top, scenario);
-  top.section("initial", [&](Section& s) { read_initial(s, scenario.plant.initial); });
-  read_user(top, scenario.commands);
-  top.section("goal", [&](Section& s) { read_goal(s, scenario.goal); });
+  const ConfigNode* actuators = top.node("actuators");
+  if (actuators != nullptr && actuators->kind == ConfigNode::Kind::scalar) {
+    top.fail("actuators", "\"" + actuators->text +
+                              "\" is not a map of keys and values; which model is "
+                              "\"actuators.model\": sea or ideal");
+  }
+  scenario.commands = {TimedCommand{}};
+  read(top, scenario_fields(scenario));
   const bool has_goal = std::isfinite(scenario.goal.feet_beyond_x);
   top.section("criteria", [&](Section& s) { read_criteria(s, has_goal, scenario.criteria); });
-  top.number("success_rate", scenario.success_rate, kShare);
   top.section("paper", [&](Section& s) { read_paper(s, scenario.paper); });
-  if (scenario.controller.contact_force.use_foot_sensor &&
-      !scenario.plant.sensors.foot_force.present) {
-    fail_at(*top.node("contact_force"), "contact_force.use_foot_sensor",
-            "the robot has none; sensors.foot_force.present: true gives it one");
-  }
-  for (const char* key : {"base", "robot", "stack", "tasks", "stack_switches", "randomise"})
-    (void)top.node(key);
   top.finish();
 }
 
@@ -212,8 +150,14 @@ void read_stack_changes(Section& top, ControllerOptions& controller) {
   if (const ConfigNode* tasks = top.node("tasks")) {
     override_tasks(controller.stack, *tasks, "tasks");
   }
-  if (const ConfigNode* switches = top.node("stack_switches")) {
-    controller.level_switches = read_level_switches(*switches, controller.stack);
+  const std::vector<LevelSwitch>& switches = controller.level_switches;
+  for (std::size_t i = 0; i < switches.size(); ++i) {
+    const auto end = switches.begin() + static_cast<std::ptrdiff_t>(i) + 1;
+    try {
+      (void)LevelSwitcher(controller.stack, {switches.begin(), end});
+    } catch (const Error& error) {
+      fail_at(top.node("stack_switches")->items[i], "stack_switches", error.what());
+    }
   }
 }
 

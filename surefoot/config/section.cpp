@@ -1,7 +1,6 @@
 #include "surefoot/config/section.hpp"
 
 #include "surefoot/base/error.hpp"
-#include "surefoot/base/formatted.hpp"
 #include "surefoot/config/nearest_name.hpp"
 
 #include <algorithm>
@@ -43,9 +42,8 @@ void fail_at(const ConfigNode& node, const std::string& path, const std::string&
 
 double read_number(const ConfigNode& node, const std::string& path, NumberRange range) {
   double value = 0.0;
-  const bool valid = node.kind == ConfigNode::Kind::scalar && parse(node.text, value) &&
-                     std::isfinite(value) && value <= range.max &&
-                     (range.min_included ? value >= range.min : value > range.min);
+  const bool valid =
+      node.kind == ConfigNode::Kind::scalar && parse(node.text, value) && range.holds(value);
   if (!valid) fail_at(node, path, describe(node) + " is not " + range.words);
   return value;
 }
@@ -65,8 +63,22 @@ std::string Section::path_of(const std::string& key) const {
 }
 
 void Section::fail(const std::string& key, const std::string& message) const {
-  const ConfigNode* given = node_.find(key);
+  const ConfigNode* given = below(key);
   fail_at(given == nullptr ? node_ : *given, path_of(key), message);
+}
+
+bool Section::has(const std::string& key) const { return below(key) != nullptr; }
+
+const ConfigNode* Section::below(const std::string& key) const {
+  const ConfigNode* found = node_.find(key);
+  const ConfigNode* node = &node_;
+  for (std::size_t begin = 0; found == nullptr && node != nullptr && begin <= key.size();) {
+    const std::size_t end = std::min(key.find('.', begin), key.size());
+    node = node->find(key.substr(begin, end - begin));
+    begin = end + 1;
+    if (begin > key.size()) found = node;
+  }
+  return found;
 }
 
 const ConfigNode* Section::node(const char* key) {
@@ -120,26 +132,13 @@ void Section::integer(const char* key, std::uint64_t& value) {
   }
 }
 
-void Section::require_order(const char* low_key, double low, const char* high_key,
-                            double high) const {
-  if (!(high < low)) return;
-  const bool high_is_given = node_.find(high_key) != nullptr;
-  const auto said = [](const char* side, const char* key, double value) {
-    return formatted(" must not be %s %s, which is %g", side, key, value);
-  };
-  if (high_is_given) fail(high_key, formatted("%g", high) + said("below", low_key, low));
-  fail(low_key, formatted("%g", low) + said("above", high_key, high));
-}
-
 void Section::flag(const char* key, bool& value) {
-  choice<bool>(key, value, {{"true", true}, {"false", false}});
+  if (const auto given = choice(key, {"true", "false"})) value = *given == 0;
 }
 
 void Section::text(const char* key, std::string& value) {
   if (const ConfigNode* given = present(key)) value = read_text(*given, path_of(key));
 }
-
-void Section::vector(const char* key, Vec2& value) { elements(key, value.data(), {"x", "y"}); }
 
 void Section::vector(const char* key, Vec3& value) { elements(key, value.data(), {"x", "y", "z"}); }
 
@@ -169,11 +168,15 @@ void Section::numbers(const char* key, std::vector<double>& values) {
   for (const ConfigNode& entry : given->items) values.push_back(read_number(entry, path_of(key)));
 }
 
-std::size_t Section::choose(const char* key, const std::string& given,
-                            const std::vector<std::string>& names) const {
-  const auto found = std::ranges::find(names, given);
-  if (found == names.end())
-    fail(key, "unknown choice \"" + given + "\"; " + valid_names(given, names));
+std::optional<std::size_t> Section::choice(const char* key, const std::vector<std::string>& names,
+                                           const char* what) {
+  const ConfigNode* given = present(key);
+  if (given == nullptr) return {};
+  const std::string& name = read_text(*given, path_of(key));
+  const auto found = std::ranges::find(names, name);
+  if (found == names.end()) {
+    fail(key, std::string("unknown ") + what + " \"" + name + "\"; " + valid_names(name, names));
+  }
   return static_cast<std::size_t>(found - names.begin());
 }
 

@@ -1,6 +1,7 @@
 #include "surefoot/control/controller.hpp"
 
 #include "surefoot/base/error.hpp"
+#include "surefoot/base/fields.hpp"
 #include "surefoot/control/active_stack.hpp"
 #include "surefoot/control/calibration.hpp"
 #include "surefoot/control/footing.hpp"
@@ -340,6 +341,8 @@ Controller::Controller(const RobotDescription& robot, const ControllerOptions& o
                        std::unique_ptr<StateEstimator> estimator) {
   if (estimator == nullptr) throw Error("the controller was given no state estimator");
   implementation_ = std::make_unique<Implementation>(robot, options, std::move(estimator));
+  ControllerOptions given = options;
+  check_fields("", fields(given));
 }
 
 Controller::~Controller() = default;

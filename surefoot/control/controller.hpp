@@ -55,6 +55,10 @@ struct ControllerOptions {
   SafetyOptions safety;
 };
 
+struct Group;
+/// Their names, units, ranges and help.
+[[nodiscard]] Group fields(ControllerOptions& o);
+
 /// The whole-body controller: one call a tick turns readings into joint torques.
 class Controller {
  public:

@@ -1,5 +1,6 @@
 #include "surefoot/estimation/contact_force_estimator.hpp"
 
+#include "surefoot/base/fields.hpp"
 #include "surefoot/model/leg_jacobian.hpp"
 
 #include <Eigen/Cholesky>
@@ -144,6 +145,12 @@ JointVector ContactForceEstimator::missing_torque(const Dynamics& dynamics) cons
         force_observer_.disturbance().segment<3>(first_joint(leg));
   }
   return result;
+}
+
+Group fields(ContactForceOptions& o) {
+  return {{"bandwidth_hz", &o.bandwidth_hz, kPositive, "Hz", "of the observers' poles, ω / 2π"},
+          {"use_foot_sensor", &o.use_foot_sensor, "for normal forces, where it fits the joints"},
+          {"tare", &o.tare.enabled, "whether legs in the air are weighed"}};
 }
 
 }  // namespace surefoot

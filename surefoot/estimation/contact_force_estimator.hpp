@@ -12,12 +12,14 @@
 namespace surefoot {
 
 struct ContactForceOptions {
-  double bandwidth_hz = 40.0;  ///< of the observers' poles, ω / 2π
-  /// Take the normal force from a foot sensor that exists and agrees with the joint torques
-  /// (FootSensorTrust); the tangential force always comes from the joints.
+  double bandwidth_hz = 40.0;
   bool use_foot_sensor = false;
   SwingTareOptions tare = {};
 };
+
+struct Group;
+/// Their names, units, ranges and help.
+[[nodiscard]] Group fields(ContactForceOptions& o);
 
 /// Ages of samples on arrival [s].
 struct JointDelays {

@@ -1,5 +1,6 @@
 #include "surefoot/estimation/external_force.hpp"
 
+#include "surefoot/base/fields.hpp"
 #include "surefoot/model/angular_momentum.hpp"
 
 #include <algorithm>
@@ -71,6 +72,18 @@ void ExternalForceEstimator::update(const Dynamics& dynamics, const PerLeg<bool>
   const double load = beyond<1>(vertical, options_.load_dead_band, options_.max_force)[0];
   state.external_force << push, load;
   state.external_moment = beyond<3>(moment_, options_.moment_dead_band, options_.max_moment);
+}
+
+Group fields(ExternalForceOptions& o) {
+  return {{"enabled", &o.enabled, "whether forces from outside are estimated"},
+          {"time_constant", &o.time_constant, kTimeConstant, "s", "of the horizontal force"},
+          {"load_time_constant", &o.load_time_constant, kTimeConstant, "s",
+           "of vertical force and moments"},
+          {"dead_band", &o.dead_band, kNotNegative, "N", "of the horizontal force: model errors"},
+          {"load_dead_band", &o.load_dead_band, kNotNegative, "N", "of the vertical force"},
+          {"moment_dead_band", &o.moment_dead_band, kNotNegative, "N·m", "of the moments"},
+          {"max_force", &o.max_force, kNotNegative, "N", "that is handed on"},
+          {"max_moment", &o.max_moment, kNotNegative, "N·m", "that is handed on"}};
 }
 
 }  // namespace surefoot

@@ -7,14 +7,14 @@ namespace surefoot {
 
 struct ExternalForceOptions {
   bool enabled = true;
-  double time_constant = 0.05;      ///< of the horizontal force [s]
-  double load_time_constant = 0.5;  ///< of the vertical force and the moments [s]
-  double dead_band = 12.0;          ///< of the horizontal force: size of model errors [N]
-  double load_dead_band = 8.0;      ///< of the vertical force [N]
-  double moment_dead_band = 4.0;    ///< [N·m]
-  double max_force = 150.0;         ///< [N]
-  double max_moment = 20.0;         ///< [N·m]
+  double time_constant = 0.05, load_time_constant = 0.5;
+  double dead_band = 12.0, load_dead_band = 8.0, moment_dead_band = 4.0;
+  double max_force = 150.0, max_moment = 20.0;
 };
+
+struct Group;
+/// Their names, units, ranges and help.
+[[nodiscard]] Group fields(ExternalForceOptions& o);
 
 /// Estimates pushes, pulls and unmodelled payload: a momentum observer on the whole body. Mass that
 /// moves into the model (BaseLoad) leaves the residual at once.

@@ -6,25 +6,16 @@ namespace surefoot {
 
 /// Standard deviations for an InvariantFilter.
 struct InvariantFilterOptions {
-  double gyro_noise = 2e-4;           ///< [rad/s/√Hz]
-  double accelerometer_noise = 2e-3;  ///< [m/s²/√Hz]
+  double gyro_noise = 2e-4, accelerometer_noise = 2e-3;
   /// A bias that wanders by σ within a time T walks by at most σ √(2/T). These fit MEMS sensors: a
   /// gyroscope with 5e-4 rad/s in 1000 s and an accelerometer with 0.025 m/s² in 300 s. If they are
   /// too small, the filter trusts its tilt too much, takes the accelerometer's contradiction for a
   /// bias, and its tilt drifts off within a minute.
-  double gyro_bias_walk = 2e-5;           ///< [rad/s²/√Hz]
-  double accelerometer_bias_walk = 2e-3;  ///< [m/s³/√Hz]
-  double encoder_noise = 2.5e-4;          ///< [rad]
-  /// Of a foot's position, each axis: error from joint zeros, lengths and an IMU out of step with
-  /// the encoders [m].
-  double foot_position_noise = 2e-3;
-  /// A foot position whose squared Mahalanobis distance exceeds this is an outlier (χ², 3 degrees
-  /// of freedom: 99.9 % lie below 16.3).
+  double gyro_bias_walk = 2e-5, accelerometer_bias_walk = 2e-3;
+  double encoder_noise = 2.5e-4, foot_position_noise = 2e-3;
   double gate = 16.3;
-  double initial_tilt = 0.01;                ///< [rad]
-  double initial_velocity = 0.005;           ///< [m/s]
-  double initial_gyro_bias = 2e-3;           ///< [rad/s]
-  double initial_accelerometer_bias = 0.12;  ///< [m/s²]
+  double initial_tilt = 0.01, initial_velocity = 0.005;
+  double initial_gyro_bias = 2e-3, initial_accelerometer_bias = 0.12;
 };
 
 /// Contact-aided invariant extended Kalman filter (Hartley, Ghaffari, Eustice, Grizzle 2020, with

@@ -1,5 +1,6 @@
 #include "surefoot/estimation/leg_inertial_estimator.hpp"
 
+#include "surefoot/base/fields.hpp"
 #include "surefoot/math/rotation.hpp"
 #include "surefoot/model/body_tree.hpp"
 
@@ -236,6 +237,33 @@ void LegInertialEstimator::predict(const TickContext& context) {
   state_.p_WB += context.imu_lag * state_.v_WB;
   state_.v_WB += context.imu_lag * a_WB;
   state_.q_WB = (state_.q_WB * exp_rotation(context.imu_lag * state_.w_WB_B)).normalized();
+}
+
+Group fields(LegInertialOptions& o) {
+  InvariantFilterOptions& filter = o.filter;
+  return {
+      {"gyro_noise", &filter.gyro_noise, kPositive, "rad/s/√Hz", "standard deviation"},
+      {"accelerometer_noise", &filter.accelerometer_noise, kPositive, "m/s²/√Hz", "deviation"},
+      {"gyro_bias_walk", &filter.gyro_bias_walk, kNotNegative, "rad/s²/√Hz", "of the bias"},
+      {"accelerometer_bias_walk", &filter.accelerometer_bias_walk, kNotNegative, "m/s³/√Hz",
+       "of the bias"},
+      {"encoder_noise", &filter.encoder_noise, kPositive, "rad", "standard deviation"},
+      {"foot_position_noise", &filter.foot_position_noise, kPositive, "m",
+       "of the leg's kinematics, each axis: wrong joint zeros and lengths, IMU out of step"},
+      {"gate", &filter.gate, kPositive, "", "squared Mahalanobis distance of outliers: 99.9 %"},
+      {"foot_walk", &o.foot_walk, kPositive, "m/√s", "of a foot that stands firmly"},
+      {"loose_foot_walk", &o.loose_foot_walk, kPositive, "m/√s", "of one that slides or lifts"},
+      {"stance_turn", &o.stance_turn, kNotNegative, "rad/m",
+       "apparent turn of the standing feet about the vertical between two footholds"},
+      {"trust_time", &o.trust_time, kPositive, "s", "after a touchdown until a foot counts fully"},
+      {"trust_force", &o.trust_force, kPositive, "N", "normal force from which on it does"},
+      {"predict", &o.predict, "the state is of now, or else of when the samples were taken"},
+      {"start",
+       Group{{"tilt", &filter.initial_tilt, kPositive, "rad", ""},
+             {"velocity", &filter.initial_velocity, kPositive, "m/s", ""},
+             {"gyro_bias", &filter.initial_gyro_bias, kPositive, "rad/s", ""},
+             {"accelerometer_bias", &filter.initial_accelerometer_bias, kPositive, "m/s²", ""}},
+       "standard deviations at the start"}};
 }
 
 }  // namespace surefoot

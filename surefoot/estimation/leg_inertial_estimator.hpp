@@ -10,19 +10,19 @@ namespace surefoot {
 
 struct LegInertialOptions {
   InvariantFilterOptions filter;
-  /// Creep of a firm stance foot; soft ground gives some 0.2 mm/s under a walking robot [m/√s].
-  double foot_walk = 4e-4;
-  double loose_foot_walk = 0.3;  ///< of a foot that hardly touches, or slides [m/√s]
-  /// Apparent common turn of the stance feet about the vertical per way of the base between two
-  /// footholds [rad/m]. Leg errors of millimetres and milliradians turn a robot by 3 mrad a metre,
-  /// by the same each stride. As independent noise, a hundred footholds (a minute, in which a
-  /// gyroscope's bias wanders as far) must count as one: so ten times as much. If it is too small,
-  /// a walk's legs disturb the gyroscope bias found while standing.
+  double foot_walk = 4e-4, loose_foot_walk = 0.3;
+  /// Leg errors of millimetres and milliradians turn a robot by 3 mrad a metre, by the same each
+  /// stride. As independent noise, a hundred footholds (a minute, in which a gyroscope's bias
+  /// wanders as far) must count as one: so ten times as much. If it is too small, a walk's legs
+  /// disturb the gyroscope bias found while standing.
   double stance_turn = 0.03;
-  double trust_time = 0.08;   ///< after a touchdown until full trust in a foot [s]
-  double trust_force = 30.0;  ///< normal force for full trust [N]
-  bool predict = true;        ///< predict the state to now, from the sample times
+  double trust_time = 0.08, trust_force = 30.0;
+  bool predict = true;
 };
+
+struct Group;
+/// Their names, units, ranges and help.
+[[nodiscard]] Group fields(LegInertialOptions& o);
 
 /// Base state from IMU, encoders and stance feet, by an InvariantFilter.
 ///

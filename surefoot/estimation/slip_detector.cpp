@@ -1,5 +1,7 @@
 #include "surefoot/estimation/slip_detector.hpp"
 
+#include "surefoot/base/fields.hpp"
+#include "surefoot/base/formatted.hpp"
 #include "surefoot/math/rotation.hpp"
 
 #include <algorithm>
@@ -81,6 +83,23 @@ void SlipDetector::judge(Foot& foot, const Vec3& velocity, double normal_force) 
   add_up(foot.slow_for, speed < options_.end_speed);
   if (foot.fast_for > options_.begin_duration - kRounding) foot.slips = true;
   if (foot.slow_for > options_.end_duration - kRounding) foot.slips = false;
+}
+
+Group fields(SlipOptions& o) {
+  return Group{
+      {"enabled", &o.enabled, "whether feet that slide are detected"},
+      {"begin_speed", &o.begin_speed, kPositive, "m/s", "along the ground, against the others"},
+      {"begin_duration", &o.begin_duration, kNotNegative, "s", "of that speed"},
+      {"end_speed", &o.end_speed, kPositive, "m/s", "a slower foot stands again"},
+      {"end_duration", &o.end_duration, kNotNegative, "s", "of that speed"},
+      {"force", &o.force, kNotNegative, "N", "feet that carry less are not judged"},
+      {"settle", &o.settle, kNotNegative, "s", "nor those that came down more recently"},
+      {"cutoff_hz", &o.cutoff_hz, kPositive, "Hz", "of the velocity's low-pass"}}
+      .with([&o](const Given& given) {
+        if (o.end_speed <= o.begin_speed) return;
+        given.fail("end_speed", formatted("is %g m/s; it must not be above begin_speed, %g m/s",
+                                          o.end_speed, o.begin_speed));
+      });
 }
 
 }  // namespace surefoot

@@ -8,14 +8,13 @@ namespace surefoot {
 /// When a stance foot counts as sliding.
 struct SlipOptions {
   bool enabled = true;
-  double begin_speed = 0.06;  ///< of the contact point along the ground, against the others [m/s]
-  double begin_duration = 0.01;  ///< of that speed [s]
-  double end_speed = 0.04;       ///< below it the foot stands again [m/s]
-  double end_duration = 0.03;    ///< after so long [s]
-  double force = 20.0;           ///< smallest load of a foot that is judged [N]
-  double settle = 0.05;          ///< time after touchdown until it is judged [s]
-  double cutoff_hz = 60.0;       ///< of the velocity's low pass
+  double begin_speed = 0.06, begin_duration = 0.01, end_speed = 0.04, end_duration = 0.03;
+  double force = 20.0, settle = 0.05, cutoff_hz = 60.0;
 };
+
+struct Group;
+/// Their names, units, ranges and help.
+[[nodiscard]] Group fields(SlipOptions& o);
 
 /// Finds sliding stance feet and their speed.
 ///

@@ -1,10 +1,8 @@
-#include "surefoot/config/plant_vectors.hpp"
+#include "surefoot/simulation/plant_elements.hpp"
 
 #include "surefoot/signals/leg.hpp"
 
-#include <algorithm>
 #include <array>
-#include <map>
 #include <string_view>
 
 namespace surefoot {
@@ -42,26 +40,9 @@ const std::vector<std::string>& angle_elements() {
   return kNames;
 }
 
-std::vector<std::string> elements_of(const std::string& path) {
-  static const std::vector<std::string> kAxes{"x", "y", "z"};
-  static const std::map<std::string, std::vector<std::string>> kVectors{
-      {"actuators.joint_torque_gain", joint_elements()},
-      {"sensors.encoders.offset", joint_elements()},
-      {"sensors.imu.tilt", angle_elements()},
-      {"disturbances.base_com_offset", kAxes},
-      {"disturbances.payload.position", kAxes},
-      {"disturbances.link_mass_scale", link_elements()},
-      {"disturbances.thigh_length_offset", leg_elements()},
-      {"disturbances.shank_length_offset", leg_elements()},
-  };
-  const auto found = kVectors.find(path);
-  return found == kVectors.end() ? std::vector<std::string>{} : found->second;
-}
-
-bool is_whole_number(const std::string& path) {
-  constexpr std::array<std::string_view, 3> kKeys{"delay_ticks", "seed", "count"};
-  const std::string key = path.substr(path.rfind('.') + 1);
-  return std::ranges::find(kKeys, key) != kKeys.end();
+const std::vector<std::string>& axis_elements() {
+  static const std::vector<std::string> kNames{"x", "y", "z"};
+  return kNames;
 }
 
 }  // namespace surefoot

@@ -1,5 +1,6 @@
-#include "surefoot/config/terrain_section.hpp"
+#include "surefoot/config/terrain_fields.hpp"
 
+#include "surefoot/config/field_reader.hpp"
 #include "surefoot/config/robot_file.hpp"
 #include "surefoot/simulation/plant.hpp"
 #include "tests/config/messages.hpp"
@@ -16,7 +17,7 @@ TerrainOptions read(const std::string& text) {
   const ConfigNode tree = parse_yaml(text, "t.yaml");
   TerrainOptions terrain;
   Section section(tree, "terrain");
-  read_terrain(section, terrain);
+  read(section, terrain_fields(terrain));
   section.finish();
   return terrain;
 }
@@ -29,14 +30,14 @@ Plant plant_on(const std::string& text) {
   return Plant(load_robot("anymal_b"), options);
 }
 
-TEST(TerrainSection, without_elements_is_the_plane) {
+TEST(Terrain, without_elements_is_the_plane) {
   const TerrainOptions terrain = read("friction: 0.4");
   ASSERT_EQ(terrain.elements.size(), 1u);
   EXPECT_TRUE(std::holds_alternative<TerrainLevel>(terrain.elements[0]));
   EXPECT_EQ(terrain.friction, 0.4);
 }
 
-TEST(TerrainSection, a_step_down_is_level_up_to_the_edge_and_lower_behind_it) {
+TEST(Terrain, a_step_down_is_level_up_to_the_edge_and_lower_behind_it) {
   const Plant plant = plant_on("elements: {ground: {shape: steps, edge: 0.5, height: -0.14}}");
   EXPECT_NEAR(plant.terrain_height(-3.0, 0.3), 0.0, 1e-9);
   EXPECT_NEAR(plant.terrain_height(0.499, -0.3), 0.0, 1e-9);
@@ -44,7 +45,7 @@ TEST(TerrainSection, a_step_down_is_level_up_to_the_edge_and_lower_behind_it) {
   EXPECT_NEAR(plant.terrain_height(5.0, 2.0), -0.14, 1e-9);
 }
 
-TEST(TerrainSection, stairs_up_rise_by_one_step_a_tread) {
+TEST(Terrain, stairs_up_rise_by_one_step_a_tread) {
   const Plant plant = plant_on(
       "elements: {ground: {shape: steps, edge: 0.5, height: 0.15, tread: 0.35, count: 3}}");
   EXPECT_NEAR(plant.terrain_height(0.4, 0.0), 0.0, 1e-9);
@@ -54,13 +55,13 @@ TEST(TerrainSection, stairs_up_rise_by_one_step_a_tread) {
   EXPECT_NEAR(plant.terrain_height(4.0, 0.0), 0.45, 1e-9);
 }
 
-TEST(TerrainSection, a_slope_rises_from_its_start_on) {
+TEST(Terrain, a_slope_rises_from_its_start_on) {
   const Plant plant = plant_on("elements: {ground: {shape: slope, start: 0.5, pitch: 0.2}}");
   EXPECT_NEAR(plant.terrain_height(0.4, 0.0), 0.0, 1e-9);
   EXPECT_NEAR(plant.terrain_height(1.5, 0.7), std::tan(0.2), 1e-9);
 }
 
-TEST(TerrainSection, a_slope_down_falls_and_one_along_rises_to_the_left) {
+TEST(Terrain, a_slope_down_falls_and_one_along_rises_to_the_left) {
   const Plant down = plant_on("elements: {ground: {shape: slope, start: 0.5, pitch: -0.2}}");
   EXPECT_NEAR(down.terrain_height(1.5, 0.0), -std::tan(0.2), 1e-9);
   const Plant along = plant_on("elements: {ground: {shape: slope, start: 0.5, roll: 0.2}}");
@@ -68,7 +69,7 @@ TEST(TerrainSection, a_slope_down_falls_and_one_along_rises_to_the_left) {
   EXPECT_NEAR(along.terrain_height(1.5, -0.3), -0.3 * std::tan(0.2), 1e-9);
 }
 
-TEST(TerrainSection, a_slope_rises_to_where_uphill_is) {
+TEST(Terrain, a_slope_rises_to_where_uphill_is) {
   for (const double uphill : {-2.5, -0.8, 0.0, 0.4, 1.6, 3.1}) {
     const Plant plant = plant_on(
         "elements: {ground: {shape: slope, start: 0.5, incline: 0.2, "
@@ -80,7 +81,7 @@ TEST(TerrainSection, a_slope_rises_to_where_uphill_is) {
   }
 }
 
-TEST(TerrainSection, friction_tiles_are_level_and_each_has_its_own_friction_from_the_seed) {
+TEST(Terrain, friction_tiles_are_level_and_each_has_its_own_friction_from_the_seed) {
   const auto tiles = [](int seed) {
     return read(
                "elements: {a: {shape: friction_tiles, size_x: 4, size_y: 2, tile: 0.5, position: "
@@ -106,7 +107,7 @@ TEST(TerrainSection, friction_tiles_are_level_and_each_has_its_own_friction_from
       << lowest << ", " << highest;
 }
 
-TEST(TerrainSection, friction_tiles_that_make_no_sense_say_why) {
+TEST(Terrain, friction_tiles_that_make_no_sense_say_why) {
   const auto says = [](const std::string& keys, const char* what) {
     const std::string text =
         message_of([&] { (void)read("elements: {a: {shape: friction_tiles, " + keys + "}}"); });
@@ -117,7 +118,7 @@ TEST(TerrainSection, friction_tiles_that_make_no_sense_say_why) {
   says("size_x: 4, size_y: 2, tile: 0.01, friction_min: 0, friction_max: 1", "a.tile: makes more");
 }
 
-TEST(TerrainSection, rough_ground_and_boxes_stay_within_their_heights) {
+TEST(Terrain, rough_ground_and_boxes_stay_within_their_heights) {
   const Plant rough = plant_on(
       "elements: {a: {shape: height_field, size_x: 6, size_y: 4, amplitude: 0.05, wavelength: 0.6, "
       "seed: 3}}");
@@ -139,24 +140,24 @@ TEST(TerrainSection, rough_ground_and_boxes_stay_within_their_heights) {
   EXPECT_TRUE(box_highest <= 0.1 && box_highest > 0.08) << box_highest;
 }
 
-TEST(TerrainSection, an_unknown_shape_lists_the_shapes) {
+TEST(Terrain, an_unknown_shape_lists_the_shapes) {
   EXPECT_TRUE(
       holds(message_of([] { (void)read("elements: {a: {shape: bxo}}"); }),
             "t.yaml:1: terrain.elements.a.shape: unknown choice \"bxo\"; did you mean \"box\"?"));
 }
 
-TEST(TerrainSection, keys_of_another_shape_are_unknown) {
+TEST(Terrain, keys_of_another_shape_are_unknown) {
   EXPECT_TRUE(
       holds(message_of([] { (void)read("elements: {a: {shape: plane, size: [1, 1, 1]}}"); }),
             "terrain.elements.a.size: unknown key"));
 }
 
-TEST(TerrainSection, a_box_without_thickness_is_an_error) {
+TEST(Terrain, a_box_without_thickness_is_an_error) {
   EXPECT_TRUE(holds(message_of([] { (void)read("elements: {a: {shape: box, size: [1, 1, 0]}}"); }),
                     "above 0"));
 }
 
-TEST(TerrainSection, an_element_of_the_base_is_taken_away_by_naming_nothing) {
+TEST(Terrain, an_element_of_the_base_is_taken_away_by_naming_nothing) {
   EXPECT_EQ(read("elements: {a: , b: {shape: plane}}").elements.size(), 1u);
 }
 

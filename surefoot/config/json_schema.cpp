@@ -1,0 +1,288 @@
+#include "surefoot/config/json_schema.hpp"
+
+#include "surefoot/config/criteria_section.hpp"
+#include "surefoot/config/option_list.hpp"
+#include "surefoot/config/robot_fields.hpp"
+#include "surefoot/config/scenario_fields.hpp"
+#include "surefoot/tasks/catalog.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+
+namespace surefoot {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json text() { return {{"type", "string"}}; }
+Json or_null(const Json& schema) { return {{"anyOf", {schema, {{"type", "null"}}}}}; }
+Json list_of(const Json& items) { return {{"type", "array"}, {"items", items}, {"minItems", 1}}; }
+/// A map of these keys and no others.
+Json map_of(const Json& properties, const std::vector<std::string>& required = {}) {
+  Json map{{"type", "object"}, {"properties", properties}, {"additionalProperties", false}};
+  if (!required.empty()) map["required"] = required;
+  return map;
+}
+
+Json number(const NumberRange& range, const char* type = "number") {
+  Json schema{{"type", type}};
+  if (std::isfinite(range.min))
+    schema[range.min_included ? "minimum" : "exclusiveMinimum"] = range.min;
+  if (std::isfinite(range.max)) schema["maximum"] = range.max;
+  return schema;
+}
+
+Json list_of_size(const Json& items, std::size_t size) {
+  return {{"type", "array"}, {"items", items}, {"minItems", size}, {"maxItems", size}};
+}
+
+/// `is_whole`: nothing of it may stand in another file, so that what it requires must be there.
+Json map_of(const Group& group, bool is_whole);
+
+/// The form of an option, by the kind of its value.
+struct Form {
+  const Field& field;
+  bool is_whole;
+
+  Json operator()(const double* /*value*/) const { return number(field.range); }
+  Json operator()(const int* /*value*/) const { return number(field.range, "integer"); }
+  Json operator()(const std::uint64_t* /*value*/) const { return number(kNotNegative, "integer"); }
+  Json operator()(const bool* /*value*/) const { return {{"type", "boolean"}}; }
+  Json operator()(const std::string* /*value*/) const { return text(); }
+  Json operator()(const std::vector<double>* /*values*/) const {
+    return {{"type", "array"}, {"items", number(field.range)}};
+  }
+  Json operator()(const Choice& choice) const { return {{"enum", choice.names}}; }
+  Json operator()(const Numbers& numbers) const {
+    Json named = Json::object();
+    for (const std::string& name : numbers.names) named[name] = number(field.range);
+    Json forms{list_of_size(number(field.range), numbers.names.size()), map_of(named)};
+    if (numbers.or_one) forms.push_back(number(field.range));
+    return {{"anyOf", forms}};
+  }
+  Json operator()(const Order& order) const {
+    Json list = list_of_size({{"enum", order.names}}, order.names.size());
+    list["uniqueItems"] = true;
+    return list;
+  }
+  Json operator()(const Names& names) const {
+    return names.size == 0 ? list_of(text()) : list_of_size(text(), names.size);
+  }
+  Json operator()(const Group& group) const {
+    const Json map = map_of(group, is_whole);
+    return is_whole ? map : or_null(map);
+  }
+  Json operator()(const Entries& entries) const;
+  Json operator()(const Other& other) const;
+};
+
+/// Adds the default of an option that is one number or word.
+struct Default {
+  Json& schema;
+
+  void operator()(double* value) const {
+    if (std::isfinite(*value)) schema["default"] = *value;
+  }
+  void operator()(int* value) const { schema["default"] = *value; }
+  void operator()(bool* value) const { schema["default"] = *value; }
+  void operator()(const Choice& choice) const {
+    if (choice.given < choice.names.size()) schema["default"] = choice.names[choice.given];
+  }
+  template <typename Value>
+  void operator()(const Value& /*value*/) const {}
+};
+
+Json schema_of(const Field& field, bool is_whole) {
+  Json schema = std::visit(Form{field, is_whole}, field.value);
+  std::visit(Default{schema}, field.value);
+  const std::string unit = field.unit.empty() ? "" : " [" + field.unit + "]";
+  if (!(field.help + unit).empty()) schema["description"] = field.help + unit;
+  return schema;
+}
+
+Json map_of(const Group& group, bool is_whole) {
+  Json properties = Json::object();
+  std::vector<std::string> required;
+  for (const Field& field : group.fields) {
+    properties[field.key] = schema_of(field, is_whole);
+    if (is_whole && field.is_required) required.push_back(field.key);
+  }
+  return map_of(properties, required);
+}
+
+Json Form::operator()(const Entries& entries) const {
+  if (entries.of_list != nullptr)
+    return {{"type", "array"}, {"items", map_of(entries.shapes.front().add(), true)}};
+  Json forms = Json::array();
+  forms.push_back({{"type", "null"}});
+  for (const Entries::Shape& shape : entries.shapes) {
+    Json map = map_of(shape.add(), false);
+    if (entries.shapes.size() > 1) map["properties"]["shape"] = {{"const", shape.name}};
+    forms.push_back(map);
+  }
+  return or_null({{"type", "object"}, {"additionalProperties", {{"anyOf", forms}}}});
+}
+
+/// The parameters of a task, and what else stands beside them.
+Json task_map(const TaskInfo& task, Json properties, const std::vector<std::string>& required) {
+  for (const TaskParameter& one : task.parameters) {
+    const std::string unit(one.unit);
+    properties[std::string(one.name)] = {
+        {"type", "number"},
+        {"minimum", one.minimum},
+        {"default", one.default_value},
+        {"description", std::string(one.help) + " [" + unit + "]"}};
+  }
+  for (const TaskChoice& one : task.choices) {
+    Json names = one.values;
+    if (one.values.front() == "none") names.push_back(nullptr);
+    properties[std::string(one.name)] = {
+        {"enum", names}, {"default", one.default_value}, {"description", one.help}};
+  }
+  Json map = map_of(properties, required);
+  map["description"] = task.summary;
+  return map;
+}
+
+Json tasks_by_name() {
+  Json properties = Json::object();
+  for (const TaskInfo& task : task_catalog())
+    properties[std::string(task.name)] = or_null(task_map(task, Json::object(), {}));
+  return or_null(map_of(properties));
+}
+
+Json limits_by_metric() {
+  const Json limits{{"type", "object"},
+                    {"properties", {{"min", number(kAnyNumber)}, {"max", number(kAnyNumber)}}},
+                    {"additionalProperties", false},
+                    {"minProperties", 1}};
+  const Json limit{{"anyOf", {limits, {{"type", "boolean"}}, {{"type", "null"}}}}};
+  Json properties = Json::object();
+  std::string names;
+  for (const std::string& name : metric_names()) {
+    properties[name] = limit;
+    names += (names.empty() ? "" : "|") + name;
+  }
+  Json map = map_of(properties);
+  map["patternProperties"] = {{"^(" + names + ")\\.", limit}};
+  return or_null(map);
+}
+
+Json figures_by_metric() {
+  Json properties = Json::object();
+  for (const std::string& name : metric_names())
+    properties[name] = {{"type", {"string", "number", "boolean", "null"}}};
+  return or_null(map_of(properties));
+}
+
+/// "terrain.elements.<box>.size.x" or "user[].yaw_rate" as a regular expression.
+std::string pattern_of(const std::string& path) {
+  std::string pattern = "^";
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    if (path[i] == '<') {
+      i = path.find('>', i);
+      pattern += "[^.]+";
+    } else if (path[i] == '[') {
+      ++i;
+      pattern += "\\.[0-9]+";
+    } else {
+      pattern += path[i] == '.' ? "\\." : std::string(1, path[i]);
+    }
+  }
+  return pattern + "$";
+}
+
+void add_range(const std::string& path, const Json& value, const std::string& help, Json& map) {
+  const Json range{{"anyOf", {list_of_size(value, 2), {{"type", "null"}}}}, {"description", help}};
+  const bool is_pattern = path.find_first_of("<[") != std::string::npos;
+  Json& keys = map[is_pattern ? "patternProperties" : "properties"];
+  const std::string key = is_pattern ? pattern_of(path) : path;
+  if (!keys.contains(key)) keys[key] = range;
+}
+
+/// Ranges of every number that a scenario has, by path.
+Json ranges_by_path() {
+  Scenario scenario;
+  Json map = map_of(Json{{"include", {{"anyOf", {text(), list_of(text()), {{"type", "null"}}}}}}});
+  for_each_option(scenario_fields(scenario), [&](const std::string& path, const Field& field) {
+    if (const auto* numbers = std::get_if<Numbers>(&field.value)) {
+      for (const std::string& name : numbers->names)
+        add_range(path + "." + name, number(field.range), field.help, map);
+      add_range(path, number(field.range), field.help, map);
+    } else if (std::holds_alternative<double*>(field.value) ||
+               std::holds_alternative<int*>(field.value) ||
+               std::holds_alternative<std::uint64_t*>(field.value)) {
+      add_range(path, std::visit(Form{field, false}, field.value), field.help, map);
+    }
+  });
+  for (const TaskInfo& task : task_catalog()) {
+    for (const TaskParameter& one : task.parameters) {
+      const NumberRange range{.min = one.minimum};
+      add_range("tasks." + std::string(task.name) + "." + std::string(one.name), number(range),
+                std::string(one.help), map);
+    }
+  }
+  return map;
+}
+
+Json Form::operator()(const Other& other) const {
+  const std::string form = other.schema;
+  if (form == "tasks") return tasks_by_name();
+  if (form == "randomise") return or_null(ranges_by_path());
+  if (form == "criteria") return limits_by_metric();
+  if (form == "paper") return figures_by_metric();
+  return text();
+}
+
+Json stack() {
+  const Json weight = number(kPositive), damping = number(kNotNegative);
+  Json tasks = Json::array(), levels = Json::array();
+  levels.push_back(text());
+  for (const TaskInfo& task : task_catalog()) {
+    Json properties{{"task", {{"const", task.name}}}, {"weight", weight}};
+    tasks.push_back(task_map(task, properties, {"task"}));
+    properties.update({{"name", text()}, {"damping", damping}});
+    levels.push_back(task_map(task, properties, {"task"}));
+  }
+  levels.push_back(map_of({{"name", text()},
+                           {"weight", weight},
+                           {"damping", damping},
+                           {"tasks", list_of({{"anyOf", tasks}})}},
+                          {"name", "tasks"}));
+  Json map = map_of({{"name", text()},
+                     {"description", text()},
+                     {"base", text()},
+                     {"without", list_of(text())},
+                     {"levels", list_of({{"anyOf", levels}})},
+                     {"weights", {{"type", "object"}, {"additionalProperties", weight}}},
+                     {"weighted_from", text()}},
+                    {"name"});
+  map["anyOf"] = {{{"required", {"base"}}}, {{"required", {"levels"}}}};
+  return map;
+}
+
+Json file_of(const std::string& kind) {
+  if (kind == "stack") return stack();
+  if (kind == "randomisation") return ranges_by_path();
+  RobotInFile robot;
+  if (kind == "robot") return map_of(fields(robot), true);
+  Scenario scenario;
+  return map_of(scenario_fields(scenario), false);
+}
+
+}  // namespace
+
+const std::vector<std::string>& kinds_of_files() {
+  static const std::vector<std::string> kKinds{"scenario", "randomisation", "robot", "stack"};
+  return kKinds;
+}
+
+std::string json_schema(const std::string& kind) {
+  Json schema{{"$schema", "https://json-schema.org/draft/2020-12/schema"},
+              {"title", "surefoot " + kind}};
+  schema.update(file_of(kind));
+  return schema.dump(1);
+}
+
+}  // namespace surefoot

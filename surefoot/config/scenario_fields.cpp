@@ -1,0 +1,265 @@
+#include "surefoot/config/scenario_fields.hpp"
+
+#include "surefoot/base/error.hpp"
+#include "surefoot/base/formatted.hpp"
+#include "surefoot/config/terrain_fields.hpp"
+#include "surefoot/simulation/check_options.hpp"
+#include "surefoot/simulation/plant_elements.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace surefoot {
+namespace {
+
+/// Of a run; quantiles of its ticks' times are computed, which are kept.
+constexpr NumberRange kDuration{
+    .min = 0.0, .max = 1e6, .min_included = false, .words = "a number above 0, at most 1e6 s"};
+constexpr NumberRange kSettle{.min = 0.0, .max = 5.0, .words = "from 0 to 5 s"};
+constexpr NumberRange kTimestep{.min = 1e-5, .words = "a number of at least 1e-5 s"};
+constexpr NumberRange kHeight{.min = -UserCommand::kMostHeight,
+                              .max = UserCommand::kMostHeight,
+                              .words = "from -0.3 to 0.3 m"};
+static_assert(UserCommand::kMostHeight == 0.3);
+
+/// A push as files have it: a force, an impulse that is spread over its duration, or a magnitude
+/// and a direction along the ground.
+struct PushInFile {
+  Push push;
+  Vec3 impulse = Vec3::Zero();
+  double magnitude = 0.0, direction = 0.0;
+};
+
+Group fields(PushInFile& o) {
+  return fields(o.push).and_also(
+      {{"impulse", Numbers{o.impulse.data(), axis_elements()}, kAnyNumber, "N·s",
+        "in W, over the duration, instead of a force"},
+       {"magnitude", &o.magnitude, kNotNegative, "N", "of a level force, instead of a force"},
+       {"direction", &o.direction, kAnyNumber, "rad", "of a magnitude, from W's x about z"}});
+}
+
+Push push_of(const PushInFile& o, const Given& given) {
+  const bool has_force = given.has("force"), has_impulse = given.has("impulse"),
+             has_magnitude = given.has("magnitude");
+  if (int{has_force} + int{has_impulse} + int{has_magnitude} != 1)
+    given.fail("force", "a push has either a force, an impulse or a magnitude");
+  if (given.has("direction") && !has_magnitude)
+    given.fail("direction", "only a push with a magnitude has a direction");
+  if (has_magnitude && !given.has("direction")) given.fail("direction", "this key is missing");
+  Push push = o.push;
+  if (has_impulse) push.force = o.impulse / push.duration;
+  if (has_magnitude)
+    push.force = o.magnitude * Vec3(std::cos(o.direction), std::sin(o.direction), 0.0);
+  return push;
+}
+
+/// Jumps and spikes are in the sensor's unit, lateness in ticks, a scale is a factor; the others
+/// have no size.
+void check_size(const SensorFault& fault, const Given& given) {
+  const bool late = fault.kind == FaultKind::late;
+  const bool off = fault.kind == FaultKind::jump || fault.kind == FaultKind::spike;
+  const bool has_size = late || off || fault.kind == FaultKind::scaled;
+  if (given.has("size") && !has_size)
+    given.fail("size", "only jump, spike, scaled and late have one");
+  if (off && fault.sensor == FaultySensor::imu)
+    given.fail("sensor",
+               "a jump or spike is of the gyro or of the accelerometer, which have "
+               "different units");
+  const bool whole =
+      fault.size == std::floor(fault.size) && fault.size >= 1.0 && fault.size <= kMaxDelayTicks;
+  if (late && given.has("size") && !whole)
+    given.fail("size",
+               "must be a whole number of ticks from 1 to " + std::to_string(kMaxDelayTicks));
+  if (has_size && !given.has("size")) given.fail("size", "this key is missing");
+}
+
+void check_fault(const SensorFault& fault, bool has_foot_sensors, const Given& given) {
+  for (const char* key : {"sensor", "kind", "time"}) {
+    if (!given.has(key)) given.fail(key, "this key is missing");
+  }
+  const bool is_of_feet = fault.sensor == FaultySensor::foot_force;
+  if (is_of_feet && !has_foot_sensors)
+    given.fail("sensor", "the robot has none; sensors.foot_force.present: true gives it one");
+  if (fault.kind == FaultKind::spike && given.has("duration"))
+    given.fail("duration", "a spike is one sample and has none; a jump has");
+  const bool is_of_joints =
+      fault.sensor == FaultySensor::encoders || fault.sensor == FaultySensor::joint_torques;
+  if (fault.joint >= 0 && !is_of_joints)
+    given.fail("joint", "only encoders and joint_torques have joints");
+  if (fault.leg >= 0 && !is_of_feet) given.fail("leg", "only foot_force has legs");
+  check_size(fault, given);
+}
+
+/// Of a leg that is not named, the joints of the stance.
+Group initial_joints(InitialState& o) {
+  o.q.setConstant(kNaN);
+  Group joints;
+  for (const Leg leg : kLegs) {
+    joints.fields.emplace_back(
+        leg_elements()[index(leg)],
+        Numbers{&o.q[first_joint(leg)], {kJointNames.begin(), kJointNames.end()}}, kAnyNumber,
+        "rad", "without them those of the stance");
+  }
+  return joints;
+}
+
+Group initial_fields(InitialState& o) {
+  return Group{{"x", &o.position.x(), kAnyNumber, "m", "of the base"},
+               {"y", &o.position.y(), kAnyNumber, "m", "of the base"},
+               {"z", &o.position.z(), kAnyNumber, "m", "without it the feet are on the ground"},
+               {"yaw", &o.yaw, kAnyNumber, "rad", "of the base"},
+               {"joints", initial_joints(o), "a posture of its own"},
+               {"limp", &o.limp, "nothing holds the joints while it settles"},
+               {"settle", &o.settle, kSettle, "s", "springs hold the joints before the run"}}
+      .with([&o](const Given& given) {
+        o.is_given = given.has("joints") && !o.q.array().isNaN().all();
+        if (o.limp && o.settle == 0.0)
+          given.fail("limp", "needs time to sink down: a settle above 0 s");
+      });
+}
+
+Group plant_fields(PlantOptions& o) {
+  o.actuators.model = ActuatorModel::sea;  // of a scenario that names none
+  const Entries faults{{shape_of<SensorFault>("", [&o](const auto& fault, const Given& given) {
+    check_fault(fault, o.sensors.foot_force.present, given);
+    o.sensors.faults.push_back(fault);
+  })}};
+  const Entries pushes{{shape_of<PushInFile>("", [&o](const auto& push, const Given& given) {
+    o.disturbances.pushes.push_back(push_of(push, given));
+  })}};
+  const Entries lifts{{shape_of<Lift>(
+      "", [&o](const auto& lift, const Given&) { o.disturbances.lifts.push_back(lift); })}};
+  return {
+      {"timestep", &o.timestep, kTimestep, "s", "of the physics"},
+      {"terrain", terrain_fields(o.terrain), "the ground"},
+      {"foot_contact",
+       fields(o.contact).with([&o, order = fields(o.contact).rule](const Given& given) {
+         if (o.contact.solref_time < 2.0 * o.timestep)
+           given.fail("solref_time", "must be at least two timesteps");
+         order(given);
+       }),
+       "MuJoCo's solref, solimp and impratio of the feet"},
+      {"actuators", fields(o.actuators), "drives"},
+      {"sensors", sensor_fields(o.sensors).and_also({{"faults", faults, "sensors that fail"}}),
+       "what the controller gets"},
+      {"disturbances",
+       Group{{"pushes", pushes, "forces on a link"}, {"lifts", lifts, "a hand that lifts the base"}}
+           .and_also(disturbance_fields(o.disturbances)),
+       "that the controller does not know of"},
+      {"initial", initial_fields(o.initial), "where the robot begins"}};
+}
+
+/// The control period is made of physics steps.
+void check_period(Scenario& scenario, const Given& given) {
+  scenario.plant.control_period = scenario.controller.period;
+  try {
+    (void)simulation::steps_per_period(scenario.plant);
+  } catch (const Error&) {
+    given.fail("period", formatted("%g s is not a whole multiple of the timestep, %g s",
+                                   scenario.controller.period, scenario.plant.timestep));
+  }
+}
+
+void check_scenario(Scenario& scenario, const Rule& of_controller, const Given& given) {
+  of_controller(given);
+  check_period(scenario, given);
+  if (scenario.controller.contact_force.use_foot_sensor &&
+      !scenario.plant.sensors.foot_force.present) {
+    given.fail("contact_force.use_foot_sensor",
+               "the robot has none; sensors.foot_force.present: true gives it one");
+  }
+}
+
+/// Files that are named, and what only the robot or the stack can tell.
+Group named_fields(Scenario& scenario) {
+  std::vector<LevelSwitch>& switches = scenario.controller.level_switches;
+  const Entries changes{
+      {shape_of<LevelSwitch>(
+          "", [&switches](const auto& change, const Given&) { switches.push_back(change); })},
+      "must be a list of switches, each with its time"};
+  return {{"base", Other{"text"}, "scenario that this one is laid over"},
+          {"robot", Other{"text"}, "name or file"},
+          {"stack", Other{"text"}, "name or file"},
+          {"tasks", Other{"tasks"}, "changes to the stack's tasks"},
+          {"stack_switches", changes, "levels that come and go"},
+          {"randomise", Other{"randomise"}, "ranges that the seed draws from"},
+          {"criteria", Other{"criteria"}, "limits on metrics"},
+          {"paper", Other{"paper"}, "figures to print beside metrics"}};
+}
+
+Group run_fields(Scenario& scenario) {
+  std::vector<TimedCommand>& commands = scenario.commands;
+  const Entries user{{shape_of<TimedCommand>("",
+                                             [&commands](const auto& command, const Given& given) {
+                                               if (command.time < commands.back().time)
+                                                 given.fail("time",
+                                                            "must not be before the command above");
+                                               commands.push_back(command);
+                                             })},
+                     "must be a list of commands, each with its time"};
+  return {
+      {"name", &scenario.name, "for lists and tables"},
+      {"description", &scenario.description, "for lists and tables"},
+      {"duration", &scenario.duration, kDuration, "s", "longest run"},
+      {"estimation", choice(scenario.estimation, {"truth", "sensors"}),
+       "truth: the simulator's state"},
+      {"estimator", fields(scenario.estimator), "of estimation: sensors"},
+      {"user", user, "commands from a time on, each complete"},
+      {"goal",
+       Group{{"feet_beyond_x", &scenario.goal.feet_beyond_x, kAnyNumber, "m", "of all feet, in W"},
+             {"walk_on", &scenario.goal.walk_on, kNotNegative, "m", "by the base, after that"}},
+       "when the run ends early"},
+      {"success_rate", &scenario.success_rate, kShare, "", "of the runs that must succeed"}};
+}
+
+const Field* find(const std::vector<Field>& fields, const std::string& key) {
+  const auto found = std::ranges::find(fields, key, &Field::key);
+  return found == fields.end() ? nullptr : &*found;
+}
+
+std::optional<Field> option_at(const Group& group, const std::string& path) {
+  const std::size_t dot = std::min(path.find('.'), path.size());
+  const Field* field = find(group.fields, path.substr(0, dot));
+  if (field == nullptr || dot == path.size())
+    return field == nullptr ? std::nullopt : std::optional(*field);
+  const std::string rest = path.substr(dot + 1);
+  if (const auto* below = std::get_if<Group>(&field->value)) return option_at(*below, rest);
+  const auto* entries = std::get_if<Entries>(&field->value);
+  const std::size_t name_end = rest.find('.');
+  if (entries == nullptr || name_end == std::string::npos) return {};
+  for (const Entries::Shape& shape : entries->shapes) {
+    if (auto found = option_at(shape.add(), rest.substr(name_end + 1))) return found;
+  }
+  return {};
+}
+
+}  // namespace
+
+Group fields(TimedCommand& o) {
+  return {Field{"time", &o.time, kNotNegative, "s", "from which on it holds"}.required(),
+          {"walk", &o.user.walk, "or else stand"},
+          {"velocity", Numbers{o.user.velocity.data(), {"x", "y"}}, kAnyNumber, "m/s",
+           "forward and to the left"},
+          {"yaw_rate", &o.user.yaw_rate, kAnyNumber, "rad/s", "to the left"},
+          {"height", &o.user.height, kHeight, "m", "over the stance's height"},
+          {"calibrate", &o.user.calibrate, "stand, begin the estimate anew, calibrate, go on"}};
+}
+
+Group scenario_fields(Scenario& scenario) {
+  Group controller = fields(scenario.controller);
+  return run_fields(scenario)
+      .and_also(named_fields(scenario))
+      .and_also(controller)
+      .and_also(plant_fields(scenario.plant))
+      .with([&scenario, rule = controller.rule](const Given& given) {
+        check_scenario(scenario, rule, given);
+      });
+}
+
+std::optional<Field> scenario_option(const std::string& path) {
+  static Scenario none;
+  static const Group kAll = scenario_fields(none);
+  return option_at(kAll, path);
+}
+
+}  // namespace surefoot

@@ -1,0 +1,108 @@
+#include "surefoot/config/field_reader.hpp"
+
+#include "surefoot/config/json_schema.hpp"
+#include "surefoot/config/option_list.hpp"
+#include "surefoot/config/scenario_fields.hpp"
+#include "surefoot/control/controller.hpp"
+#include "surefoot/simulation/check_options.hpp"
+#include "tests/config/messages.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <set>
+#include <sstream>
+
+namespace surefoot {
+namespace {
+
+using test::holds;
+using test::message_of;
+
+std::string complaint(const std::string& text) {
+  const ConfigNode tree = parse_yaml(text, "f.yaml");
+  return message_of([&] {
+    Scenario scenario;
+    scenario.commands = {TimedCommand{}};
+    Section top(tree, "");
+    read(top, scenario_fields(scenario));
+    top.finish();
+  });
+}
+
+TEST(Fields, have_defaults_that_are_valid_in_cpp) {
+  ControllerOptions controller;
+  check_fields("", fields(controller));
+  simulation::check_options({});
+}
+
+TEST(Fields, out_of_range_are_refused_in_a_file_and_in_cpp) {
+  ControllerOptions controller;
+  controller.planner.swing.apex = -0.1;
+  EXPECT_EQ(message_of([&] { check_fields("", fields(controller)); }),
+            "planner.swing.apex is -0.1; it must be a finite number above 0");
+  EXPECT_EQ(complaint("planner: {swing: {apex: -0.1}}"),
+            "f.yaml:1: planner.swing.apex: \"-0.1\" is not a number above 0");
+}
+
+TEST(Fields, that_contradict_each_other_are_refused_in_a_file_and_in_cpp) {
+  ControllerOptions controller;
+  controller.safety.bridge_time = 0.05;
+  EXPECT_TRUE(holds(message_of([&] { check_fields("", fields(controller)); }),
+                    "safety.bridge_time: 0.05 s must not be above guard.patience, 0.02 s"));
+  EXPECT_TRUE(holds(complaint("safety: {bridge_time: 0.05}"),
+                    "f.yaml:1: safety.bridge_time: 0.05 s must not be above guard.patience"));
+}
+
+TEST(Fields, have_a_unit_or_help_and_keys_that_differ) {
+  std::set<std::string> keys;
+  for (const OptionRow& row : list_options("")) {
+    EXPECT_FALSE(row.help.empty() && row.unit.empty()) << row.key;
+    EXPECT_TRUE(keys.insert(row.key).second) << row.key;
+  }
+  EXPECT_GT(keys.size(), 300U);
+  EXPECT_EQ(list_options("planner.swing.apex").size(), 2U);
+}
+
+TEST(Fields, are_found_by_the_path_that_a_range_or_set_has) {
+  const auto numbers = scenario_option("sensors.encoders.offset");
+  ASSERT_TRUE(numbers.has_value());
+  EXPECT_EQ(std::get<Numbers>(numbers->value).names.size(), 12U);
+  EXPECT_TRUE(scenario_option("disturbances.pushes.kick.direction").has_value());
+  EXPECT_TRUE(scenario_option("terrain.elements.ground.tread").has_value());
+  EXPECT_FALSE(scenario_option("terrain.elements.ground").has_value() &&
+               scenario_option("planner.swing.apx").has_value());
+}
+
+/// The schema of a key, through what may be null or a named entry.
+const nlohmann::json* below(const nlohmann::json& schema, const std::string& key) {
+  if (schema.contains("properties") && schema["properties"].contains(key))
+    return &schema["properties"][key];
+  for (const char* through : {"additionalProperties", "items"}) {
+    if (schema.contains(through) && schema[through].is_object()) {
+      if (key.empty() || key.front() == '<') return &schema[through];
+    }
+  }
+  if (!schema.contains("anyOf")) return nullptr;
+  for (const nlohmann::json& form : schema["anyOf"]) {
+    if (const nlohmann::json* found = below(form, key)) return found;
+  }
+  return nullptr;
+}
+
+TEST(Fields, stand_in_the_schema_of_scenarios_as_in_the_list) {
+  const nlohmann::json schema = nlohmann::json::parse(json_schema("scenario"));
+  for (const OptionRow& row : list_options("")) {
+    const nlohmann::json* at = &schema;
+    std::istringstream path(row.key);
+    for (std::string key; at != nullptr && std::getline(path, key, '.');) {
+      const bool is_list = key.ends_with("[]");
+      at = below(*at, is_list ? key.substr(0, key.size() - 2) : key);
+      if (at != nullptr && is_list) at = below(*at, "");
+    }
+    EXPECT_NE(at, nullptr) << row.key;
+  }
+}
+
+}  // namespace
+}  // namespace surefoot
