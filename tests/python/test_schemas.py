@@ -4,8 +4,6 @@ import copy
 import json
 import pathlib
 import re
-import subprocess
-import sys
 
 import jsonschema
 import pytest
@@ -96,8 +94,3 @@ def test_options_are_listed_by_the_beginning_of_their_keys():
     assert (row["default"], row["range"]) == ("0.76", "0.34 … 1")
     assert "begins with" in complaint("list", "options", "plannr")
     assert "scenario" in complaint("list", "schema", "scenarios")
-
-
-def test_the_page_of_options_is_what_the_program_lists():
-    page = subprocess.run([sys.executable, ROOT / "tools/options_page.py", PROGRAM], capture_output=True, text=True)
-    assert page.stdout == (ROOT / "docs/options.md").read_text()

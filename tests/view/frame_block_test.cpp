@@ -13,7 +13,12 @@ constexpr std::size_t kFloats = 7;
 
 ViewFrame random_frame(std::mt19937& random, std::uint32_t tick) {
   std::uniform_real_distribution<float> number(-1e3F, 1e3F);
-  ViewFrame frame{.tick = tick, .time = 0.0025 * tick, .floats = {}, .active = {}, .blocking = {}};
+  ViewFrame frame{.tick = tick,
+                  .time = 0.0025 * tick,
+                  .floats = {},
+                  .active = {},
+                  .blocking = {},
+                  .events = {}};
   for (std::size_t i = 0; i < kFloats; ++i) frame.floats.push_back(number(random));
   for (auto i = random() % 5; i > 0; --i) {
     frame.active.push_back({static_cast<std::uint8_t>(random() % 11), -3,

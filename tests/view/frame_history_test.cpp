@@ -40,8 +40,12 @@ class RandomRun {
  private:
   ViewFrame frame() {
     std::uniform_real_distribution<float> value(-9.0F, 9.0F);
-    ViewFrame made{
-        .tick = tick_, .time = kPeriod * tick_, .floats = {}, .active = {}, .blocking = {}};
+    ViewFrame made{.tick = tick_,
+                   .time = kPeriod * tick_,
+                   .floats = {},
+                   .active = {},
+                   .blocking = {},
+                   .events = {}};
     for (std::size_t i = 0; i < kFloats; ++i) {
       made.floats.push_back(random_() % 4 == 0 ? NAN : value(random_));
     }
