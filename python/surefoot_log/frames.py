@@ -203,7 +203,3 @@ def limits_above(name, hierarchy):
         if rows:
             return rows, by
     return (), ""
-
-
-def friction_of(frame):
-    return {touch.leg: touch.friction_use for touch in frame.forces if touch.load > LOADED}

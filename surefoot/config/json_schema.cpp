@@ -95,7 +95,7 @@ struct Default {
 
 Json schema_of(const Field& field, bool is_whole) {
   Json schema = std::visit(Form{field, is_whole}, field.value);
-  std::visit(Default{schema}, field.value);
+  if (has_default(field)) std::visit(Default{schema}, field.value);
   const std::string unit = field.unit.empty() ? "" : " [" + field.unit + "]";
   if (!(field.help + unit).empty()) schema["description"] = field.help + unit;
   return schema;

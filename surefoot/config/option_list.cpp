@@ -93,13 +93,20 @@ void for_each_option(const Group& group,
   }
 }
 
+bool has_default(const Field& field) {
+  const auto* number = std::get_if<double*>(&field.value);
+  return !field.is_required && (number == nullptr || field.range.holds(**number));
+}
+
 std::vector<OptionRow> list_options(const std::string& prefix) {
   Scenario scenario;
   std::vector<OptionRow> rows;
   for_each_option(scenario_fields(scenario), [&](const std::string& path, const Field& field) {
     if (path == "tasks") return add_tasks(rows);
-    rows.push_back({path, field.is_required ? "required" : std::visit(DefaultText{}, field.value),
-                    field.unit, range_of(field), field.help});
+    const std::string value = field.is_required    ? "required"
+                              : has_default(field) ? std::visit(DefaultText{}, field.value)
+                                                   : kNone;
+    rows.push_back({path, value, field.unit, range_of(field), field.help});
   });
   std::erase_if(rows, [&](const OptionRow& row) { return !row.key.starts_with(prefix); });
   return rows;

@@ -13,6 +13,9 @@ struct OptionRow {
   std::string key, value, unit, range, help;  ///< `value`: its default, or "required"
 };
 
+/// Not where it must be given, or where its number says only that none is given.
+[[nodiscard]] bool has_default(const Field& field);
+
 /// Calls `visit(path, field)` for every option that is no group: "planner.swing.apex". A name that
 /// entries choose themselves stands as `<name>` or, where they have shapes, as that of the shape.
 void for_each_option(const Group& group,

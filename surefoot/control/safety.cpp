@@ -147,8 +147,9 @@ void Safety::look_for_a_stop(const RobotState& state, const SensorHealth& health
                     (!has_begun_ && health.imu.fault == SampleFault::contradicts);
   const bool is_sure =
       !lies && posed_ != CommandMode::lifted && (has_begun_ || failures_ * period_ > kUnsureTilt);
-  const bool is_joints = lost == StopCause::encoders || lost == StopCause::joint_torques;
-  if (is_sure && (is_tilted(state) || (is_joints && tips(state)))) {
+  const bool lost_joints =
+      !sitting_ && (lost == StopCause::encoders || lost == StopCause::joint_torques);
+  if (is_sure && (is_tilted(state) || (lost_joints && tips(state)))) {
     stop(CommandMode::damping, StopCause::tilt, health);
   } else if (given_up_ != StopCause::none) {
     stop(CommandMode::damping, given_up_, health);

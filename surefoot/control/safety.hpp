@@ -36,7 +36,8 @@ namespace surefoot {
 ///                repeated failures, non-finite readings that last, or a torso tilted too far
 ///                (before the first good tick only when 30 ms have gone by, as the first readings
 ///                may be wrong); where joint sensors fail as it tips over, since joints of a
-///                falling robot do what their sensors can't follow; lying; or at once where
+///                falling robot do what their sensors can't follow; lifted, as it seems, but on its
+///                torso, or unable to stand (`give_up`); lying; or at once where
 ///                encoders of several legs are lost, on top of the last good torques, or those of
 ///                the way down, which fade out within 0.5 s
 ///

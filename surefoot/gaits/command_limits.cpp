@@ -133,7 +133,6 @@ double CommandLimits::slowly(double height) {
 }
 
 void CommandLimits::Limit::tell(PlanEvent event, EventList& events) {
-  told = told && holds;
   if (holds && !told) events.add({.kind = event});
   told = holds;
 }

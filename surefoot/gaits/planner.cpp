@@ -113,6 +113,7 @@ void Planner::finish_calibration(const RobotState& state) {
   restarts_ = calibration_.is_wanted() && events.empty() && !calibration_.is_going_on() &&
               rest_.is_at_rest(state);
   if (restarts_) events.add({.kind = PlanEvent::calibration});
+  if (restarts_) return;
   if (!calibration_.is_due()) limits_.tell(events);  // else it doesn't walk
   events.add({.kind = calibration_.take_waiting()});
 }
