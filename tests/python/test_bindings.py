@@ -54,7 +54,7 @@ def test_the_readme_runs_as_it_stands_and_its_loop_has_ten_lines(capsys):
 
 def test_the_loop_of_the_top_readme_runs_as_it_stands(capsys):
     (loop,) = python_blocks(ROOT / "README.md")
-    names = set()
+    names = {}
     exec(loop, names)
     levels = names["controller"].level_names
     printed = capsys.readouterr().out.splitlines()

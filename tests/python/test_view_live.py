@@ -33,7 +33,7 @@ def test_every_field_of_the_log_is_a_channel(run, tmp_path):
 
     subprocess.run([PROGRAM, "run", "walk_flat", *LONG[2:], "--set", "duration=0.1", "--record", tmp_path / "run.mcap"], check=False, capture_output=True)
     names = [channel["name"] for channel in run.session()["channels"]]
-    listed = {"active", "missed", "blocked_by", "level_switches"}  # entries of a frame, and what is said in words
+    listed = {"active", "missed", "blocked_by", "level_switches", "events"}  # entries of a frame, and what is said in words
     with open(tmp_path / "run.mcap", "rb") as file:
         for schema in {schema.name: schema for schema, *_ in make_reader(file).iter_messages()}.values():
             fields = json.loads(schema.data)["properties"]
