@@ -244,19 +244,20 @@ void complete_posture(const ConfigNode& tree, const RobotModel& model, Scenario&
 }
 
 /// Nothing walks that can't stand, and masses may be in another unit.
-void check_strength(RobotModel& model, const JointVector& stance) {
+void check_strength(const ConfigNode& tree, RobotModel& model, const JointVector& stance) {
   const JointVector torque = standing_torque(model, stance).cwiseAbs();
   const RobotDescription& robot = model.description();
   Eigen::Index i = 0;
-  const double share = torque.cwiseQuotient(robot.torque_limit).maxCoeff(&i);
-  if (share <= 1.0) return;
+  if (torque.cwiseQuotient(robot.torque_limit).maxCoeff(&i) <= 1.0) return;
   const auto leg = static_cast<std::size_t>(i / kJointsPerLeg);
   const auto joint = static_cast<std::size_t>(i % kJointsPerLeg);
-  throw Error(robot.urdf_path +
-              formatted(": the robot can't stand: it is of %g kg, and in the stance joint \"%s\" "
-                        "would need %.4g N·m, where its limit is %g N·m; are masses in kg?",
-                        model.mass(), robot.legs[leg].joints[joint].c_str(), torque[i],
-                        robot.torque_limit[i]));
+  const ConfigNode* named = tree.find("robot");
+  fail_at(
+      named == nullptr ? tree : *named, "robot",
+      formatted("it can't stand: with %g kg, joint \"%s\" needs %.4g N·m in the stance, and its "
+                "limits.torque is %g N·m; check this limit, and the masses in the URDF, in kg",
+                model.mass(), robot.legs[leg].joints[joint].c_str(), torque[i],
+                robot.torque_limit[i]));
 }
 
 /// The scenario where every range of `randomise:` is at its lower end, or every one at its upper.
@@ -341,7 +342,7 @@ Scenario load_scenario(const ScenarioRequest& request) {
   RobotModel model(scenario.robot);
   check_reach(tree, model, scenario.controller.stack);
   complete_posture(tree, model, scenario);
-  check_strength(model, stance_posture(model, scenario.controller.planner.stance));
+  check_strength(tree, model, stance_posture(model, scenario.controller.planner.stance));
   for (EndOfRanges& end : ends) end.check(model, scenario.controller.stack);
   return scenario;
 }

@@ -166,8 +166,8 @@ TEST_F(ScenarioFile, of_a_robot_that_its_joints_can_not_bear_says_so) {
   robot.replace(robot.find(given), given.size(), "torque: 4.0 ");
   test::write_file(folder_ / "weak.yaml", robot);
   const std::string said = complaint("robot: weak.yaml\n");
-  EXPECT_TRUE(holds(said, "the robot can't stand")) << said;
-  EXPECT_TRUE(holds(said, "limit is 4 N·m")) << said;
+  EXPECT_TRUE(holds(said, "trial.yaml:2: robot: it can't stand")) << said;
+  EXPECT_TRUE(holds(said, "limits.torque is 4 N·m")) << said;
 }
 
 TEST_F(ScenarioFile, that_is_not_yaml_says_so) {
