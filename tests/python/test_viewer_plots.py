@@ -108,7 +108,7 @@ def test_a_name_is_told_whole_in_as_many_lines_as_it_needs(replayed):
 
 def test_the_picture_above_the_search_stays_as_it_was(replayed):
     """Chromium laid the list's ground over it where the processor draws."""
-    replayed.wait("surefoot.meshesLoading === 0")
+    replayed.wait("surefoot.atRest && surefoot.meshesLoading === 0 && surefoot.isDrawn")  # what moves is drawn coarser
     before = pixels(replayed.screenshot())
     type_in_search(replayed, "readings")
     left, top, right, list_top = replayed.run("""(() => {

@@ -30,6 +30,8 @@ export interface SurefootWindow {
   readonly triangles: number;
   readonly frameTime: number;
   readonly quality: number;
+  /** Whether nothing moves, so that the picture is as fine as it gets here. */
+  readonly atRest: boolean;
   /** Where the camera is, in W [m]. */
   readonly camera: number[];
   /** Place of a point of W in the page [pixels]. */
@@ -108,6 +110,9 @@ export function expose(app: App): void {
     },
     get quality() {
       return app.world?.stage.quality.step ?? -1;
+    },
+    get atRest() {
+      return app.world?.stage.quality.resting ?? false;
     },
     get camera() {
       return app.world?.stage.camera.position.toArray() ?? [];

@@ -46,7 +46,8 @@ export class Quality {
   frameTime = NaN;
   readonly pace = new Pace(globalThis.document);
   onStep: () => void = () => {};
-  private resting = false;
+  /** Nothing moves: the finest picture that this machine draws. */
+  resting = false;
   private slow = 0;
   private quick = 0;
   private readonly finest: number;
