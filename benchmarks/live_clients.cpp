@@ -13,13 +13,13 @@
 // whatever takes the core from the tick; the time of the processor that the tick's thread had has
 // caches and memory alone.
 
-#include "app/closed_loop.hpp"
-#include "app/live_feed.hpp"
-#include "app/live_view.hpp"
 #include "benchmarks/live_clients/paired_ticks.hpp"
+#include "server/live_feed.hpp"
+#include "server/live_view.hpp"
+#include "server/web_server.hpp"
 #include "surefoot/base/error.hpp"
+#include "surefoot/closed_loop/closed_loop.hpp"
 #include "surefoot/config/scenario_file.hpp"
-#include "surefoot/view/web_server.hpp"
 
 #include <CLI/CLI.hpp>
 #include <arpa/inet.h>

@@ -5,8 +5,8 @@
 //     bin/surefoot run step_down --record run.mcap && build/release/benchmark_recorder run.mcap
 #include "surefoot/logging/recorder.hpp"
 
-#include "app/log_replay.hpp"
 #include "surefoot/logging/log_reader.hpp"
+#include "surefoot/replay/log_replay.hpp"
 
 #include <time.h>
 

@@ -1,4 +1,4 @@
-# The viewer's page: viewer/ is checked and bundled by node, and goes into surefoot_view as bytes.
+# The viewer's page: viewer/ is checked and bundled by node, and goes into surefoot_server as bytes.
 #
 # The packages that viewer/package-lock.json pins are fetched once into the build folder; after that a build needs no
 # network. Node is the virtual environment's, which dependencies/python.txt pins, or the system's.
@@ -27,4 +27,4 @@ add_custom_command(OUTPUT ${page_source}
   WORKING_DIRECTORY ${viewer_build}
   DEPENDS ${viewer_packages} ${viewer_files} ${viewer_source}/bundle.mjs ${viewer_source}/tsconfig.json
   COMMENT "Bundling the viewer's page" VERBATIM)
-target_sources(surefoot_view PRIVATE ${page_source})
+target_sources(surefoot_server PRIVATE ${page_source})

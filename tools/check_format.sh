@@ -12,7 +12,7 @@ fi
 files=("$@")
 if ((${#files[@]} == 0)); then
   cd "$root"
-  mapfile -t files < <(find surefoot app python tests examples benchmarks \( -name '*.[hc]pp' -o -name '*.inl' \) 2>/dev/null | sort)
+  mapfile -t files < <(find surefoot server cli python tests examples benchmarks \( -name '*.[hc]pp' -o -name '*.inl' \) 2>/dev/null | sort)
 fi
 
 echo "format: ${#files[@]} files"

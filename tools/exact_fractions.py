@@ -2,7 +2,7 @@
 """Holds `surefoot solve --certify` against exact fractions: random small hierarchies of families that
 are hard to tell from rounding (docs/solver.md, "What the certificate says").
 
-    tools/exact_fractions.py --program build/release/app/surefoot --problems 500
+    tools/exact_fractions.py --program build/release/bin/surefoot --problems 500
 
 An answer is right where the residual of every level is within 1e-6 (1 + residual) of the exact one.
 The exact optimum of a level is found by trying which of its limits are violated and which

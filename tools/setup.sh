@@ -125,7 +125,7 @@ build() {
 # A whole program for whoever comes while the next one is being built and linked.
 keep_program() {
   mkdir -p "$build/last"
-  cp "$build/app/surefoot" "$build/last/surefoot.new"
+  cp "$build/bin/surefoot" "$build/last/surefoot.new"
   mv "$build/last/surefoot.new" "$build/last/surefoot"
 }
 
@@ -140,18 +140,18 @@ rebuild_program() {
 # Builds the program when a source is newer than the last time, or the commit, which its logs name.
 build_program() {
   local stamp=$build/program.stamp
-  local -a sources=("$root"/{CMakeLists.txt,CMakePresets.json,cmake,tools/layers.toml,surefoot,app})
+  local -a sources=("$root"/{CMakeLists.txt,CMakePresets.json,cmake,tools/layers.toml,surefoot,server,cli})
   local commits
   commits=$(git -C "$root" rev-parse --path-format=absolute --git-path logs/HEAD 2>/dev/null) || commits=
   if [[ -f $commits ]]; then sources+=("$commits"); fi
-  if is_configured && [[ -x $build/app/surefoot && -f $stamp ]] &&
+  if is_configured && [[ -x $build/bin/surefoot && -f $stamp ]] &&
     [[ ! $(find "${sources[@]}" -newer "$stamp" -print -quit) ]]; then
     return 0
   fi
   start_log
   mkdir -p "$build"
   touch "$build/started.stamp"
-  if is_configured && [[ -x $build/app/surefoot ]]; then rebuild_program; else build surefoot; fi
+  if is_configured && [[ -x $build/bin/surefoot ]]; then rebuild_program; else build surefoot; fi
   mv "$build/started.stamp" "$stamp"
 }
 

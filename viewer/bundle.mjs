@@ -59,7 +59,7 @@ surefoot_page_${k}_end:
 extern "C" const char surefoot_page_${k}[], surefoot_page_${k}_end[];`);
   const entry = (name, k) => `    {"${name}", "${FILES[name]}", {surefoot_page_${k}, static_cast<std::size_t>(surefoot_page_${k}_end - surefoot_page_${k})}},`;
   writeFileSync(path.join(output, "page_files.cpp"), `// Made by viewer/bundle.mjs.
-#include "surefoot/view/page_files.hpp"
+#include "server/page_files.hpp"
 
 #include <array>
 #include <cstddef>

@@ -1,4 +1,4 @@
-"""What the operator of a run did, in the words of app/operator_text.cpp."""
+"""What the operator of a run did, in the words of surefoot/explain/operator_text.cpp."""
 
 import json
 import math

@@ -1,4 +1,4 @@
-"""Why the controller has stopped for safety, in the words of app/stop_text.cpp."""
+"""Why the controller has stopped for safety, in the words of surefoot/explain/stop_text.cpp."""
 
 JOINTS = [f"{leg}_{joint}" for leg in ("LF", "RF", "LH", "RH") for joint in ("HAA", "HFE", "KFE")]
 CAUSES = {"none": "", "tilt": "the torso tilted too far", "failures": "too many ticks without a solution",

@@ -6,7 +6,7 @@ import pathlib
 import subprocess
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-PROGRAM = os.environ.get("SUREFOOT_PROGRAM", str(ROOT / "build/release/app/surefoot"))
+PROGRAM = os.environ.get("SUREFOOT_PROGRAM", str(ROOT / "build/release/bin/surefoot"))
 SHORT = ["--set", "duration=0.1"]
 
 

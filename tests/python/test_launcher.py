@@ -18,7 +18,7 @@ def build_program(tmp_path):
     """Sets a tree up that was built before, and builds it again by a ninja that prints what is given."""
     (tmp_path / "tools").mkdir()
     shutil.copy(ROOT / "tools/setup.sh", tmp_path / "tools")
-    for folder in ["dependencies", "cmake", "surefoot", "app", ".venv", "bin", "build/release/app"]:
+    for folder in ["dependencies", "cmake", "surefoot", "server", "cli", ".venv", "bin", "build/release/bin"]:
         (tmp_path / folder).mkdir(parents=True)
     for file in ["CMakeLists.txt", "CMakePresets.json", "tools/layers.toml", ".venv/dependencies.stamp"]:
         (tmp_path / file).touch()
@@ -26,7 +26,7 @@ def build_program(tmp_path):
     (build / "build.ninja").touch()
     (build / "CMakeCache.txt").write_text(f"CMAKE_HOME_DIRECTORY:INTERNAL={tmp_path}\n")
     os.utime(tmp_path / ".venv/dependencies.stamp", (1, 1))
-    (build / "app/surefoot").touch(mode=0o755)
+    (build / "bin/surefoot").touch(mode=0o755)
 
     def run(printed, status=0):
         (tmp_path / "printed").write_text(printed)
@@ -75,7 +75,7 @@ def launcher(build_program, tmp_path):
     (tmp_path / ".venv/dependencies.stamp").write_text(hashlib.sha256(b"").hexdigest() + "  -\n")
     os.utime(tmp_path / ".venv/dependencies.stamp", (1, 1))
     shutil.copy(ROOT / "bin/surefoot", tmp_path / "bin")
-    program = tmp_path / "build/release/app/surefoot"
+    program = tmp_path / "build/release/bin/surefoot"
     program.write_text('#!/bin/sh\necho "$0" "$@"\n')
     assert build_program(CHATTER).returncode == 0
     program.write_text("half of what the next build links")
@@ -106,7 +106,7 @@ def test_while_another_launcher_builds_the_program_is_that_of_the_last_build(lau
 
 def test_without_a_last_build_the_launcher_says_that_it_waits(launcher, tmp_path):
     shutil.rmtree(tmp_path / "build/release/last")
-    (tmp_path / "build/release/app/surefoot").write_text("#!/bin/sh\necho built\n")
+    (tmp_path / "build/release/bin/surefoot").write_text("#!/bin/sh\necho built\n")
     with another_launcher(tmp_path):
         waiting = launcher("list", "robots")
         assert waiting.stderr.readline() == "surefoot: waiting for another launcher, which sets up or builds here\n"

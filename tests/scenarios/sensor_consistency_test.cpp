@@ -1,6 +1,6 @@
 // A blind walk whose sensors lie within what they can give: found before the robot falls, and it
 // sits down.
-#include "app/closed_loop.hpp"
+#include "surefoot/closed_loop/closed_loop.hpp"
 #include "surefoot/simulation/plant.hpp"
 #include "tests/scenarios/loop.hpp"
 

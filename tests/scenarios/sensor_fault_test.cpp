@@ -1,5 +1,5 @@
 // A blind walk whose sensors fail: short faults are bridged, long ones make it sit down.
-#include "app/closed_loop.hpp"
+#include "surefoot/closed_loop/closed_loop.hpp"
 #include "surefoot/simulation/plant.hpp"
 #include "tests/scenarios/loop.hpp"
 

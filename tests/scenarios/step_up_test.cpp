@@ -1,5 +1,5 @@
 // Feet and shanks that meet a step which nobody knew of.
-#include "app/closed_loop.hpp"
+#include "surefoot/closed_loop/closed_loop.hpp"
 #include "tests/scenarios/loop.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "app/closed_loop.hpp"
+#include "surefoot/closed_loop/closed_loop.hpp"
 #include "surefoot/math/rotation.hpp"
 #include "tests/scenarios/loop.hpp"
 

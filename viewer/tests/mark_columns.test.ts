@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import closedLoop from "../../app/closed_loop.cpp";
+import closedLoop from "../../surefoot/closed_loop/closed_loop.cpp";
 import { columnsOf, hintOf, weightOf } from "../src/data/mark_columns.ts";
 import { endOf } from "../src/data/marks.ts";
 import type { Mark } from "../src/data/source.ts";

@@ -9,7 +9,7 @@ import { commandText, faultsText } from "../src/data/stop.ts";
 import { FORCE_SLACK, SHARE_SLACK } from "../src/data/wished_forces.ts";
 import { FrameTable } from "../src/data/table.ts";
 import { sentences } from "../src/panels/state_panel.ts";
-import tickExplanation from "../../app/tick_explanation.cpp";
+import tickExplanation from "../../surefoot/explain/tick_explanation.cpp";
 import { schemaOf } from "./make.ts";
 
 const PHASES = ["stance", "unloading", "swing", "search"];

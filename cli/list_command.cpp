@@ -1,0 +1,150 @@
+#include "cli/list_command.hpp"
+
+#include "cli/exit_code.hpp"
+#include "surefoot/base/error.hpp"
+#include "surefoot/base/formatted.hpp"
+#include "surefoot/base/printable.hpp"
+#include "surefoot/base/text_table.hpp"
+#include "surefoot/config/config_json.hpp"
+#include "surefoot/config/config_tree.hpp"
+#include "surefoot/config/data_file.hpp"
+#include "surefoot/config/json_schema.hpp"
+#include "surefoot/config/nearest_name.hpp"
+#include "surefoot/config/option_list.hpp"
+#include "surefoot/config/robot_file.hpp"
+#include "surefoot/config/stack_file.hpp"
+#include "surefoot/logging/json_text.hpp"
+#include "surefoot/tasks/catalog.hpp"
+
+#include <algorithm>
+#include <iostream>
+
+namespace surefoot {
+namespace {
+
+using Table = std::vector<std::vector<std::string>>;
+
+std::string number(double value) { return formatted("%g", value); }
+
+Table robots() {
+  Table table;
+  for (const std::string& name : list_data("robots")) {
+    table.push_back({name, load_robot(name).urdf_path});
+  }
+  return table;
+}
+
+std::string levels_of(const StackOptions& stack) {
+  std::string levels;
+  for (const LevelSpec& level : stack.levels) levels += (levels.empty() ? "" : " > ") + level.name;
+  return levels;
+}
+
+Table stacks() {
+  Table table;
+  for (const std::string& name : list_data("stacks")) {
+    table.push_back({name, describe_data("stacks", name)});
+    table.push_back({"", levels_of(load_stack(name))});
+  }
+  return table;
+}
+
+Table scenarios() {
+  Table table;
+  for (const std::string& name : list_data("scenarios")) {
+    table.push_back({name, describe_data("scenarios", name)});
+  }
+  return table;
+}
+
+Table tasks() {
+  Table table;
+  for (const TaskInfo& task : task_catalog()) {
+    table.push_back(
+        {std::string(task.name), std::string(task.equation), std::string(task.summary)});
+    for (const TaskParameter& parameter : task.parameters) {
+      table.push_back({"  " + std::string(parameter.name), number(parameter.default_value),
+                       std::string(parameter.unit) + "  " + std::string(parameter.help)});
+    }
+    for (const TaskChoice& choice : task.choices) {
+      std::string values;
+      for (const std::string_view value : choice.values)
+        values += (values.empty() ? "" : " | ") + std::string(value);
+      table.push_back({"  " + std::string(choice.name), std::string(choice.default_value),
+                       values + "  " + std::string(choice.help)});
+    }
+  }
+  return table;
+}
+
+/// Each with the files that it includes and its ranges.
+Table randomisations() {
+  constexpr const char* kFolder = "randomisations";
+  Table table;
+  for (const std::string& name : list_data(kFolder)) {
+    table.push_back({name});
+    for (const auto& [path, range] : parse_yaml_file(find_data_file(kFolder, name)).members) {
+      table.push_back({"  " + path, to_json(range)});
+    }
+  }
+  return table;
+}
+
+Table options(const std::vector<OptionRow>& rows) {
+  Table table;
+  for (const OptionRow& row : rows)
+    table.push_back(
+        {row.key, row.value + (row.unit.empty() ? "" : " " + row.unit), row.range, row.help});
+  return table;
+}
+
+std::string options_json(const std::vector<OptionRow>& rows) {
+  std::string text;
+  JsonText json(text);
+  json.array();
+  for (const OptionRow& row : rows) {
+    json.object().member("key", row.key).member("default", row.value).member("unit", row.unit);
+    json.member("range", row.range).member("help", row.help).end_object();
+  }
+  json.end_array();
+  return text + "\n";
+}
+
+int list_options_command(const ListFilter& filter) {
+  const std::vector<OptionRow> rows = list_options(filter.about);
+  if (rows.empty()) throw Error("no option begins with \"" + filter.about + "\"");
+  std::cout << (filter.json ? options_json(rows) : printable(aligned(options(rows)), "\n"));
+  return kPassed;
+}
+
+int list_schema_command(const std::string& kind) {
+  const std::vector<std::string>& kinds = kinds_of_files();
+  if (std::ranges::find(kinds, kind) == kinds.end())
+    throw Error("a schema is of a kind of file; " + valid_names(kind, kinds));
+  std::cout << json_schema(kind) << "\n";
+  return kPassed;
+}
+
+}  // namespace
+
+const std::vector<std::string>& listable() {
+  static const std::vector<std::string> kListable{
+      "robots", "stacks", "scenarios", "randomisations", "tasks", "options", "schema"};
+  return kListable;
+}
+
+int list_command(const std::string& what, const ListFilter& filter) {
+  if (what == "options") return list_options_command(filter);
+  if (what == "schema") return list_schema_command(filter.about);
+  if (!filter.about.empty()) throw Error("only of options and schemas there is a part to list");
+  Table table;
+  if (what == "robots") table = robots();
+  if (what == "stacks") table = stacks();
+  if (what == "scenarios") table = scenarios();
+  if (what == "randomisations") table = randomisations();
+  if (what == "tasks") table = tasks();
+  std::cout << printable(aligned(table), "\n");
+  return kPassed;
+}
+
+}  // namespace surefoot

@@ -1,0 +1,53 @@
+#include "cli/log_commands.hpp"
+
+#include "cli/contents_text.hpp"
+#include "cli/exit_code.hpp"
+#include "cli/progress.hpp"
+#include "surefoot/base/error.hpp"
+#include "surefoot/base/printable.hpp"
+#include "surefoot/explain/tick_text.hpp"
+#include "surefoot/logging/partial_log.hpp"
+#include "surefoot/replay/exact_costs.hpp"
+
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <ostream>
+
+namespace surefoot {
+
+void tell_partial_beside(const std::string& log) {
+  const std::string partial = partial_beside(log);
+  if (partial.empty() || !std::filesystem::exists(log)) return;
+  std::fprintf(stderr, "surefoot: note: %s is of a later run, which goes on or was cut off\n",
+               printable(partial).c_str());
+}
+
+int run_explain(const ExplainArguments& arguments, std::ostream& out) {
+  if (!std::isfinite(arguments.at)) throw Error("--at is not a time; a number of seconds is valid");
+  tell_partial_beside(arguments.log);
+  TickExplanation explanation = read_tick(arguments.log, arguments.at);
+  {
+    const Waiting waiting("computing " + arguments.log + " again up to the tick");
+    find_exact_costs(arguments.log, explanation);
+  }
+  if (arguments.json) {
+    out << printable(tick_json(arguments.log, explanation).dump()) << std::endl;
+  } else {
+    out << printable(tick_text(arguments.log, explanation), "\n") << std::flush;
+  }
+  return kPassed;
+}
+
+int run_info(const InfoArguments& arguments, std::ostream& out) {
+  tell_partial_beside(arguments.log);
+  const LogContents contents = read_contents(arguments.log);
+  if (arguments.json) {
+    out << printable(contents_json(arguments.log, contents).dump()) << std::endl;
+  } else {
+    out << printable(contents_text(arguments.log, contents), "\n") << std::flush;
+  }
+  return kPassed;
+}
+
+}  // namespace surefoot

@@ -1,0 +1,79 @@
+#include "cli/python_tools.hpp"
+
+#include "surefoot/base/error.hpp"
+
+#include <fcntl.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cerrno>
+#include <cstdlib>
+#include <filesystem>
+#include <vector>
+
+namespace surefoot {
+namespace {
+
+/// The Python that the launcher names; empty where the program was started without it.
+std::string python() {
+  const char* named = std::getenv("SUREFOOT_PYTHON");
+  return named == nullptr ? "" : named;
+}
+
+/// Runs a Python package and waits for it; what it prints goes nowhere, what it complains of where
+/// this program's complaints go. False if it failed or could not be started.
+bool run_python(const std::string& package, const std::vector<std::string>& words) {
+  std::vector<std::string> command{python(), "-m", package};
+  command.insert(command.end(), words.begin(), words.end());
+  std::vector<char*> arguments;
+  for (std::string& word : command) arguments.push_back(word.data());
+  arguments.push_back(nullptr);
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
+  pid_t child = -1;
+  const int failure =
+      posix_spawn(&child, arguments[0], &actions, nullptr, arguments.data(), environ);
+  posix_spawn_file_actions_destroy(&actions);
+  if (failure != 0) return false;
+  int status = 0;
+  while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
+  }
+  return WIFEXITED(status) && WEXITSTATUS(status) == 0;
+}
+
+}  // namespace
+
+void check_has_python(const std::string& option) {
+  if (python().empty()) {
+    throw Error(option + ": the program was started without its launcher; bin/surefoot has it");
+  }
+  if (access(python().c_str(), X_OK) != 0) {
+    throw Error(option + ": $SUREFOOT_PYTHON is " + python() + ", which can't be started");
+  }
+}
+
+void check_can_film(const std::string& file) {
+  std::string ending = std::filesystem::path(file).extension().string();
+  std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return std::tolower(c); });
+  if (ending != ".mp4") {
+    throw Error(file + ": films are written as MP4; a name that ends with .mp4 would be valid");
+  }
+  check_has_python("--video");
+}
+
+bool film(const std::string& log, const std::string& file) {
+  return run_python("surefoot_log", {"video", log, "--out", file});
+}
+
+bool write_report(const std::string& log, const std::string& folder, const ReportOptions& options) {
+  std::vector<std::string> words{log, "--out", folder, "--of-run"};
+  if (!options.pictures) words.emplace_back("--no-pictures");
+  if (options.quiet) words.emplace_back("--quiet");
+  return run_python("surefoot_report", words);
+}
+
+}  // namespace surefoot

@@ -1,0 +1,318 @@
+#include "cli/replay_text.hpp"
+
+#include "cli/clock_text.hpp"
+#include "surefoot/base/build_info.hpp"
+#include "surefoot/base/formatted.hpp"
+#include "surefoot/base/text_table.hpp"
+#include "surefoot/logging/visible_residual.hpp"
+
+#include <cmath>
+
+namespace surefoot {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string seconds(double time) { return formatted("%.4f s", time); }
+
+std::string built_from(const LogHeader& header) {
+  return "surefoot " + header.version +
+         (header.commit.empty() ? ", commit not known" : ", commit " + header.commit);
+}
+
+std::string headline(const std::string& path, const LogHeader& header) {
+  return path + ": " + header.scenario + ", seed " + std::to_string(header.seed) + ", stack " +
+         header.stack + " (" + built_from(header) + ")\n";
+}
+
+std::string span(long ticks, double first, double last) {
+  return std::to_string(ticks) + (ticks == 1 ? " tick, " : " ticks, ") + seconds(first) + " to " +
+         seconds(last);
+}
+
+std::string not_whole(const std::string& problem) {
+  return problem.empty() ? "" : "The log is not whole: " + problem + ".\n";
+}
+
+std::string behind_gap(const std::optional<LogGap>& gap, const std::string& done) {
+  if (!gap) return "";
+  const std::string to = seconds(gap->to);
+  return (gap->from ? "Behind " + seconds(*gap->from) + " nothing" : "Nothing") + " could be " +
+         done + (gap->from ? ": no tick from there to " : ": no tick before ") + to +
+         " can be read, and a controller can't be computed again behind a gap (" +
+         std::to_string(gap->ticks_behind) + (gap->ticks_behind == 1 ? " tick" : " ticks") +
+         " from then on).\n";
+}
+
+std::string not_compared(const Verification& result) {
+  std::string out = behind_gap(result.gap, "compared");
+  if (result.may_go_on)
+    out +=
+        "What the run had after its last tick here could not be compared: it is not in the log.\n";
+  return out;
+}
+
+std::string all_compared(const Verification& result) {
+  return result.is_all() && !result.is_whole() ? "All of its ticks were compared.\n" : "";
+}
+
+std::string place(const LogHeader& header, const TorqueDifference& difference) {
+  return "tick " + std::to_string(difference.tick) + ", " + seconds(difference.time) + ", " +
+         header.robot.joint_names[static_cast<std::size_t>(difference.joint)] + ": " +
+         formatted("%.17g", difference.logged) + " N·m in the log, " +
+         formatted("%.17g", difference.computed) + " N·m now (" +
+         formatted("%.3g", difference.computed - difference.logged) + ")\n";
+}
+
+/// The first stage that came out otherwise says where to look.
+std::string first_cause(const Verification& result) {
+  std::string out;
+  for (const MessageDifferences& topic : result.messages) {
+    if (topic.ticks == 0) continue;
+    out += "  " + std::string(topic.topic) + " is another one at " + std::to_string(topic.ticks) +
+           " ticks, first at " + seconds(topic.first) + "\n";
+  }
+  return out;
+}
+
+std::string another_build(const LogHeader& header) {
+  const BuildInfo& build = build_info();
+  if (header.version == build.version && header.commit == build.commit) return "";
+  return "The log was recorded by " + built_from(header) + ", this is surefoot " +
+         std::string(build.version) + ", commit " + std::string(build.commit) +
+         ": another build may compute other bits.\n";
+}
+
+Json joint_json(const LogHeader& header, const TorqueDifference& difference) {
+  return {{"tick", difference.tick},
+          {"time", difference.time},
+          {"joint", header.robot.joint_names[static_cast<std::size_t>(difference.joint)]},
+          {"logged", difference.logged},
+          {"computed", difference.computed}};
+}
+
+Json gap_json(const LogGap& gap) {
+  return {{"from", gap.from ? Json(to_nanosecond(*gap.from)) : Json(nullptr)},
+          {"to", to_nanosecond(gap.to)},
+          {"ticks_behind", gap.ticks_behind}};
+}
+
+Json run_json(const std::string& path, const LogHeader& header) {
+  return {{"log", path},           {"scenario", header.scenario}, {"seed", header.seed},
+          {"stack", header.stack}, {"version", header.version},   {"commit", header.commit}};
+}
+
+/// The time is that of the largest; null where there is none.
+Json difference_json(double rms, double largest, double time) {
+  return {{"rms", rms},
+          {"largest", largest},
+          {"time", largest == 0.0 ? Json() : Json(to_nanosecond(time))}};
+}
+
+/// From 100 on all digits before the point.
+std::string residual(double value, const std::string& unit) {
+  if (value < kResidualRounding) return "0";
+  return formatted(value < 100.0 ? "%.3g" : "%.0f", value) + (unit.empty() ? "" : " " + unit);
+}
+
+/// Below rounding it is nothing, as a residual is.
+std::string torque(const char* format, double value) {
+  return std::abs(value) < kResidualRounding ? "0" : formatted(format, value) + " N·m";
+}
+
+constexpr const char* kMark = " *";
+
+/// Of a largest difference; marked where the run said nothing of its walk any more.
+std::string largest_at(const StackComparison& result, double time) {
+  const bool is_behind = result.walk_end && time >= result.walk_end->time - 1e-9;
+  return seconds(time) + (is_behind ? kMark : "");
+}
+
+/// Below `tables`, of which it explains the marks.
+std::string walk_end(const StackComparison& result, const std::string& tables) {
+  if (!result.walk_end) return "";
+  return (tables.find(kMark) == std::string::npos ? "From " : "* From ") +
+         seconds(result.walk_end->time) +
+         " on the run says nothing of its walk: " + result.walk_end->why + ".\n\n";
+}
+
+std::string joint_table(const StackComparison& result) {
+  std::vector<std::vector<std::string>> table{{"torque, other − logged", "rms", "largest", "at"}};
+  for (std::size_t i = 0; i < result.joints.size(); ++i) {
+    const JointComparison& joint = result.joints[i];
+    const bool is_none = std::abs(joint.largest) < kResidualRounding;
+    table.push_back({result.header.robot.joint_names[i], torque("%.3g", joint.rms),
+                     torque("%+.3g", joint.largest),
+                     is_none ? "–" : largest_at(result, joint.time)});
+  }
+  return aligned(table);
+}
+
+std::string level_table(const StackComparison& result) {
+  std::vector<std::vector<std::string>> table{
+      {"residual", "rms, logged", "other", "largest, logged", "at", "other", "at"}};
+  for (const LevelComparison& level : result.levels) {
+    const auto shown = [&](bool is_there, double value) {
+      return is_there ? residual(value, level.unit) : std::string("–");
+    };
+    const auto at = [&](bool is_there, double largest, double time) {
+      return is_there && largest >= kResidualRounding ? largest_at(result, time) : std::string("–");
+    };
+    table.push_back({level.name, shown(level.in_log, level.logged_rms),
+                     shown(level.in_other, level.other_rms), shown(level.in_log, level.logged_max),
+                     at(level.in_log, level.logged_max, level.logged_time),
+                     shown(level.in_other, level.other_max),
+                     at(level.in_other, level.other_max, level.other_time)});
+  }
+  return aligned(table);
+}
+
+std::string number_of_ticks(long ticks) {
+  return std::to_string(ticks) + (ticks == 1 ? " tick" : " ticks");
+}
+
+/// "3 ticks, first at 1.0000 s".
+std::string counted(const TickCount& count) {
+  return number_of_ticks(count.ticks) +
+         (count.ticks > 0 ? ", first at " + seconds(count.first) : "");
+}
+
+/// Above the tables, what they are made of.
+std::string compared(const StackComparison& result) {
+  if (result.compared == result.ticks) return "Both answered every tick.\n";
+  return "Both answered " + number_of_ticks(result.compared) + " of " +
+         std::to_string(result.ticks) + ", from which the tables are made.\n";
+}
+
+std::string unanswered(const StackComparison& result) {
+  std::string out;
+  if (result.not_asked.ticks > 0)
+    out += "Not asked at " + counted(result.not_asked) +
+           ": the run planned nothing there, as its controller had no state to believe or had lost "
+           "a sensor.\n";
+  if (result.other_unanswered.ticks > 0)
+    out += "No answer of the other hierarchy at " + counted(result.other_unanswered) + ": " +
+           result.other_unanswered.why + ".\n";
+  if (result.other_stopped.ticks > 0)
+    out += "Its controller would have been stopped for safety at " + counted(result.other_stopped) +
+           ": " + result.other_stopped.why + ". The ticks behind are asked all the same.\n";
+  return out;
+}
+
+std::string optimality(const StackComparison& result) {
+  std::string out = "Not optimal: " + number_of_ticks(result.logged_not_optimal.ticks) +
+                    " in the log, " + counted(result.other_not_optimal) +
+                    (result.other_not_optimal.ticks > 0 ? ", of the other hierarchy.\n"
+                                                        : " of the other hierarchy.\n");
+  out += unanswered(result);
+  if (result.not_reproduced.ticks > 0)
+    out += "This build computes other torques for the run itself at " +
+           counted(result.not_reproduced) +
+           " (replay --verify says more): the plan asked with is the logged one, but the model may "
+           "be another than the run's.\n";
+  if (result.logged_switches > 0)
+    out += "Levels were switched in the run; the other hierarchy stayed as it was.\n";
+  return out;
+}
+
+Json count_json(const TickCount& count) {
+  Json json = {{"ticks", count.ticks}};
+  if (count.ticks > 0) json["first"] = to_nanosecond(count.first);
+  if (!count.why.empty()) json["why"] = count.why;
+  return json;
+}
+
+}  // namespace
+
+std::string verification_text(const std::string& path, const Verification& result) {
+  std::string out = headline(path, result.header);
+  out += result.estimated ? "Estimator and controller ran again on the logged readings.\n"
+                          : "The controller ran again on the logged readings and states.\n";
+  if (result.ticks == 0) return out + not_compared(result) + not_whole(result.problem);
+  out += span(result.ticks, result.first_time, result.last_time) + ": ";
+  if (result.is_same()) {
+    return out +
+           (result.is_all() ? "every torque is the same to the bit.\n"
+                            : "so far every torque is the same to the bit.\n") +
+           clock_text(result.clock) + not_compared(result) + all_compared(result) +
+           not_whole(result.problem);
+  }
+  out += std::to_string(result.different_ticks) + " have another torque or mode.\n";
+  if (result.first) out += "  first:   " + place(result.header, *result.first);
+  if (result.largest) out += "  largest: " + place(result.header, *result.largest);
+  return out + first_cause(result) + another_build(result.header) + clock_text(result.clock) +
+         not_compared(result) + all_compared(result) + not_whole(result.problem);
+}
+
+Json verification_json(const std::string& path, const Verification& result) {
+  Json json = run_json(path, result.header);
+  json["estimated"] = result.estimated;
+  json["ticks"] = result.ticks;
+  json["first_time"] = result.first_time;
+  json["last_time"] = result.last_time;
+  if (result.is_same() && !result.is_all()) {
+    json["same"] = nullptr;
+  } else {
+    json["same"] = result.is_same();
+  }
+  json["different_ticks"] = result.different_ticks;
+  if (result.first) json["first"] = joint_json(result.header, *result.first);
+  if (result.largest) json["largest"] = joint_json(result.header, *result.largest);
+  json["different_messages"] = Json::object();
+  for (const MessageDifferences& topic : result.messages)
+    if (topic.ticks > 0)
+      json["different_messages"][topic.topic] = {{"ticks", topic.ticks}, {"first", topic.first}};
+  json["all_compared"] = result.is_all();
+  add_clock(result.clock, json);
+  if (result.gap) json["gap"] = gap_json(*result.gap);
+  if (!result.problem.empty()) json["problem"] = result.problem;
+  return json;
+}
+
+std::string comparison_text(const std::string& path, const StackComparison& result) {
+  const std::string tables = joint_table(result) + "\n" + level_table(result);
+  return headline(path, result.header) + "Asked at each tick on the same states and plan: stack " +
+         result.other + "; its torques are compared only, those of the log moved the robot.\n" +
+         span(result.ticks, result.first_time, result.last_time) + "\n" + compared(result) + "\n" +
+         tables + "\n" + walk_end(result, tables) + optimality(result) +
+         behind_gap(result.gap, "asked") + not_whole(result.problem);
+}
+
+Json comparison_json(const std::string& path, const StackComparison& result) {
+  Json json = run_json(path, result.header);
+  json["other"] = result.other;
+  json["ticks"] = result.ticks;
+  json["first_time"] = to_nanosecond(result.first_time);
+  json["last_time"] = to_nanosecond(result.last_time);
+  json["compared"] = result.compared;
+  for (std::size_t i = 0; i < result.joints.size(); ++i) {
+    const JointComparison& joint = result.joints[i];
+    json["torque_difference"][result.header.robot.joint_names[i]] =
+        difference_json(joint.rms, joint.largest, joint.time);
+  }
+  json["levels"] = Json::array();
+  for (const LevelComparison& level : result.levels) {
+    Json one = {{"name", level.name}, {"unit", level.unit}};
+    if (level.in_log)
+      one["logged"] = difference_json(level.logged_rms, level.logged_max, level.logged_time);
+    if (level.in_other)
+      one["other"] = difference_json(level.other_rms, level.other_max, level.other_time);
+    json["levels"].push_back(std::move(one));
+  }
+  json["not_optimal"] = {{"logged", result.logged_not_optimal.ticks},
+                         {"other", result.other_not_optimal.ticks}};
+  json["unanswered"] = {{"logged", count_json(result.logged_unanswered)},
+                        {"other", count_json(result.other_unanswered)}};
+  json["not_asked"] = count_json(result.not_asked);
+  json["other_stopped"] = count_json(result.other_stopped);
+  json["not_reproduced"] = count_json(result.not_reproduced);
+  if (result.walk_end)
+    json["walk_end"] = {{"time", to_nanosecond(result.walk_end->time)},
+                        {"why", result.walk_end->why}};
+  json["logged_switches"] = result.logged_switches;
+  if (result.gap) json["gap"] = gap_json(*result.gap);
+  if (!result.problem.empty()) json["problem"] = result.problem;
+  return json;
+}
+
+}  // namespace surefoot

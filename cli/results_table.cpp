@@ -1,0 +1,260 @@
+#include "cli/results_table.hpp"
+
+#include "surefoot/base/formatted.hpp"
+#include "surefoot/base/text_table.hpp"
+#include "surefoot/evaluation/metrics.hpp"
+#include "surefoot/signals/leg.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace surefoot {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using Table = std::vector<std::vector<std::string>>;
+
+struct Unit {
+  const char* suffix;
+  const char* name;
+  double scale = 1.0;  // from the metric's own unit
+};
+constexpr std::array<Unit, 6> kUnits{{{"_mps", "m/s"},
+                                      {"_nm", "N·m"},
+                                      {"_rad", "rad"},
+                                      {"_us", "µs"},
+                                      {"_m", "mm", 1e3},
+                                      {"_s", "s"}}};
+/// Lengths of the robot's own size and more; all others are errors and the like.
+constexpr std::array<std::string_view, 3> kInMetres{"distance_m", "base_height_end_m",
+                                                    "limb_extension_max_m"};
+
+/// Of a metric always the same, so that two runs compare.
+Unit unit_of(const std::string& metric) {
+  const std::string stem = metric.substr(0, metric.find('.'));
+  if (std::ranges::find(kInMetres, stem) != kInMetres.end()) return {"_m", "m"};
+  for (const Unit& unit : kUnits) {
+    if (stem.ends_with(unit.suffix)) return unit;
+  }
+  return {"", ""};
+}
+
+std::string number(double value, const char* format = "%.3g") { return formatted(format, value); }
+
+std::string rounded(double value) {
+  if (std::abs(value) < 1e-12) value = 0.0;
+  return number(value, std::abs(value) >= 100.0 ? "%.0f" : "%.3g");
+}
+
+std::string with_unit(double value, const Unit& unit) {
+  const std::string name = unit.name;
+  return rounded(unit.scale * value) + (name.empty() ? "" : " " + name);
+}
+
+std::string asked(const Json& criterion) {
+  const Unit unit = unit_of(criterion.at("metric").get<std::string>());
+  std::string text;
+  if (criterion.contains("equals")) text = criterion["equals"].get<bool>() ? "yes" : "no";
+  if (criterion.contains("min")) text = "≥ " + with_unit(criterion["min"].get<double>(), unit);
+  if (criterion.contains("max")) {
+    text += (text.empty() ? "≤ " : ", ≤ ") + with_unit(criterion["max"].get<double>(), unit);
+  }
+  return text + (criterion.at("passed").get<bool>() ? " ✓" : " ✗");
+}
+
+std::string paper_of(const Scenario& scenario, const std::string& metric) {
+  const auto found = std::ranges::find(scenario.paper, metric, &PaperFigure::metric);
+  return found == scenario.paper.end() ? "" : found->text;
+}
+
+std::string title(const Scenario& scenario, const Json& json) {
+  return json.at("scenario").get<std::string>() + ", stack " + json.at("stack").get<std::string>() +
+         ", estimation " + json.at("estimation").get<std::string>() +
+         (json.at("foot_force_sensor").get<bool>() ? ", foot force sensors" : "") +
+         (scenario.description.empty() ? "" : ": " + scenario.description) + "\n";
+}
+
+/// Where a path leads to one of several values ("sensors.imu.tilt.roll"), that of all of them;
+/// other paths whole, and those to where the robot begins.
+std::string vector_of(const std::string& path) {
+  constexpr std::array<std::string_view, 6> kNames{"x", "y", "z", "roll", "pitch", "yaw"};
+  const std::size_t dot = path.rfind('.');
+  if (dot == std::string::npos || path.starts_with("initial.")) return path;
+  const std::string name = path.substr(dot + 1);
+  const bool is_of_leg = std::ranges::find(kLegNames, name.substr(0, 2)) != kLegNames.end();
+  return is_of_leg || std::ranges::find(kNames, name) != kNames.end() ? path.substr(0, dot) : path;
+}
+
+/// Values by themselves as they are, those of one vector as a count.
+std::vector<std::string> drawn_texts(const Json& drawn) {
+  std::vector<std::string> texts;
+  std::string vector;
+  int count = 0;
+  for (const auto& [path, value] : drawn.items()) {
+    count = vector == vector_of(path) ? count + 1 : 1;
+    vector = vector_of(path);
+    if (count == 1) {
+      texts.push_back(path + " " + number(value.get<double>()));
+    } else {
+      texts.back() = vector + " (" + std::to_string(count) + " values)";
+    }
+  }
+  return texts;
+}
+
+/// What the seed drew; of 0 that it drew nothing, whatever the scenario's name promises.
+std::string seed_line(const Json& run) {
+  constexpr std::size_t kWidth = 110;
+  const auto seed = run.at("seed").get<std::uint64_t>();
+  if (seed == 0) return "seed 0: nothing of `randomise:` is drawn (--seed 1 draws)";
+  std::string text = "seed " + std::to_string(seed), line;
+  for (const std::string& drawn : drawn_texts(run.at("drawn"))) {
+    const bool is_full = !line.empty() && line.size() + drawn.size() > kWidth;
+    if (is_full) text += std::exchange(line, "") + ",\n ";
+    line += (!line.empty() ? ", " : is_full ? " " : ": ") + drawn;
+  }
+  return text + line;
+}
+
+std::string verdict(const Json& run) {
+  std::string missed;
+  for (const Json& criterion : run.at("criteria")) {
+    if (criterion.at("passed").get<bool>()) continue;
+    missed += (missed.empty() ? "; missed: " : ", ") + criterion.at("metric").get<std::string>();
+  }
+  return (run.at("succeeded").get<bool>() ? "succeeded: " : "did not succeed: ") +
+         run.at("reason").get<std::string>() + missed + "\n";
+}
+
+/// What a verdict on a run that was steered is worth.
+std::string steered(const Json& run) {
+  const int changes = run.value("changes_by_hand", 0);
+  if (changes == 0) return "";
+  return "steered by hand: " + std::to_string(changes) +
+         (changes == 1 ? " change or push" : " changes and pushes") +
+         " while it ran, so this is no verdict on the scenario alone\n";
+}
+
+std::string rate_text(const Json& rate) {
+  const Json& interval = rate.at("interval");
+  return std::to_string(rate.at("successes").get<int>()) + " of " +
+         std::to_string(rate.at("trials").get<int>()) +
+         " (95 %: " + number(100.0 * interval[0].get<double>(), "%.0f") + " … " +
+         number(100.0 * interval[1].get<double>(), "%.0f") + " %)";
+}
+
+std::string times(int count) { return count == 1 ? "once" : std::to_string(count) + " times"; }
+
+std::string events_of_run(const Json& run) {
+  Table table;
+  for (const Json& event : run.value("events", Json::array())) {
+    table.push_back({event.at("event").get<std::string>(),
+                     event.at("leg").is_null() ? "" : event.at("leg").get<std::string>(),
+                     times(event.at("count").get<int>()),
+                     "first at " + number(event.at("first_s").get<double>(), "%.4f") + " s"});
+  }
+  return table.empty() ? "" : "\n" + aligned(table);
+}
+
+std::string events_of_seeds(const Json& seeds) {
+  Table table;
+  for (const Json& event : seeds.at("events")) {
+    table.push_back({event.at("event").get<std::string>(),
+                     "in " + std::to_string(event.at("runs").get<int>()) + " of " +
+                         std::to_string(seeds.at("runs").size()) + " runs",
+                     times(event.at("count").get<int>()) + " in all"});
+  }
+  return table.empty() ? "" : "\n" + aligned(table);
+}
+
+/// What the name of a metric leaves open.
+std::string remark(const std::string& metric) {
+  if (metric == "friction_margin_min") return "of any foot; 0: one slid, be it at a touchdown";
+  if (metric == "friction_margin_loaded_min") return "of feet that carry a tenth of the weight";
+  return "";
+}
+
+std::string failures(const Json& runs) {
+  Table table;
+  for (const Json& run : runs) {
+    if (run.value("succeeded", false)) continue;
+    std::string why = run.value("reason", "");
+    for (const Json& criterion : run.value("criteria", Json::array())) {
+      if (criterion.at("passed").get<bool>()) continue;
+      const auto metric = criterion.at("metric").get<std::string>();
+      const Json value = criterion.at("value");
+      why += "; " + metric + " " +
+             (criterion.contains("equals") ? "" : pretty(metric, value) + ", ") + "must be " +
+             asked(criterion);
+    }
+    table.push_back({"seed " + std::to_string(run.value("seed", std::uint64_t{0})), why});
+  }
+  return table.empty() ? "" : aligned(table) + "\n";
+}
+
+}  // namespace
+
+std::string pretty(const std::string& metric, const Json& value) {
+  if (value.is_null()) return "–";
+  if (value.is_boolean()) return value.get<bool>() ? "yes" : "no";
+  if (value.is_string()) return value.get<std::string>();
+  const bool has_unit = *unit_of(metric).name != '\0';
+  if (value.is_number_integer() && !has_unit) return std::to_string(value.get<std::int64_t>());
+  if (value.is_number()) return with_unit(value.get<double>(), unit_of(metric));
+  if (value.at("median").is_null()) return "–";
+  const auto member = [&](const char* name) { return value.at(name).get<double>(); };
+  return "median " + rounded(member("median")) + ", 99 % " + rounded(member("p99")) + ", max " +
+         with_unit(member("max"), unit_of(metric));
+}
+
+std::string asked_of(const Json& run, const std::string& metric) {
+  for (const Json& criterion : run.at("criteria")) {
+    const auto name = criterion.at("metric").get<std::string>();
+    if (name == metric) return asked(criterion);
+    if (name.starts_with(metric + "."))
+      return name.substr(metric.size() + 1) + " " + asked(criterion);
+  }
+  return "";
+}
+
+std::string run_table(const Scenario& scenario, const Json& run) {
+  constexpr std::array<std::string_view, 4> kInTitle{"succeeded", "reason", "seed", "version"};
+  Table table{{"", "measured", "must be", "paper", ""}};
+  for (const auto& [name, value] : values(Metrics())) {
+    const std::string metric(name);
+    const auto found = run.find(metric);
+    if (found == run.end() || std::ranges::find(kInTitle, name) != kInTitle.end()) continue;
+    table.push_back({metric, pretty(metric, *found), asked_of(run, metric),
+                     paper_of(scenario, metric), remark(metric)});
+  }
+  return title(scenario, run) + seed_line(run) + "\n" + verdict(run) + steered(run) + "\n" +
+         aligned(table) + events_of_run(run);
+}
+
+std::string seeds_line(const Scenario& scenario, const Json& seeds) {
+  const bool has_goal = std::isfinite(scenario.goal.feet_beyond_x);
+  const Json& rates = seeds.at("rates");
+  return (has_goal ? "goal reached " : "succeeded ") +
+         rate_text(rates.at(has_goal ? "goal_reached" : "succeeded")) + ", fell " +
+         std::to_string(rates.at("fell").at("successes").get<int>());
+}
+
+std::string seeds_table(const Scenario& scenario, const Json& seeds) {
+  Table rates;
+  for (const auto& [name, rate] : seeds.at("rates").items())
+    rates.push_back({name, rate_text(rate)});
+  Table table{{"", "median", "worst", "paper", ""}};
+  for (const auto& [metric, summary] : seeds.at("metrics").items()) {
+    table.push_back({metric, with_unit(summary.at("median").get<double>(), unit_of(metric)),
+                     with_unit(summary.at("worst").get<double>(), unit_of(metric)),
+                     paper_of(scenario, metric), remark(metric)});
+  }
+  return title(scenario, seeds) + "\n" + failures(seeds.at("runs")) + aligned(rates) + "\n" +
+         aligned(table) + events_of_seeds(seeds);
+}
+
+}  // namespace surefoot

@@ -1,0 +1,38 @@
+#include "cli/run_cost.hpp"
+
+#include "cli/progress.hpp"
+#include "surefoot/base/formatted.hpp"
+#include "surefoot/closed_loop/closed_loop.hpp"
+
+#include <cmath>
+
+namespace surefoot {
+namespace {
+
+// A tick's share [bytes]: its times, of which quantiles are told, and what docs/log.md has
+// measured.
+constexpr double kMemoryOfTick = 2.0 * sizeof(double);
+constexpr double kLogOfTick = 2900.0;
+
+std::string size(double bytes) {
+  return bytes < 1e9 ? formatted("%.0f MB", 1e-6 * bytes) : formatted("%.0f GB", 1e-9 * bytes);
+}
+
+}  // namespace
+
+RunCost run_cost(const Scenario& scenario) {
+  const double ticks = std::ceil(scenario.duration / scenario.controller.period);
+  return {.ticks = ticks,
+          .wall_seconds = ticks * measure_tick(scenario),
+          .memory = ticks * kMemoryOfTick,
+          .log = ticks * kLogOfTick};
+}
+
+std::string cost_text(const RunCost& cost) {
+  constexpr double kMuchMemory = 1e9;  // [bytes]
+  return formatted("at most %.0f ticks: about ", cost.ticks) + duration_text(cost.wall_seconds) +
+         " here" + (cost.memory < kMuchMemory ? "" : ", " + size(cost.memory) + " of memory") +
+         ", and " + size(cost.log) + " of log with --record";
+}
+
+}  // namespace surefoot

@@ -1,0 +1,82 @@
+#include "server/event_finder.hpp"
+
+#include "surefoot/explain/stop_text.hpp"
+#include "surefoot/logging/json_text.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace surefoot {
+namespace {
+
+std::size_t offset_of(const ViewChannels& channels, std::string_view name) {
+  const auto found = std::ranges::find(channels.channels, name, &ViewChannel::name);
+  return found == channels.channels.end() ? 0 : found->offset;
+}
+
+std::size_t size_of(const ViewChannels& channels, std::string_view name) {
+  const auto found = std::ranges::find(channels.channels, name, &ViewChannel::name);
+  return found == channels.channels.end() ? 0 : found->size;
+}
+
+std::string_view name_in(const auto& names, float number) {
+  const auto index = static_cast<std::size_t>(std::max(number, 0.0F));
+  return index < names.size() ? names[index] : std::string_view("unknown");
+}
+
+}  // namespace
+
+std::string text_event(double time, std::string_view kind, std::string_view text) {
+  std::string out;
+  JsonText json(out);
+  json.object().member("time", time).member("kind", kind).member("text", text).end_object();
+  return out;
+}
+
+EventFinder::EventFinder(const ViewChannels& channels, std::vector<std::string> bodies)
+    : mode_(offset_of(channels, "command.mode")),
+      stop_(offset_of(channels, "told.stop")),
+      force_(offset_of(channels, "truth.xfrc_applied")),
+      force_size_(size_of(channels, "truth.xfrc_applied")),
+      rotation_(offset_of(channels, "truth.q_WB")),
+      bodies_(std::move(bodies)),
+      scenario_(bodies_) {}
+
+const std::vector<std::string>& EventFinder::see(const ViewFrame& frame) {
+  events_.clear();
+  const std::vector<float>& now = frame.floats;
+  const bool has_last = last_.size() == now.size();
+  for (const FrameEvent& event : frame.events) {
+    JsonText json(events_.emplace_back());
+    json.array().value(frame.time).value(event.kind);
+    event.leg ? json.value(kLegNames[index(*event.leg)]) : json.null();
+    json.end_array();
+  }
+  if (has_last && now[mode_] != last_[mode_]) {
+    std::string text = "command mode: " + std::string(name_in(logged::kModeNames, now[mode_]));
+    const std::string_view why = name_in(stop_texts(), now[stop_]);
+    if (!why.empty()) text += ", as " + std::string(why);
+    events_.push_back(text_event(frame.time, "mode", text));
+  }
+  if (force_size_ > 0) see_forces(frame);
+  last_ = now;
+  return events_;
+}
+
+void EventFinder::see_forces(const ViewFrame& frame) {
+  const auto begin = frame.floats.begin() + static_cast<std::ptrdiff_t>(force_);
+  std::vector<double> xfrc(begin, begin + static_cast<std::ptrdiff_t>(force_size_));
+  scenario_.leave(frame.time, xfrc);
+  const float* q = &frame.floats[rotation_];
+  const auto tell = [&](double time, const std::string& text) {
+    events_.push_back(text_event(time, "force", text));
+  };
+  const auto changes = forces_.see(frame.time, xfrc, Quat(q[0], q[1], q[2], q[3]));
+  for (const AppliedForce& force : changes.begun)
+    tell(force.from, "pushed by " + applied_force_text(force, bodies_));
+  for (const AppliedForce& force : changes.ended)
+    tell(force.to, "the push on " + body_text(force.body, bodies_) + " ends");
+}
+
+}  // namespace surefoot

@@ -1,0 +1,42 @@
+#pragma once
+
+#include "server/frame_block.hpp"
+#include "server/view_channels.hpp"
+#include "surefoot/explain/scenario_forces.hpp"
+#include "surefoot/logging/applied_force.hpp"
+#include "surefoot/logging/message_fields.hpp"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace surefoot {
+
+/// Something that happened, as `/api/events` has it: {"time", "kind", "text"}.
+[[nodiscard]] std::string text_event(double time, std::string_view kind, std::string_view text);
+
+/// Finds in frames, one after the other, what happened at them: the planner's events with their
+/// leg, changes of the command's mode, and begin and end of the scenario's forces.
+class EventFinder {
+ public:
+  /// `bodies`: their names by the rows of the truth's `xfrc_applied`.
+  explicit EventFinder(const ViewChannels& channels, std::vector<std::string> bodies = {});
+
+  /// What happened at this frame, as `/api/events` has it; valid until the next.
+  [[nodiscard]] const std::vector<std::string>& see(const ViewFrame& frame);
+  /// A push of the operator, which is told as a change; before the frames from then on.
+  void acts(const logged::Change& change) { scenario_.acts(change); }
+
+ private:
+  void see_forces(const ViewFrame& frame);
+
+  std::size_t mode_, stop_;          // offsets of channels
+  std::vector<float> last_;          // floats of the frame before
+  std::vector<std::string> events_;  // of the frame
+  std::size_t force_, force_size_, rotation_;
+  std::vector<std::string> bodies_;
+  AppliedForceWatch forces_;
+  ScenarioForces scenario_;
+};
+
+}  // namespace surefoot

@@ -1,0 +1,65 @@
+#pragma once
+
+#include "server/live_feed.hpp"
+#include "server/live_operator.hpp"
+#include "server/run_pace.hpp"
+#include "surefoot/closed_loop/run_steering.hpp"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace surefoot {
+
+/// Steers a run as its operator wishes, at the speed that is asked for, and feeds the pages that
+/// watch it.
+class LiveView final : public RunSteering {
+ public:
+  /// `interrupted` is asked while it waits. With `waits_for_page` a run that begins calibrates as
+  /// fast as it can, and then waits until a page has drawn the robot. All must outlive it.
+  LiveView(LiveOperator& wishes, LiveFeed& feed, std::function<bool()> interrupted,
+           bool waits_for_page = false);
+
+  void begin(const RunParts& parts) override;
+  [[nodiscard]] RunOrder before_tick(double time) override;
+  [[nodiscard]] UserCommand user(const UserCommand& planned) override;
+  void after_tick(const TickRecord& tick, const GroundTruth& truth,
+                  const TickTiming& timing) override;
+
+  /// The run has ended; the pages are told why, and stay. True once it is to begin again, false
+  /// once it is interrupted.
+  [[nodiscard]] bool wait_for_reset(const std::string& reason);
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  /// Is the next tick not to be made yet, whatever the pace is?
+  [[nodiscard]] bool is_held() const;
+  void take(double time);
+  void take_control(double time);
+  void take_walk(double time);
+  void book(const Push& push, double time);
+  void begin_pushes(double time);
+  [[nodiscard]] bool change_stack(const std::string& text, double time);
+  void keep(logged::Change change);
+
+  LiveOperator& operator_;
+  LiveFeed& feed_;
+  std::function<bool()> interrupted_;
+  const bool waits_for_page_;
+  std::optional<RunParts> parts_;
+  OperatorWishes wishes_;
+  WantedControl present_;  // of the controller
+  std::optional<UserCommand> walk_;
+  RunPace pace_;
+  int steps_ = 0;
+  std::vector<Push> booked_;  // pushes that begin with the next tick
+  std::vector<Push> pushes_;  // these and those that act
+  bool hurries_ = false;      // the robot calibrates at the beginning, without a pace
+  bool reset_ = false, is_off_pace_ = false;
+  bool is_pending_ = false;  // something of the control is wanted and not yet had
+  double speed_ = 1.0;
+  std::uint32_t tick_ = 0;
+};
+
+}  // namespace surefoot

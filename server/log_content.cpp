@@ -1,0 +1,185 @@
+#include "server/log_content.hpp"
+
+#include "server/view_tasks.hpp"
+#include "server/web_answer.hpp"
+#include "server/web_guard.hpp"
+#include "surefoot/base/error.hpp"
+#include "surefoot/config/data_directory.hpp"
+#include "surefoot/config/stack_text.hpp"
+#include "surefoot/explain/outcome.hpp"
+#include "surefoot/logging/applied_force.hpp"
+#include "surefoot/logging/log_reader.hpp"
+#include "surefoot/replay/log_replay.hpp"
+
+#include <algorithm>
+#include <filesystem>
+
+namespace surefoot {
+namespace {
+
+constexpr std::uint64_t kMostDecoded = 4096;   // ticks that are read for an answer …
+constexpr std::uint64_t kMostCompared = 2048;  // … of which the least and greatest are asked
+
+std::string urdf_of(const LogHeader& header) {
+  const std::string* urdf = header.attachment("robot.urdf");
+  return urdf == nullptr ? "" : *urdf;
+}
+
+std::string block(const std::string& bytes, std::uint32_t frames) {
+  const auto head = packed(BlockHead{.frames = frames, .dropped = 0, .generation = 0});
+  return std::string(head.data(), head.size()) + bytes;
+}
+
+/// Of a log that is whole as a file.
+std::string cut_of(const Outcome& outcome) {
+  if (!outcome.known)
+    return "how the run ended is not known: the log's file is whole, but has no summary";
+  if (!outcome.interrupted) return "";
+  return "the run was " + outcome.reason + ": the log's file is whole, and ends there";
+}
+
+}  // namespace
+
+LogContent::LogContent(const std::string& path) : LogContent(path, LogReader(path).header()) {}
+
+LogContent::LogContent(const std::string& path, const LogHeader& header)
+    : frames_(path, header),
+      summary_(path, header),
+      robot_(urdf_of(header), {.packages = package_directories(), .urdf = {}}),
+      explainer_(path, frames_.period()) {
+  describe(path, header);
+  const std::string missing = missing_meshes_text(session_.meshes);
+  if (!missing.empty()) notes_.push_back(missing);
+  if (!session_.cut.empty()) notes_.push_back(session_.cut);
+}
+
+void LogContent::describe(const std::string& path, const LogHeader& header) {
+  session_.start = random_token();
+  session_.mode = "replay";
+  session_.version = header.version;
+  session_.title =
+      header.scenario + (header.seed == 0 ? "" : ", seed " + std::to_string(header.seed));
+  session_.source = std::filesystem::path(path).filename().string();
+  if (!frames_.complete()) {
+    session_.cut = std::string(kNeverClosed) + " (at byte " + std::to_string(frames_.end_byte()) +
+                   "): what is left of it is shown";
+  } else {
+    const Outcome outcome = read_outcome(frames_.outcome());
+    session_.cut = cut_of(outcome);
+    session_.ended = outcome.known ? outcome.reason : "";
+  }
+  session_.header = to_json(header);
+  session_.period = header.control_period;
+  session_.first_tick = frames_.first_tick();
+  session_.ticks = frames_.end_tick() - frames_.first_tick();
+  session_.channels = frames_.channels();
+  session_.meshes = robot_.meshes();
+  session_.orders = {{0, header.level_names}};
+  session_.bodies = body_names(header);
+  if (!session_.bodies.empty()) session_.bodies.erase(session_.bodies.begin());  // the world
+  try {
+    const LogReplay replay(path);
+    session_.rows = replay.controller().row_names();
+    session_.tasks = view_tasks(with_defaults(replay.stack()), header.level_names);
+  } catch (const Error& error) {
+    notes_.push_back("rows have no names in the page: " + std::string(error.what()));
+  }
+}
+
+WebAnswer LogContent::get(std::string_view path, const Query& query) {
+  if (path == "/api/session") return {200, "application/json", session()};
+  if (path == "/api/events") return {200, "application/json", summary_.events_json()};
+  if (path == "/api/explain") return explained(query);
+  if (path != "/api/frames") return robot_.get(path);
+  return answer_frames(query, [this](const FrameRequest& asked) {
+    return asked.min_max ? ranges(asked) : plain_frames(asked);
+  });
+}
+
+WebAnswer LogContent::explained(const Query& query) {
+  if (!query.contains("tick")) return refusal(400, "tick is missing: the number of a tick");
+  std::uint32_t tick = 0;
+  try {
+    read_number(query, "tick", frames_.first_tick(), frames_.end_tick() - 1, tick);
+  } catch (const Error& error) {
+    return refusal(400, error.what());
+  }
+  const std::optional<std::string> answer = explainer_.ask(tick);
+  return {answer ? 200 : 202, "application/json", answer.value_or("null")};
+}
+
+std::string LogContent::session() {
+  ViewSession session = session_;
+  session.summarised = std::max(summary_.end_tick(), session.first_tick) - session.first_tick;
+  session.damage = summary_.damage();
+  for (ViewOrder& order : summary_.orders()) session.orders.push_back(std::move(order));
+  return to_json(session);
+}
+
+std::string LogContent::plain_frames(const FrameRequest& asked) {
+  if ((asked.count - 1) * std::uint64_t{asked.stride} >= kMostDecoded) return kept_frames(asked);
+  std::string bytes;
+  std::uint32_t frames = 0;
+  std::uint64_t tick = asked.from;
+  for (std::uint32_t i = 0; i < asked.count && tick < frames_.end_tick();
+       ++i, tick += asked.stride) {
+    const ViewFrame* frame = frames_.frame(static_cast<std::uint32_t>(tick));
+    if (frame == nullptr) continue;
+    pack(*frame, bytes);
+    ++frames;
+  }
+  return block(bytes, frames);
+}
+
+// Of a long piece, those that the summary has: each once.
+std::string LogContent::kept_frames(const FrameRequest& asked) {
+  std::string bytes;
+  std::uint32_t frames = 0;
+  std::uint64_t tick = asked.from;
+  ViewFrame frame;
+  for (std::uint32_t i = 0; i < asked.count && tick < frames_.end_tick();
+       ++i, tick += asked.stride) {
+    const std::uint32_t last = frame.tick;
+    if (!summary_.frame_near(static_cast<std::uint32_t>(tick), frame)) continue;
+    if (frames > 0 && frame.tick == last) continue;
+    pack(frame, bytes);
+    ++frames;
+  }
+  return block(bytes, frames);
+}
+
+// Two frames a stride. From the ticks themselves where the summary is coarser than that.
+std::string LogContent::ranges(const FrameRequest& asked) {
+  std::string bytes;
+  std::uint32_t frames = 0;
+  const bool is_fine = asked.stride < summary_.stretch() &&
+                       std::uint64_t{asked.count / 2} * asked.stride <= kMostCompared;
+  std::uint64_t tick = asked.from;
+  for (std::uint32_t i = 0; 2 * i < asked.count && tick < frames_.end_tick(); ++i) {
+    const auto first = static_cast<std::uint32_t>(tick);
+    const std::uint32_t last = first + asked.stride - 1;
+    const bool known =
+        is_fine ? range(first, last)
+                : summary_.range(first, last, range_.least.floats, range_.greatest.floats);
+    if (known) {
+      range_.pack(first, first * frames_.period(), bytes);
+      frames += 2;
+    }
+    tick += asked.stride;
+  }
+  return block(bytes, frames);
+}
+
+bool LogContent::range(std::uint32_t first, std::uint32_t last) {
+  range_.clear(frames_.channels().floats);
+  bool known = false;
+  for (std::uint32_t tick = first; tick <= last && tick < frames_.end_tick(); ++tick) {
+    const ViewFrame* frame = frames_.frame(tick);
+    if (frame == nullptr) continue;
+    known = true;
+    range_.add(frame->floats);
+  }
+  return known;
+}
+
+}  // namespace surefoot

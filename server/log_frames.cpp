@@ -1,0 +1,259 @@
+#include "server/log_frames.hpp"
+
+#include "surefoot/base/error.hpp"
+#include "surefoot/evaluation/truth_fields.hpp"
+#include "surefoot/logging/log_reader.hpp"
+#include "surefoot/logging/mcap_format.hpp"
+#include "surefoot/logging/message_decoder.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <utility>
+
+namespace surefoot {
+namespace {
+
+constexpr std::size_t kKeptChunks = 32;
+constexpr double kMostTicks = std::numeric_limits<std::uint32_t>::max();
+
+/// A tick as its messages come.
+struct GrowingTick {
+  TickRecord record;
+  logged::Hierarchy hierarchy;
+  GroundTruth truth;
+  bool has_begin = false, has_end = false, has_truth = false, is_damaged = false;
+
+  /// A tick begins with its readings and ends with its command; either may stand in what is lost.
+  [[nodiscard]] bool is_whole() const { return has_begin && has_end && !is_damaged; }
+
+  /// Throws JsonError where the message is not what it should be.
+  void take(const McapMessage& message) {
+    const std::string& topic = message.channel->topic;
+    has_begin = has_begin || topic == "/readings";
+    has_end = has_end || topic == "/command";
+    if (decode_signal(message, record)) return;
+    if (topic == "/hierarchy") logged::Decoder::decode(message.data, hierarchy);
+    if (topic == "/truth") logged::Decoder::decode(message.data, truth);
+    has_truth = has_truth || topic == "/truth";
+  }
+};
+
+std::string told(const McapMessage& message, const JsonError& error) {
+  return "a message on " + message.channel->topic + " is not what it should be: " + error.what();
+}
+
+double seconds(std::uint64_t nanoseconds) { return 1e-9 * static_cast<double>(nanoseconds); }
+
+}  // namespace
+
+struct LogFrames::Decoded {
+  std::map<std::uint64_t, GrowingTick> ticks;  // by log time
+  std::map<std::uint64_t, logged::Timing> timings;
+
+  /// A message that is not what it should be costs its tick, or the timings of it.
+  void take(const McapMessage& message, LogChunk& chunk);
+  void take_timing(const McapMessage& message, LogChunk& chunk);
+};
+
+void LogFrames::Decoded::take(const McapMessage& message, LogChunk& chunk) {
+  if (message.channel->topic == "/timings") return take_timing(message, chunk);
+  GrowingTick& tick = ticks[message.log_time];
+  try {
+    tick.take(message);
+    if (message.channel->topic != "/changes") return;
+    logged::Change change;
+    logged::Decoder::decode(message.data, change);
+    chunk.changes.push_back(std::move(change));
+  } catch (const JsonError& error) {
+    tick.is_damaged = true;
+    chunk.problem = told(message, error);
+  }
+}
+
+void LogFrames::Decoded::take_timing(const McapMessage& message, LogChunk& chunk) {
+  try {
+    logged::Timing timing;
+    logged::Decoder::decode(message.data, timing);
+    timings[message.log_time] = timing;
+  } catch (const JsonError& error) {
+    chunk.timing_problem = told(message, error);
+  }
+}
+
+LogFrames::LogFrames(const std::string& path, const LogHeader& header)
+    : path_(path), file_(path), period_(header.control_period), cone_(friction_cone_of(header)) {
+  if (!(period_ > 0.0)) throw FileError(path + ": the header's control_period is no time");
+  channels_.level_names = header.level_names;
+  find_ticks(path);
+  learn_channels(path);
+}
+
+std::uint32_t LogFrames::tick_at(std::uint64_t time) const {
+  return static_cast<std::uint32_t>(std::llround(seconds(time) / period_));
+}
+
+// Nothing but what stands beside it tells that the time of a message outside of chunks is wrong: it
+// is far beyond theirs, and no other goes on from there, as the ticks do behind a clock that skips.
+bool LogFrames::has_wrong_times(std::size_t chunk) const {
+  const std::vector<McapChunk>& all = file_.chunks();
+  const auto [first, last] = std::pair(all[chunk].first_time, all[chunk].last_time);
+  const bool can_be = all[chunk].has_sure_times || mcap::can_be_times(first, last);
+  if (!can_be || seconds(last) / period_ >= kMostTicks) return true;
+  if (!all[chunk].is_bare || first != last || first < mcap::kMaxChunkTime) return false;
+  const std::uint64_t least = first - mcap::kMaxChunkTime;
+  if (!places_.empty()) return places_.back().last < least;
+  return chunk + 1 < all.size() && all[chunk + 1].first_time < least;
+}
+
+// Ticks come by their time; where it goes back the timings begin, which stand apart: in chunks of
+// their own, but another writer leaves the last ticks and the first timings in one. A chunk whose
+// times can't be is left out: its header is damaged.
+void LogFrames::find_ticks(const std::string& path) {
+  num_lost_ = file_.num_lost();
+  for (std::size_t i = 0; i < file_.chunks().size(); ++i) {
+    const McapChunk& chunk = file_.chunks()[i];
+    if (has_wrong_times(i)) {
+      ++num_lost_;
+      continue;
+    }
+    usable_.push_back(i);
+    if (places_.empty() || chunk.last_time > places_.back().last) {
+      places_.push_back({.chunk = i,
+                         .before = places_.empty() ? 0 : places_.back().last,
+                         .last = chunk.last_time,
+                         .has_before = !places_.empty()});
+      ends_.push_back(tick_at(chunk.last_time) + 1);
+    }
+  }
+  if (ends_.empty()) {
+    throw FileError(path + ": the log " + (file_.complete() ? "" : "is cut off, and ") +
+                    "holds no ticks; record the run anew");
+  }
+  if (num_lost_ == 0) first_tick_ = tick_at(file_.chunks()[places_[0].chunk].first_time);
+  end_tick_ = ends_.back();
+}
+
+// From the first place that can be read and holds a whole tick, whose truth has the sizes of
+// MuJoCo's vectors.
+void LogFrames::learn_channels(const std::string& path) {
+  GroundTruth truth;
+  bool is_whole = false;
+  std::string problem;
+  for (std::size_t i = 0; i < places_.size() && !is_whole; ++i) {
+    Decoded decoded;
+    LogChunk unused;
+    read_place(i, decoded, unused);
+    if (!unused.problem.empty()) problem = "; " + unused.problem;
+    for (const auto& [time, tick] : decoded.ticks) {
+      if (tick.has_truth) truth = tick.truth;
+      is_whole = is_whole || tick.is_whole();
+    }
+  }
+  if (!is_whole) {
+    throw FileError(path + ": the log holds no whole tick; record the run anew" + problem);
+  }
+  channels_ = tick_channels(channels_.level_names, truth);
+  find_start();
+  for (std::size_t i = ends_.size(); i > 0; --i) {  // the last may be cut off
+    const auto last = chunk(i - 1);
+    if (last->frames.empty()) continue;
+    end_tick_ = last->frames.back().tick + 1;
+    return;
+  }
+  throw FileError(path + ": no tick of the log can be read; record the run anew" + problem);
+}
+
+void LogFrames::find_start() {
+  Decoded decoded;
+  LogChunk unused;
+  read_place(0, decoded, unused);
+  if (decoded.ticks.empty()) return;
+  first_tick_ = std::min(first_tick_, tick_at(decoded.ticks.begin()->first));
+  const GrowingTick& first = decoded.ticks.begin()->second;
+  const bool is_dropped = std::ranges::any_of(
+      decoded.ticks, [](const auto& entry) { return begins_anew(entry.second.record); });
+  if (first.is_whole() && first.has_truth && !is_dropped)
+    start_ = start_alignment(first.truth, first.record.state);
+}
+
+std::size_t LogFrames::chunk_of(std::uint32_t tick) const {
+  const auto found = std::ranges::upper_bound(ends_, tick);
+  return std::min(static_cast<std::size_t>(found - ends_.begin()), ends_.size() - 1);
+}
+
+LogChunk LogFrames::decode(std::size_t number) {
+  const Place& place = places_[number];
+  LogChunk chunk;
+  chunk.from = seconds(std::max(place.before, file_.chunks()[place.chunk].first_time));
+  chunk.to = seconds(place.last);
+  Decoded decoded;
+  read_place(number, decoded, chunk);
+  for (const auto& [time, tick] : decoded.ticks) {
+    if (!tick.is_whole()) continue;
+    const auto timing = decoded.timings.find(time);
+    to_frame({.number = tick_at(time),
+              .record = tick.record,
+              .hierarchy = tick.hierarchy,
+              .cone = cone_,
+              .truth = tick.has_truth ? &tick.truth : nullptr,
+              .timing = timing == decoded.timings.end() ? nullptr : &timing->second,
+              .start = start_ ? &*start_ : nullptr},
+             channels_, chunk.frames.emplace_back());
+  }
+  return chunk;
+}
+
+// What a page is told says nothing of this machine's folders.
+std::string LogFrames::without_path(const Error& error) const {
+  const std::string text = error.what(), prefix = path_ + ": ";
+  return text.starts_with(prefix) ? text.substr(prefix.size()) : text;
+}
+
+// What belongs to its times may stand in any chunk: a tick may begin or end in the one beside it,
+// and timings stand apart. What can't be read of other places' chunks is told of those.
+void LogFrames::read_place(std::size_t number, Decoded& decoded, LogChunk& chunk) {
+  const Place& place = places_[number];
+  for (const std::size_t i : usable_) {
+    const McapChunk& one = file_.chunks()[i];
+    const bool is_before = place.has_before && one.last_time <= place.before;
+    if (is_before || one.first_time > place.last) continue;
+    try {
+      read_chunk(i, place, decoded, chunk);
+    } catch (const Error& error) {
+      const bool has_ticks = std::ranges::find(places_, i, &Place::chunk) != places_.end();
+      if (i == place.chunk) chunk.problem = without_path(error);
+      if (!has_ticks) chunk.timing_problem = without_path(error);  // the ticks are still good
+    }
+  }
+}
+
+void LogFrames::read_chunk(std::size_t index, const Place& place, Decoded& decoded,
+                           LogChunk& chunk) {
+  file_.read(index, [&](const McapMessage& message) {
+    const std::uint64_t time = message.log_time;
+    if ((place.has_before && time <= place.before) || time > place.last) return;
+    decoded.take(message, chunk);
+  });
+}
+
+std::shared_ptr<const LogChunk> LogFrames::chunk(std::size_t number) {
+  const auto known =
+      std::ranges::find(recent_, number, [](const auto& entry) { return entry.first; });
+  if (known != recent_.end()) {
+    recent_.splice(recent_.begin(), recent_, known);
+    return recent_.front().second;
+  }
+  recent_.emplace_front(number, std::make_shared<LogChunk>(decode(number)));
+  if (recent_.size() > kKeptChunks) recent_.pop_back();
+  return recent_.front().second;
+}
+
+const ViewFrame* LogFrames::frame(std::uint32_t tick) {
+  const std::vector<ViewFrame>& frames = chunk(chunk_of(tick))->frames;
+  const auto found = std::ranges::lower_bound(frames, tick, {}, &ViewFrame::tick);
+  return found == frames.end() || found->tick != tick ? nullptr : &*found;
+}
+
+}  // namespace surefoot

@@ -1,0 +1,49 @@
+#include "server/log_server.hpp"
+
+#include "server/log_content.hpp"
+#include "surefoot/base/printable.hpp"
+#include "surefoot/runtime/interrupt.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <thread>
+
+namespace surefoot {
+
+namespace {
+
+constexpr std::size_t kMostTold = 10;
+
+void warn(const std::string& text) {
+  std::fprintf(stderr, "surefoot: warning: %s\n", printable(text).c_str());
+}
+
+/// What is found as the log is looked through; `told` so many were told before.
+std::size_t tell_damage(LogContent& content, std::size_t told) {
+  const std::vector<std::string> damage = content.damage();
+  for (std::size_t i = told; i < std::min(damage.size(), kMostTold); ++i) warn(damage[i]);
+  if (told <= kMostTold && damage.size() > kMostTold)
+    warn("and more that can't be read: `surefoot info` names it all");
+  return damage.size();
+}
+
+}  // namespace
+
+void serve_log(const std::string& path, const ViewArguments& arguments) {
+  watch_for_interrupt();
+  LogContent content(path);
+  const WebServer server({.listen = arguments.listen,
+                          .port = static_cast<std::uint16_t>(arguments.port),
+                          .token = arguments.token,
+                          .max_clients = arguments.clients},
+                         content);
+  for (const std::string& note : content.notes()) warn(note);
+  tell_link(server.link(), "^C     closes it", arguments.listen);
+  for (std::size_t told = 0; !interrupted();) {
+    told = tell_damage(content, told);
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  }
+}
+
+}  // namespace surefoot

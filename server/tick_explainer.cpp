@@ -1,0 +1,76 @@
+#include "server/tick_explainer.hpp"
+
+#include "surefoot/explain/tick_text.hpp"
+#include "surefoot/replay/exact_costs.hpp"
+#include "surefoot/runtime/interrupt.hpp"
+
+#include <exception>
+#include <utility>
+
+namespace surefoot {
+namespace {
+
+constexpr std::size_t kMostKept = 256;
+
+std::string text_of(const nlohmann::ordered_json& json) {
+  return json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+}
+
+}  // namespace
+
+TickExplainer::TickExplainer(std::string path, double period)
+    : path_(std::move(path)), period_(period) {
+  thread_ = std::thread([this] { run(); });
+}
+
+TickExplainer::~TickExplainer() {
+  {
+    const std::lock_guard lock(mutex_);
+    stopping_ = true;
+  }
+  wakes_.notify_one();
+  thread_.join();
+}
+
+std::optional<std::string> TickExplainer::ask(std::uint32_t tick) {
+  const std::lock_guard lock(mutex_);
+  if (const auto found = known_.find(tick); found != known_.end()) return found->second;
+  wanted_ = tick;
+  wakes_.notify_one();
+  return std::nullopt;
+}
+
+void TickExplainer::run() {
+  std::unique_lock lock(mutex_);
+  while (true) {
+    wakes_.wait(lock, [this] { return stopping_ || wanted_; });
+    if (stopping_) return;
+    const std::uint32_t tick = *std::exchange(wanted_, std::nullopt);
+    lock.unlock();
+    std::string answer = explained(tick);
+    lock.lock();
+    if (known_.size() >= kMostKept) known_.clear();
+    known_[tick] = std::move(answer);
+    if (wanted_ == tick) wanted_.reset();
+  }
+}
+
+std::string TickExplainer::explained(std::uint32_t tick) const {
+  using Json = nlohmann::ordered_json;
+  try {
+    TickExplanation explanation = read_tick(path_, period_ * tick);
+    find_exact_costs(path_, explanation, [this] { return stopping_ || interrupted(); });
+    explanation.why_estimates = without_path(explanation.why_estimates);
+    return text_of(gave_way_json(explanation));
+  } catch (const std::exception& error) {
+    return text_of(Json{{"problem", without_path(error.what())}});
+  }
+}
+
+// What a page is told says nothing of this machine's folders.
+std::string TickExplainer::without_path(const std::string& text) const {
+  const std::string begin = path_ + ": ";
+  return text.starts_with(begin) ? text.substr(begin.size()) : text;
+}
+
+}  // namespace surefoot

@@ -1,0 +1,87 @@
+#include "server/view_channels.hpp"
+
+#include "surefoot/logging/json_text.hpp"
+
+namespace surefoot {
+namespace {
+
+constexpr std::array<std::string_view, 3> kAxes{"x", "y", "z"};
+
+/// What stands in the first brackets: "since the start [s]; …" has the unit "s". A channel whose
+/// numbers have several, "[m/s, rad/s, …]", has none.
+std::string unit_of(std::string_view about) {
+  const std::size_t begin = about.find('[');
+  const std::size_t end = about.find(']', begin);
+  if (begin == std::string_view::npos || end == std::string_view::npos) return "";
+  const std::string_view unit = about.substr(begin + 1, end - begin - 1);
+  return unit.find(", ") == std::string_view::npos ? std::string(unit) : "";
+}
+
+/// The text without these brackets, unless they say something of its numbers.
+std::string without_unit(std::string_view about) {
+  if (unit_of(about).empty()) return std::string(about);
+  const std::size_t begin = about.find('[');
+  const std::size_t end = about.find(']', begin);
+  std::string text(about.substr(0, begin));
+  while (text.ends_with(' ')) text.pop_back();
+  return text + std::string(about.substr(end + 1));
+}
+
+}  // namespace
+
+namespace logged {
+
+void ChannelLister::add_channel(std::string_view about, std::vector<std::string> labels) {
+  const std::size_t size = std::max<std::size_t>(labels.size(), 1);
+  table_.channels.push_back({.name = name_,
+                             .unit = unit_of(about),
+                             .about = without_unit(about),
+                             .labels = std::move(labels),
+                             .values = {},
+                             .offset = table_.floats,
+                             .size = size});
+  table_.floats += size;
+}
+
+std::vector<std::string> ChannelLister::labels(int rows, int columns) {
+  std::vector<std::string> result;
+  for (int i = 0; i < rows; ++i) {
+    for (int j = 0; j < columns; ++j) {
+      if (columns > 1) {
+        result.push_back(std::to_string(i + 1) + std::to_string(j + 1));
+      } else if (rows == kNumJoints) {
+        const auto k = static_cast<std::size_t>(i);
+        result.push_back(std::string(kLegNames[k / kJointsPerLeg]) + "_" +
+                         std::string(kJointNames[k % kJointsPerLeg]));
+      } else if (rows <= 3) {
+        result.emplace_back(kAxes[static_cast<std::size_t>(i)]);
+      } else {
+        result.push_back(std::to_string(i));
+      }
+    }
+  }
+  return result;
+}
+
+}  // namespace logged
+
+std::string to_json(const std::vector<ViewChannel>& channels) {
+  std::string out;
+  JsonText json(out);
+  json.array();
+  for (const ViewChannel& channel : channels) {
+    json.object()
+        .member("name", std::string_view(channel.name))
+        .member("unit", std::string_view(channel.unit))
+        .member("about", std::string_view(channel.about))
+        .member("size", channel.size)
+        .member("offset", channel.offset);
+    if (!channel.labels.empty()) json.member("labels", channel.labels);
+    if (!channel.values.empty()) json.member("values", channel.values);
+    json.end_object();
+  }
+  json.end_array();
+  return out;
+}
+
+}  // namespace surefoot

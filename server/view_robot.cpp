@@ -1,0 +1,81 @@
+#include "server/view_robot.hpp"
+
+#include "server/web_answer.hpp"
+#include "surefoot/base/error.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <fstream>
+#include <sstream>
+
+namespace surefoot {
+namespace {
+
+constexpr std::string_view kUrdf = "/api/robot.urdf";
+constexpr std::string_view kMesh = "/api/mesh/";
+
+std::vector<MeshFile> meshes_of(const std::string& urdf, const MeshFolders& folders) {
+  try {
+    return mesh_files(urdf, folders);
+  } catch (const FileError&) {
+    return {};  // the page tells what it can't read
+  }
+}
+
+std::string media_type(const std::filesystem::path& file) {
+  const std::string extension = file.extension().string();
+  if (extension == ".dae") return "model/vnd.collada+xml";
+  if (extension == ".glb") return "model/gltf-binary";
+  return extension == ".gltf" ? "model/gltf+json" : "application/octet-stream";
+}
+
+}  // namespace
+
+ViewRobot::ViewRobot(std::string urdf, const MeshFolders& folders)
+    : urdf_(std::move(urdf)), meshes_(meshes_of(urdf_, folders)) {}
+
+std::vector<ViewMesh> ViewRobot::meshes() const {
+  std::vector<ViewMesh> list;
+  for (const MeshFile& mesh : meshes_) {
+    std::error_code error;
+    const bool found = !mesh.path.empty();
+    const auto bytes = found ? std::filesystem::file_size(mesh.path, error) : 0;
+    list.push_back({.uri = mesh.uri, .found = found, .bytes = error ? 0 : bytes});
+  }
+  return list;
+}
+
+std::string missing_meshes_text(const std::vector<ViewMesh>& meshes) {
+  constexpr std::size_t kTold = 3;
+  std::vector<std::string> names;
+  for (const ViewMesh& mesh : meshes)
+    if (!mesh.found) names.push_back(mesh.uri.substr(mesh.uri.rfind('/') + 1));
+  if (names.empty()) return "";
+  std::string text = "the page shows primitives, as these meshes are missing: ";
+  for (std::size_t i = 0; i < std::min(names.size(), kTold); ++i)
+    text += (i == 0 ? "" : ", ") + names[i];
+  if (names.size() > kTold) text += " and " + std::to_string(names.size() - kTold) + " more";
+  return text + "; $SUREFOOT_ROBOT_PACKAGES and $ROS_PACKAGE_PATH say where they are looked for";
+}
+
+WebAnswer ViewRobot::get(std::string_view path) const {
+  if (path == kUrdf) return {200, "application/xml", urdf_};
+  if (path.starts_with(kMesh)) return mesh(path.substr(kMesh.size()));
+  return refusal(404, "there is no " + std::string(path) + " here");
+}
+
+WebAnswer ViewRobot::mesh(std::string_view id) const {
+  std::size_t number = 0;
+  const auto [end, error] = std::from_chars(id.data(), id.data() + id.size(), number);
+  if (error != std::errc() || end != id.data() + id.size() || number >= meshes_.size()) {
+    return refusal(404, "there is no such mesh; the robot has " + std::to_string(meshes_.size()));
+  }
+  const MeshFile& mesh = meshes_[number];
+  std::ostringstream bytes;
+  if (mesh.path.empty() || !(bytes << std::ifstream(mesh.path, std::ios::binary).rdbuf())) {
+    return refusal(404, "the mesh " + mesh.uri + " is missing on this machine");
+  }
+  return {200, media_type(mesh.path), bytes.str()};
+}
+
+}  // namespace surefoot

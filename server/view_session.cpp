@@ -1,0 +1,104 @@
+#include "server/view_session.hpp"
+
+#include "surefoot/logging/json_text.hpp"
+
+namespace surefoot {
+namespace {
+
+constexpr int kProtocol = 2;
+
+void limits_member(JsonText& json, const ViewLimits& limits) {
+  json.key("limits")
+      .object()
+      .member("push_newton_seconds", limits.push_impulse)
+      .member("push_newtons", limits.push_force)
+      .member("push_seconds", limits.push_duration)
+      .member("walk_velocity", limits.walk_velocity)
+      .member("walk_yaw_rate", limits.walk_yaw_rate)
+      .member("walk_height", limits.walk_height)
+      .member("friction_min", limits.friction_min)
+      .member("friction_max", limits.friction_max);
+  json.key("speeds").array();
+  for (double speed = limits.slowest; speed <= limits.fastest; speed *= 2.0) json.value(speed);
+  json.end_array().end_object();
+}
+
+void task_member(JsonText& json, const ViewTask& task) {
+  json.object()
+      .member("level", task.level)
+      .member("level_name", std::string_view(task.level_name))
+      .member("task", std::string_view(task.task));
+  json.key("numbers").array();
+  for (const ViewNumber& number : task.numbers) {
+    json.object()
+        .member("name", std::string_view(number.name))
+        .member("value", number.value)
+        .member("unit", std::string_view(number.unit))
+        .member("about", std::string_view(number.about))
+        .member("min", number.min)
+        .member("max", number.max)
+        .end_object();
+  }
+  json.end_array().key("choices").object();
+  for (const auto& [name, value] : task.choices) json.member(name, std::string_view(value));
+  json.end_object().end_object();
+}
+
+void meshes_member(JsonText& json, const std::vector<ViewMesh>& meshes) {
+  json.key("meshes").array();
+  for (std::size_t id = 0; id < meshes.size(); ++id) {
+    json.object()
+        .member("id", id)
+        .member("uri", std::string_view(meshes[id].uri))
+        .member("found", meshes[id].found)
+        .member("bytes", meshes[id].bytes)
+        .end_object();
+  }
+  json.end_array();
+}
+
+void levels_members(JsonText& json, const ViewSession& session) {
+  json.key("rows").array();
+  for (const std::vector<std::string>& level : session.rows) json.value(level);
+  json.end_array().key("orders").array();
+  for (const ViewOrder& order : session.orders) {
+    json.object().member("tick", order.tick).member("levels", order.levels).end_object();
+  }
+  json.end_array().key("tasks").array();
+  for (const ViewTask& task : session.tasks) task_member(json, task);
+  json.end_array();
+}
+
+}  // namespace
+
+std::string to_json(const ViewSession& session) {
+  std::string out;
+  JsonText json(out);
+  json.object()
+      .member("protocol", kProtocol)
+      .member("start", std::string_view(session.start))
+      .member("mode", std::string_view(session.mode))
+      .member("version", std::string_view(session.version))
+      .member("title", std::string_view(session.title))
+      .member("source", std::string_view(session.source))
+      .member("cut", session.cut)
+      .member("ended", session.ended)
+      .member("period", session.period)
+      .member("first_tick", session.first_tick)
+      .member("ticks", session.ticks)
+      .member("summarised", session.summarised)
+      .member("generation", session.generation)
+      .member("begun", session.begun)
+      .member("frame_floats", session.channels.floats)
+      .member("friction", session.friction)
+      .member("can_command", session.can_command);
+  json.key("header").raw(session.header);
+  json.key("channels").raw(to_json(session.channels.channels));
+  levels_members(json, session);
+  meshes_member(json, session.meshes);
+  limits_member(json, session.limits);
+  json.member("bodies", session.bodies).member("damage", session.damage).end_object();
+  return out;
+}
+
+}  // namespace surefoot

@@ -1,0 +1,272 @@
+#include "surefoot/closed_loop/closed_loop.hpp"
+
+#include "surefoot/base/build_info.hpp"
+#include "surefoot/base/formatted.hpp"
+#include "surefoot/closed_loop/change_log.hpp"
+#include "surefoot/closed_loop/goal_watch.hpp"
+#include "surefoot/closed_loop/run_log.hpp"
+#include "surefoot/evaluation/evaluator.hpp"
+#include "surefoot/evaluation/torque_hash.hpp"
+#include "surefoot/evaluation/truth_log.hpp"
+#include "surefoot/explain/stop_text.hpp"
+#include "surefoot/runtime/stage_timer.hpp"
+#include "surefoot/runtime/steady_clock.hpp"
+#include "surefoot/simulation/make_estimator.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <iterator>
+#include <optional>
+
+namespace surefoot {
+namespace {
+
+constexpr double kProgressInterval = 0.1;  // of simulated time [s]
+constexpr double kAfterSafetyStop = 1.0;   // how long a robot that was stopped is watched [s]
+
+std::string reason(Ending ending) {
+  switch (ending) {
+    case Ending::finished:
+      return "ran to its end";
+    case Ending::goal_reached:
+      return "goal reached";
+    case Ending::fell:
+      return "fell";
+    case Ending::safety:
+      return "the controller stopped for safety";
+    case Ending::interrupted:
+      return "interrupted";
+    case Ending::reset:
+      return "begun again";
+  }
+  return "";
+}
+
+bool is_shown(const ClosedLoopOptions& options) {
+  return !options.record_path.empty() || options.steering != nullptr;
+}
+
+/// What is recorded or watched has the time of each level.
+ControllerOptions controller_options(const Scenario& scenario, const ClosedLoopOptions& options) {
+  ControllerOptions result = scenario.controller;
+  if (is_shown(options)) result.solver.clock = steady_seconds;
+  return result;
+}
+
+/// Everything of one run, wired together.
+class ClosedLoop {
+ public:
+  ClosedLoop(const Scenario& scenario, const ClosedLoopOptions& options)
+      : scenario_(scenario),
+        options_(options),
+        model_(scenario.robot),
+        plant_(scenario.robot, scenario.plant),
+        controller_(scenario.robot, controller_options(scenario, options),
+                    make_estimator(scenario.estimation, {scenario.robot, scenario.controller.period,
+                                                         plant_, scenario.estimator})),
+        goal_(scenario.goal),
+        evaluator_(evaluator_options()) {
+    controller_.set_stage_observer(&timer_);
+    controller_.explain_levels(is_shown(options));
+    if (!options.record_path.empty()) {
+      recorder_.emplace(options.record_path, log_header(scenario, controller_, plant_, model_));
+      truth_log_.emplace(*recorder_);
+    }
+    if (options.steering != nullptr) begin_steering(*options.steering);
+    if (options.ready) options.ready();
+  }
+
+  [[nodiscard]] std::vector<std::string> notes() const {
+    return run_notes(scenario_, controller_, plant_);
+  }
+
+  RunResult run() {
+    const auto start = std::chrono::steady_clock::now();
+    const auto ticks =
+        static_cast<long>(std::ceil(scenario_.duration / scenario_.controller.period));
+    std::optional<Ending> ending;
+    for (long tick = 0; tick < ticks && !ending; ++tick) ending = step();
+    const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
+    return finish(ending.value_or(Ending::finished), wall.count());
+  }
+
+  double measure_tick() {
+    constexpr int kTicks = 100;
+    constexpr double kLongest = 0.3;  // [s]
+    const auto start = std::chrono::steady_clock::now();
+    std::chrono::duration<double> passed{};
+    int ticks = 0;
+    for (bool ends = false; !ends && ticks < kTicks && passed.count() < kLongest; ++ticks) {
+      ends = step().has_value();
+      passed = std::chrono::steady_clock::now() - start;
+    }
+    return passed.count() / ticks;
+  }
+
+ private:
+  EvaluatorOptions evaluator_options() const {
+    return {.control_period = scenario_.controller.period,
+            .mass = model_.mass(),
+            .terrain_height = [this](double x, double y) { return plant_.terrain_height(x, y); },
+            .hip_in_base = [this](Leg leg, const Vec3& q) { return model_.hip_in_base(leg, q); }};
+  }
+
+  void begin_steering(RunSteering& steering) {
+    if (recorder_) change_log_.emplace(*recorder_);
+    steering.begin({.plant = plant_,
+                    .controller = controller_,
+                    .header = log_header(scenario_, controller_, plant_, model_),
+                    .log_change = [this](const logged::Change& change) {
+                      ++changes_;
+                      if (change_log_) change_log_->record(change, controller_);
+                    }});
+  }
+
+  /// One tick; says why it is the last one.
+  std::optional<Ending> step() {
+    if (const std::optional<Ending> cut = steer()) return cut;
+    const SensorReading& reading = plant_.read();
+    const JointCommand& command = controller_.step(reading, user(reading.time));
+    torques_.add(command.torque);
+    judge();
+    const std::optional<Ending> ending = check_end(command);
+    report_progress();
+    plant_.write(command);
+    return ending;
+  }
+
+  std::optional<Ending> steer() {
+    if (options_.steering == nullptr) return std::nullopt;
+    switch (options_.steering->before_tick(plant_.time())) {
+      case RunOrder::tick:
+        return std::nullopt;
+      case RunOrder::reset:
+        return Ending::reset;
+      case RunOrder::stop:
+        return Ending::interrupted;
+    }
+    return std::nullopt;
+  }
+
+  UserCommand user(double time) const {
+    const UserCommand& planned = scenario_.user(time);
+    return options_.steering == nullptr ? planned : options_.steering->user(planned);
+  }
+
+  /// Readings, truth and record belong to the same time until the plant moves on.
+  void judge() {
+    TickTiming timing = timer_.timing();
+    timing.time = plant_.time();
+    timing.levels = in_microseconds(controller_.level_times());
+    evaluator_.add(plant_.truth(), controller_.record());
+    const TickRecord& record = controller_.record();
+    events_.add(timing.time, record.plan.events);
+    troubles_.add(timing.time, record);
+    evaluator_.add(timing);
+    if (options_.steering != nullptr) {
+      options_.steering->after_tick(controller_.record(), plant_.truth(), timing);
+    }
+    if (!recorder_) return;
+    recorder_->record(controller_.record());
+    recorder_->record(timing);
+    truth_log_->record(plant_.truth());
+  }
+
+  std::optional<Ending> check_end(const JointCommand& command) {
+    const double time = plant_.time();
+    if (options_.interrupted && options_.interrupted()) return Ending::interrupted;
+    // Of a fall and a stop at the same tick the fall counts: the controller came too late.
+    if (evaluator_.fell()) return Ending::fell;
+    if (command.cause != StopCause::none && std::isnan(stopped_at_)) {
+      stopped_at_ = time;
+      why_stopped_ = text_of_stop(controller_.record());
+    }
+    if (command.mode == CommandMode::damping && std::isnan(damped_at_)) damped_at_ = time;
+    if (time - damped_at_ > kAfterSafetyStop) return Ending::safety;
+    if (goal_.update(plant_.truth())) return Ending::goal_reached;
+    return std::nullopt;
+  }
+
+  void report_progress() {
+    if (!options_.progress || plant_.time() < next_progress_) return;
+    next_progress_ += kProgressInterval;
+    options_.progress(plant_.time());
+  }
+
+  /// What came first comes first: it decides the exit code.
+  std::string safety_reason(const std::string& fall) const {
+    return formatted("the controller stopped for safety at %.4f s: ", stopped_at_) + why_stopped_ +
+           (fall.empty() ? "" : ", then " + fall);
+  }
+
+  RunResult finish(Ending ending, double wall_seconds) {
+    RunResult result;
+    result.ending = ending;
+    result.safety_stop = !std::isnan(stopped_at_);
+    result.metrics = evaluator_.metrics({.reason = reason(ending),
+                                         .wall_seconds = wall_seconds,
+                                         .seed = scenario_.seed,
+                                         .version = std::string(build_info().version),
+                                         .goal_reached = goal_.reached()});
+    const bool is_cut = ending == Ending::interrupted || ending == Ending::reset;
+    if (result.safety_stop && !is_cut) {
+      result.metrics.reason = safety_reason(evaluator_.fall());
+    }
+    result.criteria = evaluate(scenario_.criteria, result.metrics);
+    result.metrics.succeeded = all_passed(result.criteria) && !result.safety_stop && !is_cut;
+    result.events = events_.counts();
+    result.troubles = troubles_.counts();
+    result.torques_hash = torques_.value();
+    result.drawn = scenario_.drawn;
+    result.notes = notes();
+    if (options_.steering != nullptr) result.changes = changes_;
+    if (recorder_) close_log(result);
+    return result;
+  }
+
+  void close_log(const RunResult& result) {
+    const std::string summary = summary_json(result.metrics, result.criteria);
+    if (result.ending == Ending::interrupted || result.ending == Ending::reset) {
+      recorder_->close_partial(summary);
+    } else {
+      recorder_->close(summary);
+    }
+  }
+
+  const Scenario& scenario_;
+  const ClosedLoopOptions options_;
+  RobotModel model_;
+  Plant plant_;
+  Controller controller_;
+  GoalWatch goal_;
+  Evaluator evaluator_;
+  EventCounter events_;
+  TroubleCounter troubles_;
+  TorqueHash torques_;
+  StageTimer timer_;
+  std::optional<Recorder> recorder_;
+  std::optional<TruthLog> truth_log_;
+  std::optional<ChangeLog> change_log_;
+  double stopped_at_ = kNaN;  // time of the safety stop [s]
+  double damped_at_ = kNaN;   // … and of the first tick of damping
+  std::string why_stopped_;
+  int changes_ = 0;             // from outside
+  double next_progress_ = 0.0;  // [s]
+};
+
+}  // namespace
+
+RunResult run_closed_loop(const Scenario& scenario, const ClosedLoopOptions& options) {
+  return ClosedLoop(scenario, options).run();
+}
+
+std::vector<std::string> check_setup(const Scenario& scenario) {
+  return ClosedLoop(scenario, ClosedLoopOptions{}).notes();
+}
+
+double measure_tick(const Scenario& scenario) {
+  return ClosedLoop(scenario, ClosedLoopOptions{}).measure_tick();
+}
+
+}  // namespace surefoot

@@ -1,0 +1,63 @@
+#pragma once
+
+#include "surefoot/closed_loop/run_steering.hpp"
+#include "surefoot/closed_loop/trouble_counter.hpp"
+#include "surefoot/config/scenario.hpp"
+#include "surefoot/evaluation/criteria.hpp"
+#include "surefoot/evaluation/event_counter.hpp"
+#include "surefoot/evaluation/metrics.hpp"
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace surefoot {
+
+/// Why a run ended.
+enum class Ending {
+  finished,  ///< it ran to its end
+  goal_reached,
+  fell,
+  safety,       ///< the controller stopped, and did not come back
+  interrupted,  ///< from outside
+  reset,        ///< from outside, to begin again
+};
+
+struct ClosedLoopOptions {
+  std::string record_path;  ///< log to write; empty: none; of a run cut off: partial_path of it
+  std::function<void(double time)> progress{};  ///< called about every 0.1 s of simulated time
+  std::function<bool()> interrupted{};          ///< asked at every tick
+  RunSteering* steering = nullptr;              ///< asked between the ticks
+  std::function<void()> ready{};                ///< called when all is made, before the first tick
+};
+
+struct RunResult {
+  Ending ending = Ending::finished;
+  bool safety_stop =
+      false;  ///< the controller damped all joints, and the robot had not fallen before
+  Metrics metrics;
+  std::vector<CriterionResult> criteria;
+  std::vector<EventCount> events;      ///< notable ones of the walk
+  std::vector<TroubleCount> troubles;  ///< with sensors and torques
+  std::vector<RandomDraw> drawn;
+  std::vector<std::string> notes;  ///< as run_notes() gives them
+  std::uint64_t torques_hash = 0;  ///< of all commanded torques, as TorqueHash makes it
+  std::optional<int> changes;      ///< from outside, as its log has them; none: nobody could
+};
+
+/// Runs a scenario: plant and controller against each other, judged on the truth and logged, until
+/// its duration is over, its goal is reached, the robot fell, or the controller stopped. Throws
+/// Error on options that make no sense, and if the log can't be written.
+[[nodiscard]] RunResult run_closed_loop(const Scenario& scenario, const ClosedLoopOptions& options);
+
+/// Throws Error, as a run would at its start, if plant or controller can't be made from the
+/// scenario. Returns the run's notes.
+std::vector<std::string> check_setup(const Scenario& scenario);
+
+/// Wall clock that a tick of the run takes here, in the mean of the first [s]. Throws Error as
+/// `check_setup` does.
+[[nodiscard]] double measure_tick(const Scenario& scenario);
+
+}  // namespace surefoot

@@ -1,0 +1,50 @@
+#include "surefoot/closed_loop/log_terrain.hpp"
+
+#include "surefoot/simulation/terrain_generators.hpp"
+
+namespace surefoot {
+namespace {
+
+Quat orientation(const Vec3& rpy) {
+  return Eigen::AngleAxisd(rpy.z(), Vec3::UnitZ()) * Eigen::AngleAxisd(rpy.y(), Vec3::UnitY()) *
+         Eigen::AngleAxisd(rpy.x(), Vec3::UnitX());
+}
+
+struct Writer {
+  std::vector<LogTerrain> pieces;
+
+  void operator()(const TerrainLevel& plane) {
+    pieces.push_back(
+        {.shape = "plane", .position = plane.position, .q_WT = orientation(plane.rpy)});
+  }
+
+  void operator()(const TerrainBox& box) {
+    pieces.push_back(
+        {.shape = "box", .position = box.position, .q_WT = orientation(box.rpy), .size = box.size});
+  }
+
+  void operator()(const TerrainRandomBoxes& field) {
+    for (const TerrainBox& box : simulation::random_boxes(field)) (*this)(box);
+  }
+
+  void operator()(const TerrainHeightField& given) {
+    TerrainHeightField field = simulation::with_heights(given);
+    pieces.push_back({.shape = "heights",
+                      .position = field.position,
+                      .size = {field.size_x, field.size_y, 0.0},
+                      .columns = field.columns,
+                      .rows = field.rows,
+                      .heights = std::move(field.heights)});
+  }
+};
+
+}  // namespace
+
+std::vector<LogTerrain> log_terrain(const TerrainOptions& terrain) {
+  Writer writer;
+  if (terrain.elements.empty()) writer(TerrainLevel{});
+  for (const TerrainElement& element : terrain.elements) std::visit(writer, element);
+  return writer.pieces;
+}
+
+}  // namespace surefoot

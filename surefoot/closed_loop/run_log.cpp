@@ -1,0 +1,141 @@
+#include "surefoot/closed_loop/run_log.hpp"
+
+#include "surefoot/base/build_info.hpp"
+#include "surefoot/base/error.hpp"
+#include "surefoot/closed_loop/log_terrain.hpp"
+#include "surefoot/config/stack_text.hpp"
+#include "surefoot/signals/plan_event.hpp"
+
+#include <algorithm>
+#include <fstream>
+#include <sstream>
+
+namespace surefoot {
+namespace {
+
+/// Of a stack with its defaults.
+LogLimbLimits limb_limits(const StackOptions& stack) {
+  for (std::size_t level = 0; level < stack.levels.size(); ++level) {
+    for (const TaskSpec& task : stack.levels[level].tasks) {
+      if (task.task != "limb_extension_limits") continue;
+      return {.level = static_cast<int>(level),
+              .form = task.choices.at("form") == "radial" ? "radial" : "vertical",
+              .min = task.numbers.at("min"),
+              .max = task.numbers.at("max")};
+    }
+  }
+  return {};
+}
+
+LogRobot robot_of(const RobotModel& model) {
+  const RobotDescription& description = model.description();
+  LogRobot robot;
+  robot.name = description.name;
+  for (const Leg leg : kLegs) {
+    for (std::size_t j = 0; j < kJointsPerLeg; ++j) {
+      robot.joint_names[kJointsPerLeg * index(leg) + j] = description.legs[index(leg)].joints[j];
+    }
+  }
+  robot.torque_limit = description.torque_limit;
+  robot.mass = model.mass();
+  robot.foot_radius = description.foot_radius;
+  return robot;
+}
+
+std::vector<std::string> event_names() {
+  std::vector<std::string> names;
+  for (int event = 0;; ++event) {
+    names.emplace_back(name(static_cast<PlanEvent>(event)));
+    if (names.back() == "unknown") break;
+  }
+  names.pop_back();
+  return names;
+}
+
+std::string text_of(const std::string& file) {
+  std::ostringstream text;
+  if (!(text << std::ifstream(file, std::ios::binary).rdbuf())) {
+    throw FileError(file + ": can't be read for the log");
+  }
+  return text.str();
+}
+
+/// As a shell takes it for one word.
+std::string shell_word(const std::string& text) {
+  constexpr std::string_view kPlain =
+      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./=:,+@%";
+  if (!text.empty() && text.find_first_not_of(kPlain) == std::string::npos) return text;
+  std::string quoted = "'";
+  for (const char letter : text) quoted += letter == '\'' ? "'\\''" : std::string(1, letter);
+  return quoted + "'";
+}
+
+std::vector<LogAttachment> attachments(const Scenario& scenario, const StackOptions& stack,
+                                       const Plant& plant) {
+  std::vector<LogAttachment> files{
+      {"model.xml", "application/xml", plant.model_xml()},
+      {"robot.urdf", "application/xml", text_of(scenario.robot.urdf_path)},
+      {"resolved_stack.yaml", "application/yaml", stack_yaml(stack)}};
+  for (const SourceFile& source : scenario.sources) {
+    files.push_back({source.name, "application/yaml", source.text});
+  }
+  return files;
+}
+
+}  // namespace
+
+std::string run_again(const Scenario& scenario) {
+  std::string command = "bin/surefoot run " + shell_word(scenario.requested);
+  if (scenario.seed != 0) command += " --seed " + std::to_string(scenario.seed);
+  for (const std::string& assignment : scenario.assignments) {
+    command += " --set " + shell_word(assignment);
+  }
+  return command;
+}
+
+RowNamer row_namer(std::vector<std::vector<std::string>> names) {
+  return [names = std::move(names)](int level, std::int32_t id) -> std::string {
+    const auto k = static_cast<std::size_t>(level), i = static_cast<std::size_t>(id);
+    return level >= 0 && k < names.size() && id >= 0 && i < names[k].size() ? names[k][i] : "?";
+  };
+}
+
+LogHeader log_header(const Scenario& scenario, const Controller& controller, const Plant& plant,
+                     const RobotModel& model) {
+  const StackOptions stack = with_defaults(scenario.controller.stack);
+  LogHeader header;
+  header.version = build_info().version;
+  header.commit = build_info().commit;
+  header.command = run_again(scenario);
+  header.scenario = scenario.name;
+  header.description = scenario.description;
+  header.stack = stack.name;
+  header.estimation = name(scenario.estimation);
+  header.options = scenario.options_json;
+  header.seed = scenario.seed;
+  for (const RandomDraw& draw : scenario.drawn) header.drawn.push_back({draw.path, draw.value});
+  header.control_period = scenario.controller.period;
+  header.level_names = controller.level_names();
+  header.level_units = controller.level_units();
+  header.event_names = event_names();
+  header.robot = robot_of(model);
+  header.limb = limb_limits(stack);
+  header.terrain = log_terrain(scenario.plant.terrain);
+  header.notes = run_notes(scenario, controller, plant);
+  header.attachments = attachments(scenario, stack, plant);
+  header.row_name = row_namer(controller.row_names());
+  return header;
+}
+
+std::vector<std::string> run_notes(const Scenario& scenario, const Controller& controller,
+                                   const Plant& plant) {
+  std::vector<std::string> notes = scenario.notes;
+  for (const std::vector<std::string>& more : {controller.notes(), plant.notes()}) {
+    for (const std::string& note : more) {
+      if (std::ranges::find(notes, note) == notes.end()) notes.push_back(note);
+    }
+  }
+  return notes;
+}
+
+}  // namespace surefoot

@@ -1,0 +1,61 @@
+#include "surefoot/explain/commanded_force.hpp"
+
+#include "surefoot/base/error.hpp"
+#include "surefoot/config/stack_file.hpp"
+#include "surefoot/explain/hierarchy_status.hpp"
+#include "surefoot/tasks/catalog.hpp"
+
+namespace surefoot {
+namespace {
+
+constexpr double kLoaded = 1.0;  // [N]
+
+}  // namespace
+
+PerLeg<Quat> CommandedForces::no_axes() {
+  PerLeg<Quat> axes;
+  axes.fill(Quat(kNaN, kNaN, kNaN, kNaN));
+  return axes;
+}
+
+std::optional<FrictionCone> friction_cone_of(const StackOptions& stack) {
+  for (const LevelSpec& level : stack.levels) {
+    for (const TaskSpec& spec : level.tasks) {
+      const auto task = make_task(spec.task, {spec.numbers, spec.choices});
+      if (const auto* cone = dynamic_cast<const FrictionCone*>(task.get())) return *cone;
+    }
+  }
+  return std::nullopt;
+}
+
+std::optional<FrictionCone> friction_cone_of(const LogHeader& header) {
+  const std::string* stack = header.attachment("resolved_stack.yaml");
+  if (stack == nullptr) return std::nullopt;
+  try {
+    return friction_cone_of(parse_stack(*stack, "resolved_stack.yaml"));
+  } catch (const Error&) {  // of a program that is another one
+    return std::nullopt;
+  }
+}
+
+CommandedForces commanded_forces(const std::optional<FrictionCone>& cone, const TickRecord& tick) {
+  CommandedForces result;
+  if (!was_used(tick)) return result;
+  for (const Leg leg : kLegs) {
+    if (!tick.plan.contact(leg)) continue;
+    const std::size_t k = index(leg);
+    const Vec3& force = tick.model.force[k];
+    if (!cone) {
+      result.normal[k] = tick.plan.R_WC.col(2).dot(force);
+      continue;
+    }
+    const FrictionPyramid pyramid = cone->pyramid(tick.plan, leg);
+    result.q_WP[k] = Quat(pyramid.axes);
+    result.pyramid_friction[k] = pyramid.mu;
+    result.normal[k] = pyramid.normal().dot(force);
+    if (result.normal[k] > kLoaded && pyramid.mu > 0.0) result.friction_use[k] = pyramid.use(force);
+  }
+  return result;
+}
+
+}  // namespace surefoot

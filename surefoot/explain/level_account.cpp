@@ -1,0 +1,241 @@
+#include "surefoot/explain/level_account.hpp"
+
+#include "surefoot/solver/explanation.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace surefoot {
+namespace {
+
+using Index = Eigen::Index;
+
+constexpr double kRounding = 1e-9;  // relative
+constexpr double kRoundingOfX = 100.0 * std::numeric_limits<double>::epsilon();
+
+std::string_view words(RowState state) {
+  switch (state) {
+    case RowState::inactive:
+      return "between its bounds";
+    case RowState::at_lower:
+      return "at its lower bound";
+    case RowState::at_upper:
+      return "at its upper bound";
+    case RowState::equality:
+      return "an equality";
+    case RowState::below_lower:
+      return "below its lower bound";
+    case RowState::above_upper:
+      return "above its upper bound";
+  }
+  return "";
+}
+
+class Accountant {
+ public:
+  Accountant(const NamedHierarchy& question, const Solution& solution)
+      : question_(question), solution_(solution), reach_(reach()) {}
+
+  /// `explanation`: null where x is not the optimum of the level.
+  [[nodiscard]] LevelAccount level(std::size_t k, const LevelExplanation* explanation) const {
+    const LevelResult& result = solution_.levels[k];
+    LevelAccount account;
+    account.name = question_.hierarchy.level(k).name();
+    account.unit = question_.units[k];
+    account.status = status(k);
+    account.num_rows = result.num_rows;
+    if (account.status == kNotReached) return account;
+    account.freedom_left = result.degrees_of_freedom_left;
+    account.iterations = result.iterations;
+    account.time = result.time;
+    account.missed = missed(k);
+    account.held = held(k);
+    if (account.missed.empty()) return account;
+    account.residual = result.residual;
+    if (explanation == nullptr) return account;
+    account.status = kMissed;
+    account.blocked_by = blocked_by(*explanation);
+    return account;
+  }
+
+ private:
+  /// Of a level that misses nothing.
+  [[nodiscard]] std::string_view status(std::size_t k) const {
+    const std::size_t finished = num_finished(solution_, question_.hierarchy.num_levels());
+    if (k > finished) return kNotReached;
+    if (k == finished) return kCutOff;
+    return solution_.levels[k].num_rows == 0 ? kNoRows : kMet;
+  }
+
+  /// How far x would go for a single row that is at or beyond a bound: what others make of it, down
+  /// to zero, has the rounding of that.
+  [[nodiscard]] double reach() const {
+    double farthest = solution_.x.norm();
+    for (std::size_t k = 0; k < question_.hierarchy.num_levels(); ++k) {
+      const Level& level = question_.hierarchy.level(k);
+      for (Index i = 0; i < level.num_rows(); ++i) {
+        const double length = level.A().row(i).norm();
+        if (length == 0.0 || state({k, i}) == RowState::inactive) continue;
+        for (const double bound : {level.lower()[i], level.upper()[i]})
+          if (std::isfinite(bound)) farthest = std::max(farthest, std::abs(bound) / length);
+      }
+    }
+    return farthest;
+  }
+
+  /// Signed: positive above the upper bound; 0 where it may be rounding of x.
+  [[nodiscard]] double violation(std::size_t k, Index i) const {
+    const Level& level = question_.hierarchy.level(k);
+    const double value = level.A().row(i).dot(solution_.x);
+    const double lower = level.lower()[i], upper = level.upper()[i];
+    const double by = std::max(0.0, value - upper) - std::max(0.0, lower - value);
+    const double length = level.A().row(i).norm();
+    const double rounding = std::max(kRounding * solution_.x.norm(), kRoundingOfX * reach_);
+    return std::abs(by) > rounding * length ? by : 0.0;
+  }
+
+  [[nodiscard]] std::vector<MissedRow> missed(std::size_t k) const {
+    std::vector<MissedRow> rows;
+    for (Index i = 0; i < solution_.levels[k].num_rows; ++i) {
+      const double by = violation(k, i);
+      if (by != 0.0) rows.push_back({name({k, i}), by / weight({k, i}), weight({k, i})});
+    }
+    std::ranges::stable_sort(rows, std::ranges::greater{},
+                             [](const MissedRow& row) { return row.weight * std::abs(row.by); });
+    return rows;
+  }
+
+  [[nodiscard]] std::vector<HeldRow> held(std::size_t k) const {
+    std::vector<HeldRow> rows;
+    for (Index i = 0; i < solution_.levels[k].num_rows; ++i) {
+      const RowState row = state({k, i});
+      if (row == RowState::at_lower || row == RowState::at_upper)
+        rows.push_back({name({k, i}), row == RowState::at_upper});
+    }
+    return rows;
+  }
+
+  [[nodiscard]] std::vector<BlockingLevelAccount> blocked_by(
+      const LevelExplanation& explanation) const {
+    std::vector<BlockingLevelAccount> levels;
+    for (std::size_t j = 0; j < explanation.cost_of_level.size(); ++j) {
+      const double cost = explanation.cost_of_level[j];
+      const bool is_rounding = cost <= kRounding * explanation.residual;
+      std::vector<BlockingRowAccount> rows = blocking_rows(explanation, j);
+      if (!rows.empty()) levels.push_back({j, is_rounding ? 0.0 : cost, std::move(rows)});
+    }
+    std::ranges::stable_sort(levels, std::ranges::greater{}, most);
+    if (!levels.empty() && most(levels.front()) > 0.0)
+      std::erase_if(levels, [](const BlockingLevelAccount& level) { return most(level) == 0.0; });
+    return levels;
+  }
+
+  /// What a level or a row of it costs, the row with those of other levels that say the same; −1
+  /// where none has a cost and one is not known.
+  static double most(const BlockingLevelAccount& level) {
+    double cost = std::isnan(level.cost) ? -1.0 : level.cost;
+    for (const BlockingRowAccount& row : level.rows) {
+      const bool is_dearer = row.cost > std::max(cost, 0.0);
+      if (is_dearer || (std::isnan(row.cost) && cost == 0.0)) cost = is_dearer ? row.cost : -1.0;
+    }
+    return cost;
+  }
+
+  [[nodiscard]] std::vector<BlockingRowAccount> blocking_rows(const LevelExplanation& explanation,
+                                                              std::size_t level) const {
+    std::vector<BlockingRowAccount> rows;
+    for (const DistinctBlocker& blocker : explanation.blocked_by) {
+      if (blocker.at.level != level) continue;
+      const bool is_rounding = blocker.cost <= kRounding * explanation.residual;
+      rows.push_back({name(blocker.at), words(state(blocker.at)),
+                      state(blocker.at) != RowState::equality, names_of_same(blocker),
+                      blocker.would_gain, is_rounding ? 0.0 : blocker.cost, blocker.multiplier,
+                      blocker.independence});
+    }
+    return rows;
+  }
+
+  [[nodiscard]] std::vector<NamedRow> names_of_same(const DistinctBlocker& blocker) const {
+    std::vector<NamedRow> names;
+    for (const RowIndex at : blocker.same) names.push_back({at.level, name(at)});
+    return names;
+  }
+
+  [[nodiscard]] double weight(RowIndex at) const {
+    return question_.weights[at.level][static_cast<std::size_t>(at.row)];
+  }
+
+  [[nodiscard]] const std::string& name(RowIndex at) const {
+    return question_.row_names[at.level][static_cast<std::size_t>(at.row)];
+  }
+
+  [[nodiscard]] RowState state(RowIndex at) const {
+    return solution_.levels[at.level].rows[static_cast<std::size_t>(at.row)];
+  }
+
+  const NamedHierarchy& question_;
+  const Solution& solution_;
+  double reach_;
+};
+
+}  // namespace
+
+std::string multiplier_unit(const LevelAccount& level, const LevelAccount& by) {
+  const auto is_one = [](const std::string& unit) {
+    return !unit.empty() && unit.find(" and ") == std::string::npos;
+  };
+  if (!is_one(level.unit) || !is_one(by.unit)) return "";
+  if (level.unit == by.unit) return level.unit;
+  const auto has = [&](const char* part) { return level.unit.find(part) != std::string::npos; };
+  const bool is_product = has("/") || has("^") || has(" ") || has("·") || has("²") || has("³");
+  return (is_product ? "(" + level.unit + ")²" : level.unit + "²") + " per " + by.unit;
+}
+
+std::size_t num_finished(const Solution& solution, std::size_t num_levels) {
+  const bool is_cut_off = solution.status != SolveStatus::optimal && solution.failed_level >= 0;
+  return is_cut_off ? static_cast<std::size_t>(solution.failed_level) : num_levels;
+}
+
+std::vector<LevelAccount> account_for(const NamedHierarchy& question, const Solution& solution,
+                                      const std::function<void(double)>& progress) {
+  const Accountant accountant(question, solution);
+  const std::size_t num_levels = question.hierarchy.num_levels();
+  const std::vector<LevelExplanation> explanations =
+      explain(question.hierarchy, solution.x,
+              {.levels = num_finished(solution, num_levels), .progress = progress});
+  std::vector<LevelAccount> accounts;
+  for (std::size_t k = 0; k < num_levels; ++k)
+    accounts.push_back(accountant.level(k, k < explanations.size() ? &explanations[k] : nullptr));
+  return accounts;
+}
+
+int num_iterations(const Solution& solution) {
+  if (solution.is_swept) return solution.levels.empty() ? 0 : solution.levels.front().iterations;
+  int sum = 0;
+  for (const LevelResult& level : solution.levels) sum += level.iterations;
+  return sum;
+}
+
+std::vector<std::size_t> levels_without_rows(const Hierarchy& hierarchy) {
+  std::vector<std::size_t> levels;
+  for (std::size_t k = 0; k < hierarchy.num_levels(); ++k) {
+    if (hierarchy.level(k).num_rows() == 0) levels.push_back(k);
+  }
+  return levels;
+}
+
+std::string_view name(SolveStatus status) {
+  switch (status) {
+    case SolveStatus::optimal:
+      return "optimal";
+    case SolveStatus::iteration_cap:
+      return "iteration_cap";
+    case SolveStatus::invalid_input:
+      return "invalid_input";
+  }
+  return "unknown";
+}
+
+}  // namespace surefoot

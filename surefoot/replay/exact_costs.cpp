@@ -1,0 +1,125 @@
+#include "surefoot/replay/exact_costs.hpp"
+
+#include "surefoot/base/error.hpp"
+#include "surefoot/base/formatted.hpp"
+#include "surefoot/explain/gave_way.hpp"
+#include "surefoot/explain/hierarchy_status.hpp"
+#include "surefoot/explain/level_account.hpp"
+#include "surefoot/replay/log_replay.hpp"
+#include "surefoot/solver/even_units.hpp"
+#include "surefoot/solver/lexicographic_solver.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace surefoot {
+namespace {
+
+constexpr double kSame = 1e-6;  // of a residual that was computed again, relative to 1 + it
+constexpr double kHalfNanosecond = 5e-10;  // [s]
+
+NamedHierarchy question_of(const Controller& controller) {
+  const Hierarchy& hierarchy = controller.hierarchy();
+  const auto row_name = [&](std::size_t level, Eigen::Index row) {
+    return controller.row_name(static_cast<int>(level), hierarchy.level(level).id(row));
+  };
+  return parse_hierarchy(format_hierarchy(hierarchy, row_name, controller.level_units()),
+                         "the tick's hierarchy");
+}
+
+/// Those that cost something or may do so. Where none costs anything alone, all that hold.
+std::vector<CostlyRow> rows_of(const LevelAccount& level, const NamedHierarchy& question) {
+  const auto level_name = [&](std::size_t k) { return question.hierarchy.level(k).name(); };
+  std::vector<CostlyRow> rows;
+  for (const BlockingLevelAccount& by : level.blocked_by) {
+    for (const BlockingRowAccount& row : by.rows) {
+      if (row.would_gain && row.cost == 0.0) continue;
+      rows.push_back({level_name(by.level), row.name, row.cost, {}, row.is_limit});
+      for (const NamedRow& same : row.same)
+        rows.back().same.push_back({level_name(same.level), same.name, 0.0, {}, false});
+    }
+  }
+  if (std::ranges::any_of(rows, [](const CostlyRow& row) { return row.cost > 0.0; }))
+    std::erase_if(rows, [](const CostlyRow& row) { return row.cost == 0.0; });
+  return rows;
+}
+
+/// By the levels' numbers in the header; none where the levels came out otherwise than in the log.
+std::optional<ExactCosts> costs_of(const Controller& controller, const LogHeader& header,
+                                   const TickRecord& tick,
+                                   std::span<const std::int16_t> solved_by_log) {
+  const NamedHierarchy question = question_of(controller);
+  const Solution solution =
+      solve_in_even_units<LexicographicSolver>(question.hierarchy, LexicographicOptions{});
+  const std::vector<LevelAccount> levels = account_for(question, solution);
+  ExactCosts costs;
+  for (const std::int16_t number : solved_by_log) {
+    const auto own = std::ranges::find(levels, header.level_name(number), &LevelAccount::name);
+    if (own == levels.end()) return std::nullopt;
+    const LevelReport& logged = tick.hierarchy.levels[static_cast<std::size_t>(number)];
+    const bool is_same =
+        std::abs(own->residual - logged.residual) <= kSame * (1.0 + logged.residual);
+    if (!is_same || own->num_rows != logged.num_rows) return std::nullopt;
+    costs[number] = rows_of(*own, question);
+  }
+  return costs;
+}
+
+/// A tick that is wanted, and where its costs go.
+struct Wanted {
+  const TickRecord* tick;
+  const std::vector<std::int16_t>* order;
+  std::optional<ExactCosts>* costs;
+};
+
+std::vector<Wanted> wanted(TickExplanation& explanation) {
+  if (!was_used(explanation.tick)) return {};
+  if (!explanation.blend) return {{&explanation.tick, &explanation.order, &explanation.exact}};
+  std::vector<Wanted> list;
+  for (auto* beside : {&explanation.blend->before, &explanation.blend->after}) {
+    if (*beside && was_used((*beside)->tick))
+      list.push_back({&(*beside)->tick, &(*beside)->order, &(*beside)->exact});
+  }
+  return list;
+}
+
+/// Why not all of them are found; empty: they are.
+std::string find_all(LogReplay& replay, const std::vector<Wanted>& list,
+                     const std::function<bool()>& stops) {
+  replay.explain_levels(false);
+  std::size_t found = 0;
+  while (found < list.size() && replay.step()) {
+    if (stops()) return "interrupted";
+    const Wanted& next = list[found];
+    const double time = next.tick->reading.time;
+    if (replay.logged().reading.time < time - kHalfNanosecond) continue;
+    *next.costs = costs_of(replay.controller(), replay.header(), *next.tick,
+                           solved_levels(*next.tick, *next.order));
+    if (!*next.costs) {
+      const std::string tick = formatted("%.4f s", time);
+      return replay.is_same() ? "solved once more, the levels of " + tick + " come out otherwise"
+                              : "this program's controller makes another hierarchy of " + tick +
+                                    "; the log was recorded by another version";
+    }
+    ++found;
+  }
+  if (found == list.size()) return "";
+  return "ticks before it are lost, so its hierarchy can't be made again";
+}
+
+}  // namespace
+
+void find_exact_costs(const std::string& path, TickExplanation& explanation,
+                      const std::function<bool()>& stops) {
+  const std::vector<Wanted> list = wanted(explanation);
+  const bool is_asked = explanation.blend || !gave_way(explanation).empty();
+  if (list.empty() || !is_asked) return;
+  try {
+    LogReplay replay(path);
+    explanation.why_estimates = find_all(replay, list, stops);
+  } catch (const Error& error) {
+    explanation.why_estimates = error.what();
+  }
+}
+
+}  // namespace surefoot

@@ -1,0 +1,125 @@
+#include "surefoot/replay/log_replay.hpp"
+
+#include "surefoot/base/error.hpp"
+#include "surefoot/config/stack_file.hpp"
+#include "surefoot/logging/message_decoder.hpp"
+#include "surefoot/logging/scratch_folder.hpp"
+#include "surefoot/replay/logged_scenario.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cstdint>
+
+namespace surefoot {
+namespace {
+
+/// Gives the states that it is handed, whatever the readings.
+class PlaybackEstimator final : public StateEstimator {
+ public:
+  explicit PlaybackEstimator(const RobotState& state) : state_(state) {}
+  const RobotState& update(const SensorReading&, const TickContext&) noexcept override {
+    return state_;
+  }
+  void begin_anew() noexcept override {}
+
+ private:
+  const RobotState& state_;
+};
+
+void check_attachments(const std::string& path, const LogReader& log) {
+  for (const char* name : {"resolved_stack.yaml", "robot.yaml", "robot.urdf"}) {
+    if (log.header().attachment(name) != nullptr) continue;
+    throw FileError(path + ": the log has no attachment " + name +
+                    ", so its controller can't be made again; record the run anew" +
+                    (log.problem().empty() ? "" : "; " + log.problem()));
+  }
+}
+
+/// What was changed stands in the log before the first tick that has it.
+void keep_change(const McapMessage& message, std::vector<logged::Change>& changes) {
+  if (message.channel->topic != "/changes") return;
+  logged::Decoder::decode(message.data, changes.emplace_back());
+}
+
+}  // namespace
+
+LogReplay::LogReplay(const std::string& path, const ReplayOptions& options)
+    : log_(path, [this, observer = options.observer](const McapMessage& message) {
+        keep_change(message, changes_);
+        if (observer) observer(message);
+      }) {
+  check_attachments(path, log_);
+  const ScratchFolder folder;
+  Scenario scenario = logged_scenario(log_.header(), folder);
+  estimates_ =
+      options.state == ReplayedState::estimated && scenario.estimation == Estimation::sensors;
+  std::unique_ptr<StateEstimator> estimator;
+  if (estimates_) {
+    estimator = std::make_unique<LegInertialEstimator>(scenario.robot, scenario.estimator,
+                                                       scenario.controller.period);
+  } else {
+    estimator = std::make_unique<PlaybackEstimator>(tick_.state);
+  }
+  controller_ =
+      std::make_unique<Controller>(scenario.robot, scenario.controller, std::move(estimator));
+  explain_levels(true);
+  stack_ = std::move(scenario.controller.stack);
+}
+
+bool LogReplay::step() {
+  if (gap_ || !log_.next(tick_)) return false;
+  if (!log_.follows()) {
+    pass_over_rest();
+    return false;
+  }
+  last_time_ = tick_.reading.time;
+  apply_changes();
+  switch_levels(tick_.hierarchy.level_switch);
+  controller_->step(tick_.reading, tick_.user);
+  return true;
+}
+
+void LogReplay::pass_over_rest() {
+  gap_ = {.from = last_time_, .to = tick_.reading.time};
+  do {
+    ++gap_->ticks_behind;
+    changes_.clear();
+  } while (log_.next(tick_));
+}
+
+// As it was done to the controller at the run.
+void LogReplay::apply_changes() {
+  for (const logged::Change& change : changes_) {
+    if (change.kind == "friction") controller_->set_friction(change.friction);
+    if (change.kind != "stack") continue;
+    const StackOptions stack = parse_stack(change.stack, "/changes");
+    // Refused only where the program is another one; then `is_same` says so.
+    (void)controller_->set_stack(stack, change.duration);
+  }
+  changes_.clear();
+}
+
+void LogReplay::switch_levels(const LevelSwitchReport& logged) {
+  if (!logged.begins) return;
+  LevelSwitch change{.duration = logged.duration};
+  const std::vector<std::string>& names = log_.header().level_names;
+  for (std::size_t k = 0; k < std::min(names.size(), logged.change.size()); ++k) {
+    if (logged.change[k] == LevelChange::comes) change.add.push_back(names[k]);
+    if (logged.change[k] == LevelChange::goes) change.remove.push_back(names[k]);
+  }
+  // Refused only where the program is another one; then `is_same` says so.
+  (void)controller_->switch_levels(change);
+}
+
+bool same_bits(double a, double b) {
+  return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
+}
+
+bool LogReplay::is_same() const {
+  const JointCommand& command = controller_->record().command;
+  return command.mode == tick_.command.mode &&
+         std::equal(command.torque.begin(), command.torque.end(), tick_.command.torque.begin(),
+                    same_bits);
+}
+
+}  // namespace surefoot

@@ -1,0 +1,57 @@
+#pragma once
+
+#include "surefoot/logging/log_header.hpp"
+#include "surefoot/replay/log_replay.hpp"
+
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace surefoot {
+
+/// A joint torque that a replay does not give as the log has it.
+struct TorqueDifference {
+  long tick = 0;        ///< counted from 0
+  double time = 0.0;    ///< [s]
+  int joint = 0;        ///< as in a JointVector
+  double logged = 0.0;  ///< [N·m]
+  double computed = 0.0;
+};
+
+/// Messages that a replay gives other than they stand in the log.
+struct MessageDifferences {
+  std::string_view topic;
+  long ticks = 0;      ///< how many of them
+  double first = 0.0;  ///< time of the first [s]
+};
+
+/// What came of running a log's controller again.
+struct Verification {
+  LogHeader header;        ///< of the log, without its attachments
+  bool estimated = false;  ///< the run's estimator ran again on the readings; else the logged state
+  long ticks = 0;          ///< that were compared
+  double first_time = 0.0, last_time = 0.0;  ///< [s]
+  long different_ticks = 0;                  ///< with another torque or another mode
+  std::optional<TorqueDifference> first, largest;
+  /// In the order of the tick. What is not known (NaN) is equal to itself; members that the
+  /// messages of a log of an older version lack are not compared.
+  std::array<MessageDifferences, 4> messages{
+      {{"/state", 0, 0.0}, {"/plan", 0, 0.0}, {"/model", 0, 0.0}, {"/command", 0, 0.0}}};
+  std::string problem;        ///< why not all of the log could be read; empty if it is whole
+  std::optional<LogGap> gap;  ///< behind which nothing could be compared
+  bool may_go_on = false;     ///< the run may have had more, which is not in the log any more
+  ClockSkips clock;
+
+  /// Of what was compared.
+  [[nodiscard]] bool is_same() const { return different_ticks == 0; }
+  [[nodiscard]] bool is_all() const { return !gap && !may_go_on; }
+  [[nodiscard]] bool is_whole() const { return problem.empty(); }
+};
+
+/// Runs the controller of a log again on the logged readings, with the run's own estimator, and
+/// compares every torque bit for bit, up to the first tick that is lost. Throws Error as
+/// `LogReplay`, if the log holds no tick, and when it is interrupted.
+[[nodiscard]] Verification verify_log(const std::string& path);
+
+}  // namespace surefoot

@@ -1,0 +1,54 @@
+#include "surefoot/replay/logged_scenario.hpp"
+
+#include "surefoot/base/error.hpp"
+#include "surefoot/config/data_file.hpp"
+
+#include <cstddef>
+#include <filesystem>
+
+namespace surefoot {
+namespace {
+
+namespace fs = std::filesystem;
+
+const std::string& attachment(const LogHeader& header, const std::string& name) {
+  return *header.attachment(name);
+}
+
+/// The robot's file, with its URDF where this program finds it.
+std::string robot_file(const LogHeader& header, const ScratchFolder& folder) {
+  std::string robot = attachment(header, "robot.yaml");
+  const std::size_t urdf = robot.find("\nurdf:") + 1;
+  robot.replace(urdf, robot.find('\n', urdf) - urdf,
+                "urdf: " + folder.write("robot.urdf", attachment(header, "robot.urdf")));
+  return folder.write("robot.yaml", robot);
+}
+
+}  // namespace
+
+Scenario logged_scenario(const LogHeader& header, const ScratchFolder& folder) {
+  // JSON is YAML, so the options are a scenario file.
+  return load_scenario(
+      {folder.write("scenario.yaml", header.options),
+       0,
+       {"stack=" + folder.write("stack.yaml", attachment(header, "resolved_stack.yaml")),
+        "robot=" + robot_file(header, folder)}});
+}
+
+Scenario logged_scenario(const LogHeader& header, const ScratchFolder& folder,
+                         const std::string& stack) {
+  const fs::path file = fs::absolute(find_data_file("stacks", stack));
+  const std::string robot = robot_file(header, folder);
+  const std::string scenario = folder.write("scenario.yaml", header.options);
+  try {
+    return load_scenario(
+        {scenario, 0, {"stack=" + file.string(), "robot=" + robot, "stack_switches=[]"}});
+  } catch (const Error& error) {
+    std::string text = error.what();
+    const std::size_t found = text.find(scenario);
+    if (found != std::string::npos) text.replace(found, scenario.size(), "the log's scenario");
+    throw Error("stack " + stack + ": " + text);
+  }
+}
+
+}  // namespace surefoot

@@ -1,0 +1,116 @@
+#include "cli/replay_text.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+namespace surefoot {
+namespace {
+
+/// Its largest residual is at 0.5 s, that of its torques at 0.25 s.
+StackComparison compared() {
+  StackComparison result;
+  result.ticks = 400;
+  result.last_time = 0.9975;
+  for (std::size_t i = 0; i < result.joints.size(); ++i) {
+    result.header.robot.joint_names[i] = "joint" + std::to_string(i);
+    result.joints[i] = {.rms = 1.0, .largest = -2.0, .time = 0.25};
+  }
+  result.levels = {{.name = "com_xy",
+                    .unit = "m/s²",
+                    .in_log = true,
+                    .in_other = true,
+                    .logged_rms = 0.1,
+                    .logged_max = 0.3,
+                    .logged_time = 0.5}};
+  return result;
+}
+
+TEST(ComparisonText, AMarkIsExplainedWhereThereIsOne) {
+  StackComparison result = compared();
+  result.walk_end = {0.4, "its torso came to the ground"};
+  const std::string text = comparison_text("run.mcap", result);
+  EXPECT_NE(text.find("0.5000 s *"), std::string::npos) << text;
+  EXPECT_NE(text.find("* From 0.4000 s on the run says nothing of its walk"), std::string::npos)
+      << text;
+}
+
+TEST(ComparisonText, WhereNothingIsMarkedNoMarkIsExplained) {
+  StackComparison result = compared();
+  result.walk_end = {0.75, "its torso came to the ground"};
+  const std::string text = comparison_text("run.mcap", result);
+  EXPECT_EQ(text.find('*'), std::string::npos) << text;
+  EXPECT_NE(text.find("\nFrom 0.7500 s on the run says nothing of its walk"), std::string::npos)
+      << text;
+}
+
+TEST(ComparisonText, SaysOfWhichTicksTheTablesAreAndWhyTheOthersHaveNoAnswer) {
+  StackComparison result = compared();
+  result.compared = 300;
+  result.not_asked = {20, 0.9, ""};
+  result.other_unanswered = {80, 0.125, "its solve was cut off in com_xy"};
+  result.other_stopped = {1, 0.325, "too many ticks without a solution"};
+  const std::string text = comparison_text("run.mcap", result);
+  for (const char* part :
+       {"Both answered 300 ticks of 400, from which the tables are made.\n",
+        "\nNot asked at 20 ticks, first at 0.9000 s: the run planned nothing there",
+        "\nNo answer of the other hierarchy at 80 ticks, first at 0.1250 s: its solve was cut off "
+        "in com_xy.\n",
+        "would have been stopped for safety at 1 tick, first at 0.3250 s: too many ticks without a "
+        "solution. The ticks behind are asked all the same.\n"})
+    EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
+  const auto json = comparison_json("run.mcap", result);
+  EXPECT_EQ(json.at("compared"), 300);
+  EXPECT_EQ(json.at("unanswered").at("other").at("ticks"), 80);
+  EXPECT_EQ(json.at("unanswered").at("other").at("why"), "its solve was cut off in com_xy");
+  EXPECT_EQ(json.at("other_stopped").at("first"), 0.325);
+  EXPECT_EQ(json.at("not_asked").at("ticks"), 20);
+}
+
+TEST(ComparisonText, WhereAllIsAnsweredAndTheRunIsReproducedNothingElseIsSaid) {
+  StackComparison result = compared();
+  result.compared = result.ticks;
+  const std::string text = comparison_text("run.mcap", result);
+  EXPECT_NE(text.find("\nBoth answered every tick.\n"), std::string::npos) << text;
+  for (const char* part : {"Not asked", "No answer", "stopped", "This build"})
+    EXPECT_EQ(text.find(part), std::string::npos) << part << "\n" << text;
+}
+
+TEST(ComparisonText, SaysWhereThisBuildIsAnotherThanTheRuns) {
+  StackComparison result = compared();
+  result.not_reproduced = {7, 0.5, ""};
+  const std::string text = comparison_text("run.mcap", result);
+  EXPECT_NE(text.find("other torques for the run itself at 7 ticks, first at 0.5000 s"),
+            std::string::npos)
+      << text;
+}
+
+TEST(ComparisonText, ATorqueBelowRoundingIsNothingAndHasNoTimeOfItsLargest) {
+  StackComparison result = compared();
+  for (JointComparison& joint : result.joints) joint = {2e-15, -7.66e-15, 0.25};
+  const std::string text = comparison_text("run.mcap", result);
+  EXPECT_EQ(text.find("e-15"), std::string::npos) << text;
+  EXPECT_EQ(text.find("0.2500 s"), std::string::npos) << text;
+}
+
+TEST(ComparisonJson, TimesAreToTheNanosecond) {
+  StackComparison result = compared();
+  result.last_time = 12.405000000000001;
+  result.joints[0].time = 12.405000000000001;
+  const std::string text = comparison_json("run.mcap", result).dump();
+  EXPECT_EQ(text.find("12.405000"), std::string::npos) << text;
+  EXPECT_NE(text.find("\"last_time\":12.405,"), std::string::npos) << text;
+}
+
+TEST(ComparisonJson, WhatWasNeverLargerThanNothingHasNoTimeOfItsLargest) {
+  StackComparison result = compared();
+  result.joints[3] = {};
+  const auto json = comparison_json("run.mcap", result);
+  EXPECT_EQ(json.at("levels")[0].at("logged").at("time"), 0.5);
+  EXPECT_TRUE(json.at("levels")[0].at("other").at("time").is_null());
+  EXPECT_EQ(json.at("torque_difference").at("joint2").at("time"), 0.25);
+  EXPECT_TRUE(json.at("torque_difference").at("joint3").at("time").is_null());
+}
+
+}  // namespace
+}  // namespace surefoot

@@ -1,0 +1,48 @@
+#include "surefoot/explain/stop_text.hpp"
+
+#include "surefoot/logging/message_codec.hpp"
+#include "tests/support/source_file.hpp"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <fstream>
+
+namespace surefoot {
+namespace {
+
+/// What the program and films say of each cause and fault, and of one of LF_KFE.
+nlohmann::json table() {
+  return nlohmann::json::parse(std::ifstream(test::source_file("tests/support/stop_words.json")));
+}
+
+template <typename Value>
+Value value_of(const auto& names, const nlohmann::json& name) {
+  return static_cast<Value>(std::ranges::find(names, name.get<std::string>()) - names.begin());
+}
+
+TEST(StopText, IsThatOfTheTableForEveryCauseAndFault) {
+  const nlohmann::json rows = table();
+  EXPECT_EQ(rows.size(), logged::kCauseNames.size() * logged::kFaultNames.size());
+  for (const auto& row : rows) {
+    const auto cause = value_of<StopCause>(logged::kCauseNames, row[0]);
+    const auto fault = value_of<SampleFault>(logged::kFaultNames, row[1]);
+    EXPECT_EQ(text_of_stop(cause, fault, -1), row[2]) << row;
+    EXPECT_EQ(text_of_stop(cause, fault, 2), row[3]) << row;
+    for (const int joint : {kNumJoints, 99})  // no joint of the robot
+      EXPECT_EQ(text_of_stop(cause, fault, joint), row[2]) << row;
+  }
+}
+
+TEST(StopText, IsOneOfTheTextsThatThePageKnowsByTheirNumbers) {
+  const std::vector<std::string>& all = stop_texts();
+  EXPECT_EQ(all.front(), "");
+  for (const auto& row : table()) {
+    for (const std::size_t text : {2, 3})
+      EXPECT_EQ(std::ranges::count(all, row[text].get<std::string>()), 1) << row;
+  }
+}
+
+}  // namespace
+}  // namespace surefoot

@@ -1,0 +1,108 @@
+#include "surefoot/base/error.hpp"
+#include "surefoot/closed_loop/closed_loop.hpp"
+#include "surefoot/config/scenario_file.hpp"
+#include "surefoot/replay/log_replay.hpp"
+#include "surefoot/replay/log_verification.hpp"
+#include "surefoot/replay/stack_comparison.hpp"
+#include "tests/logging/temporary_folder.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace surefoot {
+namespace {
+
+void record(const std::string& path, const ScenarioRequest& request) {
+  ClosedLoopOptions options;
+  options.record_path = path;
+  (void)run_closed_loop(load_scenario(request), options);
+}
+
+const ScenarioRequest kSensors{"step_down", 3, {"duration=2", "planner.calibration.duration=0"}};
+const ScenarioRequest kTruth{"walk_flat_ideal", 0, {"duration=2"}};
+
+TEST(Verification, EstimatesTheStateOfARunWithSensorsAgain) {
+  const test::TemporaryFolder folder;
+  record(folder / "run.mcap", kSensors);
+  const Verification result = verify_log(folder / "run.mcap");
+  EXPECT_TRUE(result.estimated);
+  EXPECT_TRUE(result.is_same());
+  EXPECT_EQ(result.ticks, 800);
+  for (const MessageDifferences& topic : result.messages) EXPECT_EQ(topic.ticks, 0) << topic.topic;
+}
+
+TEST(Verification, BelievesTheLoggedStateWhereTheRunHadTheTruth) {
+  const test::TemporaryFolder folder;
+  record(folder / "run.mcap", kTruth);
+  const Verification result = verify_log(folder / "run.mcap");
+  EXPECT_FALSE(result.estimated);
+  EXPECT_TRUE(result.is_same());
+}
+
+TEST(StackComparison, OfTheRunsOwnStackFindsNoDifference) {
+  const test::TemporaryFolder folder;
+  record(folder / "run.mcap", kTruth);
+  const Scenario scenario = load_scenario(kTruth);
+  const StackComparison result = compare_stack(folder / "run.mcap", scenario.controller.stack.name);
+  for (const JointComparison& joint : result.joints) {
+    EXPECT_EQ(joint.rms, 0.0);
+    EXPECT_EQ(joint.largest, 0.0);
+  }
+  for (const LevelComparison& level : result.levels) {
+    EXPECT_TRUE(level.in_log && level.in_other);
+    EXPECT_EQ(level.logged_rms, level.other_rms) << level.name;
+    EXPECT_EQ(level.logged_max, level.other_max) << level.name;
+  }
+  EXPECT_EQ(result.compared, result.ticks);
+  EXPECT_EQ(result.other_not_optimal.ticks, result.logged_not_optimal.ticks);
+  EXPECT_EQ(result.not_reproduced.ticks, 0);
+}
+
+TEST(StackComparison, NamesTheLevelsThatOnlyOneOfThemHas) {
+  const test::TemporaryFolder folder;
+  record(folder / "run.mcap", kTruth);
+  const StackComparison result = compare_stack(folder / "run.mcap", "manipulability");
+  const auto count = [&](bool in_log, bool in_other) {
+    return std::ranges::count_if(result.levels, [&](const LevelComparison& level) {
+      return level.in_log == in_log && level.in_other == in_other;
+    });
+  };
+  EXPECT_GT(count(true, true), 3);
+  EXPECT_GT(count(false, true) + count(true, false), 0);
+  EXPECT_EQ(count(false, false), 0);
+}
+
+TEST(StackComparison, TellsItsObserverOfEachTick) {
+  const test::TemporaryFolder folder;
+  record(folder / "run.mcap", kTruth);
+  long ticks = 0;
+  double square = 0.0;
+  const StackComparison result = compare_stack(
+      folder / "run.mcap", "crouch_first",
+      [&](const TickRecord& logged, const StackAnswer* other,
+          const std::vector<OtherLevel>& levels) {
+        ASSERT_NE(other, nullptr);
+        EXPECT_EQ(static_cast<std::int32_t>(levels.size()), other->hierarchy.num_levels);
+        square += std::pow(other->command.torque[4] - logged.command.torque[4], 2);
+        ++ticks;
+      });
+  EXPECT_EQ(ticks, result.ticks);
+  EXPECT_NEAR(result.joints[4].rms, std::sqrt(square / static_cast<double>(ticks)), 1e-12);
+}
+
+TEST(StackComparison, RefusesAStackThatIsNoneWithTheNamesThatExist) {
+  const test::TemporaryFolder folder;
+  record(folder / "run.mcap", kTruth);
+  try {
+    (void)compare_stack(folder / "run.mcap", "wlak");
+    FAIL() << "no error";
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("did you mean \"walk\"?"), std::string::npos)
+        << error.what();
+  }
+}
+
+}  // namespace
+}  // namespace surefoot

@@ -1,0 +1,121 @@
+#pragma once
+
+#include "server/frame_block.hpp"
+#include "server/live_view.hpp"
+#include "surefoot/closed_loop/closed_loop.hpp"
+#include "surefoot/config/scenario_file.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <cstring>
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace surefoot::test {
+
+/// A run that is steered as by a page, on one thread: what is to be done at a tick is done before
+/// it.
+class LiveTestRun {
+ public:
+  explicit LiveTestRun(const std::vector<std::string>& assignments,
+                       const std::string& scenario_name = "walk_flat_ideal",
+                       bool waits_for_page = false)
+      : scenario(load_scenario({scenario_name, 0, over_many_levels(assignments)})),
+        wishes(scenario, ViewLimits()),
+        feed(scenario, wishes, ""),
+        view(wishes, feed, [this] { return turn(); }, waits_for_page) {
+    ViewCommand fast{.type = ViewCommandType::speed, .factor = 8.0};
+    (void)wishes.command(fast);
+  }
+
+  /// Before the tick with this number.
+  void at(long tick, std::function<void()> action) { actions_[tick].push_back(std::move(action)); }
+  void at(long tick, const ViewCommand& command) {
+    at(tick, [this, command] { errors.push_back(wishes.command(command)); });
+  }
+
+  RunResult run(const std::string& record = "") {
+    ClosedLoopOptions options;
+    options.record_path = record;
+    options.steering = &view;
+    const RunResult result = run_closed_loop(scenario, options);
+    drain();
+    return result;
+  }
+
+  /// The values of a channel, one a tick.
+  [[nodiscard]] std::vector<double> of(const std::string& channel, std::size_t place = 0) const {
+    std::vector<double> values;
+    for (const ViewChannel& entry : channels.channels) {
+      if (entry.name != channel) continue;
+      for (const ViewFrame& frame : frames) values.push_back(frame.floats.at(entry.offset + place));
+    }
+    return values;
+  }
+
+  Scenario scenario;
+  LiveOperator wishes;
+  LiveFeed feed;
+  LiveView view;
+  ViewChannels channels;
+  std::vector<ViewFrame> frames;            // of all that the pages got
+  std::vector<std::uint32_t> generations;   // of each frame
+  std::vector<std::string> events;          // messages of these
+  std::vector<std::string> changes;         // texts of those of them that are changes
+  std::vector<std::string> messages;        // without status and events
+  std::vector<std::string> errors;          // of the commands
+  std::function<void()> each_turn = [] {};  // before each tick, and while the run waits
+
+ private:
+  static std::vector<std::string> over_many_levels(std::vector<std::string> assignments) {
+    assignments.insert(assignments.begin(), "stack=terrain_adaptation");
+    return assignments;
+  }
+
+  /// Is called before each tick, and while it waits.
+  bool turn() {
+    drain();
+    each_turn();
+    const auto next = static_cast<long>(frames.size());
+    if (const auto found = actions_.find(next); found != actions_.end()) {
+      const auto todo = std::exchange(found->second, {});
+      for (const auto& action : todo) action();
+    }
+    return false;
+  }
+
+  void drain() {
+    for (const SharedBlock& block : feed.blocks()) {
+      if (channels.floats == 0) channels = tick_channels(names(), truth_of(block));
+      const auto head = packed({block.frames, 0, block.generation});
+      const ReadBlock read =
+          read_block(std::string(head.data(), head.size()) + *block.bytes, channels.floats);
+      frames.insert(frames.end(), read.frames.begin(), read.frames.end());
+      generations.insert(generations.end(), read.frames.size(), block.generation);
+    }
+    for (std::string& message : feed.messages(1)) {
+      if (message.starts_with(R"({"type":"status")")) continue;
+      const auto parsed = nlohmann::json::parse(message);
+      for (const auto& event : parsed.value("events", nlohmann::json::array()))
+        if (event.is_object() && event.at("kind") == "change") changes.push_back(event.at("text"));
+      (parsed.contains("events") ? events : messages).push_back(std::move(message));
+    }
+  }
+
+  [[nodiscard]] std::vector<std::string> names() const {
+    std::vector<std::string> list;
+    for (const LevelSpec& level : scenario.controller.stack.levels) list.push_back(level.name);
+    return list;
+  }
+
+  /// With MuJoCo's vectors as long as they must be for this block.
+  [[nodiscard]] GroundTruth truth_of(const SharedBlock&) const {
+    return Plant(scenario.robot, scenario.plant).truth();
+  }
+
+  std::map<long, std::vector<std::function<void()>>> actions_;
+};
+
+}  // namespace surefoot::test
