@@ -3,6 +3,7 @@
 #include "surefoot/base/error.hpp"
 #include "surefoot/config/nearest_name.hpp"
 #include "surefoot/config/number_range.hpp"
+#include "surefoot/math/numbers.hpp"
 #include "surefoot/solver/hierarchy.hpp"
 
 #include <nanobind/nanobind.h>
@@ -12,7 +13,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <string>
 #include <vector>
 
@@ -100,8 +100,6 @@ class LevelDict {
   }
 
  private:
-  static constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
   static std::string count(Eigen::Index number, const std::string& thing) {
     return std::to_string(number) + " " + thing + (number == 1 ? "" : "s");
   }

@@ -5,14 +5,14 @@
 namespace surefoot {
 namespace {
 
-constexpr float kInfinity = std::numeric_limits<float>::infinity();
+constexpr float kBeyondAll = std::numeric_limits<float>::infinity();
 constexpr float kNotKnown = std::numeric_limits<float>::quiet_NaN();
 
 }  // namespace
 
 void FrameRange::clear(std::size_t num_floats) {
-  least.floats.assign(num_floats, kInfinity);
-  greatest.floats.assign(num_floats, -kInfinity);
+  least.floats.assign(num_floats, kBeyondAll);
+  greatest.floats.assign(num_floats, -kBeyondAll);
 }
 
 // Without a branch or a call, as it is done for every channel of every tick. What is not a number

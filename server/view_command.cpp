@@ -9,7 +9,6 @@
 namespace surefoot {
 namespace {
 
-using nlohmann::json;
 using Type = ViewCommandType;
 
 /// What is wrong with a message.
@@ -29,22 +28,22 @@ constexpr std::array<std::pair<const char*, Type>, 10> kTypes{{{"pause", Type::p
                                                                {"friction", Type::friction}}};
 
 template <typename T>
-void read(const json& message, const char* key, T& value) {
+void read(const nlohmann::json& message, const char* key, T& value) {
   try {
     message.at(key).get_to(value);
-  } catch (const json::exception&) {
+  } catch (const nlohmann::json::exception&) {
     throw BadMessage{"\"" + std::string(key) + "\" is missing, or no value of its kind"};
   }
 }
 
 template <int n>
-void read(const json& message, const char* key, Eigen::Matrix<double, n, 1>& vector) {
+void read(const nlohmann::json& message, const char* key, Eigen::Matrix<double, n, 1>& vector) {
   std::array<double, n> numbers{};
   read(message, key, numbers);
   vector = Eigen::Map<const Eigen::Matrix<double, n, 1>>(numbers.data());
 }
 
-void read_ticks(const json& message, int& ticks) {
+void read_ticks(const nlohmann::json& message, int& ticks) {
   double value = 0.0;
   read(message, "ticks", value);
   if (value < 1.0 || value > 1e6 || value != std::floor(value)) {
@@ -53,7 +52,7 @@ void read_ticks(const json& message, int& ticks) {
   ticks = static_cast<int>(value);
 }
 
-Type type_of(const json& message) {
+Type type_of(const nlohmann::json& message) {
   std::string given, valid;
   read(message, "type", given);
   for (const auto& [name, type] : kTypes) {
@@ -63,8 +62,8 @@ Type type_of(const json& message) {
   throw BadMessage{"unknown type \"" + given.substr(0, 200) + "\"; valid are:" + valid};
 }
 
-void read_walk(const json& message, ViewCommand& command) {
-  command.by_scenario = message.value("by", json()) == "scenario";
+void read_walk(const nlohmann::json& message, ViewCommand& command) {
+  command.by_scenario = message.value("by", nlohmann::json()) == "scenario";
   if (command.by_scenario) return;
   read(message, "walk", command.walk);
   read(message, "velocity", command.velocity);
@@ -72,7 +71,7 @@ void read_walk(const json& message, ViewCommand& command) {
   read(message, "height", command.height);
 }
 
-ViewCommand read_command(const json& message) {
+ViewCommand read_command(const nlohmann::json& message) {
   ViewCommand command;
   command.type = type_of(message);
   switch (command.type) {
@@ -114,7 +113,7 @@ ViewCommand read_command(const json& message) {
 
 ViewMessage read_message(std::string_view text) {
   ViewMessage result;
-  const json message = json::parse(text, nullptr, false);
+  const nlohmann::json message = nlohmann::json::parse(text, nullptr, false);
   if (!message.is_object()) {
     result.is_object = false;
     result.error = "a message must be one JSON object, as text";
@@ -127,7 +126,7 @@ ViewMessage read_message(std::string_view text) {
   if (token != message.end() && token->is_string()) result.token = token->get<std::string>();
   try {
     if (has_id && !id->is_number_integer()) throw BadMessage{"`id` must be a whole number"};
-    const json type = message.value("type", json());
+    const nlohmann::json type = message.value("type", nlohmann::json());
     result.is_hello = type == "hello";
     result.is_drawn = type == "drawn";
     if (!result.is_hello && !result.is_drawn) result.command = read_command(message);

@@ -4,16 +4,14 @@
 #include "surefoot/base/printable.hpp"
 #include "surefoot/config/nearest_name.hpp"
 #include "surefoot/config/number_range.hpp"
+#include "surefoot/math/numbers.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <limits>
 
 namespace surefoot::hierarchy_file {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// A missing block is an empty one.
 const Json& block(const Json& level, const char* key, const Place& place) {

@@ -1,8 +1,8 @@
 #include "surefoot/config/hierarchy_json.hpp"
+#include "surefoot/math/numbers.hpp"
 
 #include <nlohmann/json.hpp>
 
-#include <limits>
 #include <utility>
 
 namespace surefoot {
@@ -10,8 +10,6 @@ namespace {
 
 using Index = Eigen::Index;
 using Json = nlohmann::ordered_json;
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// A block of a level while it is written.
 struct JsonBlock {

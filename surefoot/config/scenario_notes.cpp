@@ -9,7 +9,7 @@
 namespace surefoot {
 namespace {
 
-constexpr std::string_view kRandomise = "randomise.";
+constexpr std::string_view kRandomisePrefix = "randomise.";
 constexpr std::string_view kActuators = "actuators.";
 /// What only a drive with motor and spring has, level 2.
 constexpr std::array<std::string_view, 3> kOfSpring{"actuators.spring.", "actuators.rotor.",
@@ -36,8 +36,8 @@ void note_late(const ConfigNode& tree, const char* section, const char* key,
 /// A value that is assigned wins over a range that is assigned for it.
 void note_undrawn(const std::vector<std::string>& assigned, std::vector<std::string>& notes) {
   for (const std::string& path : assigned) {
-    if (!path.starts_with(kRandomise)) continue;
-    const std::string key = path.substr(kRandomise.size());
+    if (!path.starts_with(kRandomisePrefix)) continue;
+    const std::string key = path.substr(kRandomisePrefix.size());
     if (std::ranges::find(assigned, key) == assigned.end()) continue;
     notes.push_back(formatted("%s draws nothing, as %s is set", path.c_str(), key.c_str()));
   }

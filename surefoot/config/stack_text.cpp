@@ -10,7 +10,7 @@ namespace {
 
 /// JSON's numbers and quoted texts are YAML's too, and its numbers read back to the same double.
 template <typename Value>
-std::string quoted(const Value& value) {
+std::string yaml_quoted(const Value& value) {
   std::string text;
   JsonText(text).value(value);
   return text;
@@ -18,11 +18,11 @@ std::string quoted(const Value& value) {
 
 std::string task_yaml(const TaskSpec& task) {
   std::string text = "{task: " + task.task;
-  for (const auto& [name, value] : task.numbers) text += ", " + name + ": " + quoted(value);
+  for (const auto& [name, value] : task.numbers) text += ", " + name + ": " + yaml_quoted(value);
   for (const auto& [name, value] : task.choices) {
-    text += ", " + name + ": " + quoted(std::string_view(value));
+    text += ", " + name + ": " + yaml_quoted(std::string_view(value));
   }
-  if (task.weight != 1.0) text += ", weight: " + quoted(task.weight);
+  if (task.weight != 1.0) text += ", weight: " + yaml_quoted(task.weight);
   return text + "}";
 }
 
@@ -50,10 +50,10 @@ StackOptions with_defaults(StackOptions stack) {
 }
 
 std::string stack_yaml(const StackOptions& stack) {
-  std::string text = "name: " + quoted(std::string_view(stack.name)) + "\nlevels:\n";
+  std::string text = "name: " + yaml_quoted(std::string_view(stack.name)) + "\nlevels:\n";
   for (const LevelSpec& level : stack.levels) {
-    text += "  - name: " + quoted(std::string_view(level.name)) + "\n";
-    if (level.damping != 0.0) text += "    damping: " + quoted(level.damping) + "\n";
+    text += "  - name: " + yaml_quoted(std::string_view(level.name)) + "\n";
+    if (level.damping != 0.0) text += "    damping: " + yaml_quoted(level.damping) + "\n";
     text += "    tasks:\n";
     for (const TaskSpec& task : level.tasks) text += "      - " + task_yaml(task) + "\n";
   }

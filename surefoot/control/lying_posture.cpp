@@ -6,8 +6,8 @@ namespace surefoot {
 namespace {
 
 // Well bent, so that the straight leg does not lie between start and solution [rad].
-constexpr double kBentHip = 1.3;
-constexpr double kBentKnee = 2.4;
+constexpr double kFoldedHip = 1.3;
+constexpr double kFoldedKnee = 2.4;
 
 }  // namespace
 
@@ -18,8 +18,8 @@ JointVector lying_posture(const RobotModel& model, double height) {
     const Vec3 nominal = robot.q_nominal.segment<3>(first_joint(leg));
     const Vec3 hip = model.hip_in_base(leg, nominal);
     const Vec3 p_BF(hip.x(), model.foot_in_base(leg, nominal).y(), hip.z() - height);
-    const Vec3 guess(nominal.x(), std::copysign(kBentHip, nominal.y()),
-                     std::copysign(kBentKnee, nominal.z()));
+    const Vec3 guess(nominal.x(), std::copysign(kFoldedHip, nominal.y()),
+                     std::copysign(kFoldedKnee, nominal.z()));
     Vec3 q;
     (void)model.inverse_kinematics(leg, p_BF, guess, q);
     result.segment<3>(first_joint(leg)) = q;

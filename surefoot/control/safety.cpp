@@ -14,7 +14,7 @@ constexpr double kFullTurn = 2.0 * kPi;  // no joint is turned further [rad]
 constexpr double kFadeTime = 0.5;        // of torques that nothing holds any more [s]
 // Of the way down: the last torques turn into those that bear the robot, the posture arrives, legs
 // become as soft as one that bears nothing, torques and springs fade.
-constexpr double kToBear = 0.4;                        // [s]
+constexpr double kBearingTime = 0.4;                   // [s]
 constexpr double kArrived = 0.75;                      // share of `sit_duration` …
 constexpr double kSoftFrom = 0.2, kSoft = 0.6;         // … here, too …
 constexpr double kLightFrom = 0.6, kLastSpring = 0.1;  // … and of the spring
@@ -267,7 +267,7 @@ void Safety::sit(const RobotState& state) {
   const JointVector q = stopped_q_ + ease(arrived) * way;
   const JointVector qd = ease_slope(arrived) / (kArrived * duration) * way;
   const double light = ease(progress(share, kLightFrom, 1.0));
-  if (bearing_torque_.allFinite()) borne_ = std::min(1.0, borne_ + period_ / kToBear);
+  if (bearing_torque_.allFinite()) borne_ = std::min(1.0, borne_ + period_ / kBearingTime);
   const double bears = ease(borne_);
   JointVector carried = (1.0 - bears) * good_torque_ + bears * finite_or_zero(bearing_torque_);
   JointVector pulled = pull(state, q, qd, ease(progress(share, kSoftFrom, kSoft)),

@@ -20,7 +20,7 @@ constexpr double kMinCertainLoad = 0.01;    // in masses of the robot
 constexpr double kMinCertainHeight = 0.01;  // of the COM against the bare model's [m]
 constexpr double kMinForceShare = 0.5;      // of the weight, on the feet
 constexpr double kMinWeighingTime = 0.5;    // [s]
-constexpr double kMemory = 1.0;             // the vertical settles only after the motion [s]
+constexpr double kVerticalTime = 1.0;       // the vertical settles only after the motion [s]
 
 Vec3 com_in_base(const Dynamics& dynamics) {
   return dynamics.base_rotation.R.transpose() * (dynamics.com.p - dynamics.base.p);
@@ -58,7 +58,7 @@ void ComCalibration::weigh(const Dynamics& dynamics, const GroundReaction& react
   error.head<2>() = reaction.line_of_action(reaction.ground) - dynamics.com.p.head<2>();
   const Vec3 in_base = dynamics.base_rotation.R.transpose() * error;
   if (!in_base.allFinite()) return;
-  const double share = std::max(1.0 / ++samples_, period_ / kMemory);
+  const double share = std::max(1.0 / ++samples_, period_ / kVerticalTime);
   mean_offset_ += share * (in_base - mean_offset_);
   mean_mass_ += share * (reaction.force.z() / kGravity - dynamics.mass - mean_mass_);
   F_ = reaction.force;

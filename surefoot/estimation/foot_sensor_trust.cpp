@@ -1,5 +1,7 @@
 #include "surefoot/estimation/foot_sensor_trust.hpp"
 
+#include "surefoot/math/numbers.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -13,7 +15,6 @@ constexpr double kLoadForce = 30.0;   // from here on the joints measure better 
 constexpr double kShare = 0.3;        // of the joints' force
 constexpr double kPatience = 0.05;    // with an excess [s]
 constexpr double kProofTime = 0.5;    // of fitting, after a fault [s]
-constexpr double kRounding = 1e-9;    // [s]
 constexpr double kMaxForce = 1e4;     // of a foot [N]
 
 }  // namespace
@@ -29,7 +30,7 @@ double FootSensorTrust::force(double sensed, double by_joints) noexcept {
   const bool fits = -kMaxDeficit - share <= error && error <= more + share;
   off_for_ = fits ? 0.0 : off_for_ + period_;
   fits_for_ = fits ? fits_for_ + period_ : 0.0;
-  if (off_for_ > kPatience + kRounding) is_trusted_ = false;
+  if (off_for_ > kPatience + kTimeRounding) is_trusted_ = false;
   if (fits_for_ > kProofTime) is_trusted_ = true;
   if (!is_trusted_ || (!fits && error < 0.0)) return by_joints;
   const double weight = std::clamp((kLoadForce - by_joints) / (kLoadForce - kTouchForce), 0.0, 1.0);

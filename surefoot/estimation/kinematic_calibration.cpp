@@ -16,16 +16,16 @@ namespace {
 
 constexpr double kSampleInterval = 0.025;  // [s]
 constexpr int kMinSamples = 80;
-constexpr double kLongestGap = 4.5;    // between two ticks, in periods
-constexpr double kCreep = 7e-4;        // of soft feet along the ground [m]
-constexpr double kSinking = 4e-4;      // of soft feet into the ground [m]
-constexpr double kTurnError = 3e-4;    // σ_φ of the gyroscope's turn [rad]
-constexpr double kBiasPrior = 0.03;    // standard deviation of the gyroscope's bias [rad/s]
-constexpr double kLengthPrior = 6e-3;  // … of a length [m]
-constexpr double kZeroPrior = 5e-3;    // … of an encoder's zero and the IMU's mounting [rad]
-constexpr double kDelayPrior = 5e-3;   // … of the gyroscope's delay behind the encoders [s]
-constexpr double kMaxLength = 0.02;    // limit of a length error [m]
-constexpr double kMaxAngle = 0.02;     // limit of an angle error [rad]
+constexpr double kLongestGapInPeriods = 4.5;  // between two ticks, in periods
+constexpr double kCreep = 7e-4;               // of soft feet along the ground [m]
+constexpr double kSinking = 4e-4;             // of soft feet into the ground [m]
+constexpr double kTurnError = 3e-4;           // σ_φ of the gyroscope's turn [rad]
+constexpr double kBiasPrior = 0.03;           // standard deviation of the gyroscope's bias [rad/s]
+constexpr double kLengthPrior = 6e-3;         // … of a length [m]
+constexpr double kZeroPrior = 5e-3;           // … of an encoder's zero and the IMU's mounting [rad]
+constexpr double kDelayPrior = 5e-3;          // … of the gyroscope's delay behind the encoders [s]
+constexpr double kMaxLength = 0.02;           // limit of a length error [m]
+constexpr double kMaxAngle = 0.02;            // limit of an angle error [rad]
 
 }  // namespace
 
@@ -50,7 +50,7 @@ double KinematicCalibration::periods_until(double time) const {
 
 void KinematicCalibration::update(double time, const Dynamics& dynamics, const Vec3& gyro_B,
                                   const Vec3& normal, bool listening) noexcept {
-  if (periods_until(time) > kLongestGap) forget();
+  if (periods_until(time) > kLongestGapInPeriods) forget();
   const double periods = periods_until(time);
   time_ = time;
   if (!listening) {

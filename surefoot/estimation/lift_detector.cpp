@@ -5,7 +5,7 @@
 namespace surefoot {
 namespace {
 
-constexpr double kMemory = 0.02;          // of forces and acceleration [s]
+constexpr double kFilterTime = 0.02;      // of forces and acceleration [s]
 constexpr double kMaxLiftedLoad = 0.5;    // share of the weight on a lifted robot's feet
 constexpr double kMinOtherSupport = 0.5;  // share of the weight on other support
 constexpr double kLiftedTime = 0.05;      // [s]
@@ -22,7 +22,7 @@ void LiftDetector::update(double weight, const PerLeg<Vec3>& foot_force,
       accelerometer.allFinite() &&
       std::ranges::all_of(foot_force, [](const Vec3& force) { return force.allFinite(); });
   if (!is_known) return;
-  const double gain = begun_ ? period_ / (kMemory + period_) : 1.0;
+  const double gain = begun_ ? period_ / (kFilterTime + period_) : 1.0;
   begun_ = true;
   felt_ += gain * (accelerometer / kGravity - felt_);
   for (const Leg leg : kLegs) {

@@ -1,5 +1,7 @@
 #include "surefoot/estimation/reading_guard.hpp"
 
+#include "surefoot/math/numbers.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -11,7 +13,6 @@ constexpr double kLostFactor = 5.0;   // times patience, until any value is acce
 constexpr double kStillTime = 0.2;    // of all angles at once, in a live robot [s]
 constexpr double kSurePeriods = 4.5;  // largest unquestioned step of the clock
 constexpr double kOtherStep = 0.5;    // share of a step that confirms the other instrument's
-constexpr double kRounding = 1e-9;    // of times [s]
 
 JointVector limited(const JointVector& velocity, const JointVector& limit) {
   JointVector result;
@@ -148,7 +149,7 @@ void ReadingGuard::take_joints(const SensorReading& reading, const JointVector& 
 // A step of this size shows in the legs before the decision is due.
 bool ReadingGuard::believes_imu_step() {
   const ImuStep step = std::exchange(imu_step_, ImuStep::not_judged);
-  const bool is_due = health_.imu.age + period_ >= options_.patience - kRounding;
+  const bool is_due = health_.imu.age + period_ >= options_.patience - kTimeRounding;
   return step == ImuStep::confirmed || step == ImuStep::no_witness ||
          (step == ImuStep::undecided && is_due);
 }

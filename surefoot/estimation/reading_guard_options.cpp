@@ -6,29 +6,30 @@
 namespace surefoot {
 namespace {
 
-constexpr NumberRange kPatience{.min = 0.0,
-                                .max = ReadingGuardOptions::kLongestPatience,
-                                .min_included = false,
-                                .words = "a number above 0, at most 0.02 s"};
-constexpr NumberRange kWindow{
+constexpr NumberRange kPatienceRange{.min = 0.0,
+                                     .max = ReadingGuardOptions::kLongestPatience,
+                                     .min_included = false,
+                                     .words = "a number above 0, at most 0.02 s"};
+constexpr NumberRange kWindowRange{
     .min = 0.0, .max = 1.0, .min_included = false, .words = "above 0 and at most 1 s"};
 constexpr NumberRange kSettle{.min = 0.0, .max = 1.0, .words = "from 0 to 1 s"};
 
 Group fields(ImuCheckOptions& o) {
-  return {{"window", &o.window, kWindow, "s", "longest span over which IMU and legs are compared"},
-          {"position_margin", &o.position_margin, kPositive, "m",
-           "of encoders, rolling, samples out of step"},
-          {"velocity_margin", &o.velocity_margin, kPositive, "m/s",
-           "of feet that give way, biases, wrong legs"},
-          {"turn_margin", &o.turn_margin, kPositive, "rad", "of the turn over the span"},
-          {"rate_margin", &o.rate_margin, kPositive, "rad/s", "of the turn, times the span"},
-          {"doubt", &o.doubt, kNotNegative, "", "times the feet's disagreement is allowed, too"},
-          {"force", &o.force, kNotNegative, "N", "a foot that carries less is not used"},
-          {"settle", &o.settle, kSettle, "s", "nor one that does so for less"},
-          {"max_acceleration", &o.max_acceleration, kPositive, "m/s²",
-           "nor any while contacts accelerate it by more"},
-          {"tumbling", &o.tumbling, kPositive, "rad/s", "nor any while it turns faster …"},
-          {"shaking", &o.shaking, kPositive, "m/s²", "… and feels more or less than g by this"}};
+  return {
+      {"window", &o.window, kWindowRange, "s", "longest span over which IMU and legs are compared"},
+      {"position_margin", &o.position_margin, kPositive, "m",
+       "of encoders, rolling, samples out of step"},
+      {"velocity_margin", &o.velocity_margin, kPositive, "m/s",
+       "of feet that give way, biases, wrong legs"},
+      {"turn_margin", &o.turn_margin, kPositive, "rad", "of the turn over the span"},
+      {"rate_margin", &o.rate_margin, kPositive, "rad/s", "of the turn, times the span"},
+      {"doubt", &o.doubt, kNotNegative, "", "times the feet's disagreement is allowed, too"},
+      {"force", &o.force, kNotNegative, "N", "a foot that carries less is not used"},
+      {"settle", &o.settle, kSettle, "s", "nor one that does so for less"},
+      {"max_acceleration", &o.max_acceleration, kPositive, "m/s²",
+       "nor any while contacts accelerate it by more"},
+      {"tumbling", &o.tumbling, kPositive, "rad/s", "nor any while it turns faster …"},
+      {"shaking", &o.shaking, kPositive, "m/s²", "… and feels more or less than g by this"}};
 }
 
 Group fields(FrozenJointOptions& o) {
@@ -58,7 +59,7 @@ Group fields(SensorConsistencyOptions& o) {
 
 Group fields(ReadingGuardOptions& o) {
   return {
-      {"patience", &o.patience, kPatience, "s", "oldest sample that is made up for"},
+      {"patience", &o.patience, kPatienceRange, "s", "oldest sample that is made up for"},
       {"max_encoder_delay", &o.max_encoder_delay, kNotNegative, "s", "samples may be so late"},
       {"max_torque_delay", &o.max_torque_delay, kNotNegative, "s", "samples may be so late"},
       {"max_imu_delay", &o.max_imu_delay, kNotNegative, "s", "samples may be so late"},

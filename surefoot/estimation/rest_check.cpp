@@ -5,7 +5,7 @@
 namespace surefoot {
 namespace {
 
-constexpr double kMaxJointSpeed = 0.5;      // of a standing robot [rad/s]
+constexpr double kStandingSpeed = 0.5;      // of a standing robot [rad/s]
 constexpr double kMaxGyroBias = 0.5;        // beyond any gyroscope's [rad/s]
 constexpr double kMinLoad = 0.5;            // share of the weight
 constexpr double kFaultDifference = 0.5;    // share of the larger of weight and force
@@ -16,7 +16,7 @@ constexpr double kLastingDifference = 0.4;  // … for an IMU that was faulty be
 void RestCheck::update(const SensorReading& reading, const JointVector& joint_velocity,
                        const Vec3& force, double mass) noexcept {
   const double weight = mass * kGravity;
-  const bool stands = joint_velocity.cwiseAbs().maxCoeff() < kMaxJointSpeed &&
+  const bool stands = joint_velocity.cwiseAbs().maxCoeff() < kStandingSpeed &&
                       force.norm() > kMinLoad * weight;  // not if it is NaN
   if (!stands) return;
   const double off = (mass * reading.accelerometer - force).norm();

@@ -1,5 +1,7 @@
 #include "surefoot/estimation/sample_watch.hpp"
 
+#include "surefoot/math/numbers.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -9,7 +11,6 @@ namespace {
 constexpr double kLearningRate = 0.1;  // weight of a new value in the usual age
 constexpr double kMargin = 0.75;       // periods beyond the usual age
 constexpr int kNewDelaySamples = 4;    // in a row with another delay make it the usual one
-constexpr double kRounding = 1e-9;
 
 }  // namespace
 
@@ -24,9 +25,9 @@ void SampleWatch::update(double time, double sample_time) noexcept {
   }
   if (is_new_) sample_time_ = given;
   const double age = time - sample_time_;
-  const bool is_delayed = is_new_ ? age > max_delay_ + kRounding : delayed_for_ > 0.0;
+  const bool is_delayed = is_new_ ? age > max_delay_ + kTimeRounding : delayed_for_ > 0.0;
   delayed_for_ = is_delayed ? delayed_for_ + period_ : 0.0;
-  const bool is_too_old = age > patience_ + kRounding;
+  const bool is_too_old = age > patience_ + kTimeRounding;
   fault_ = SampleFault::none;
   if (is_too_old || (!is_new_ && age > usual_age_ + kMargin * period_)) {
     fault_ = stands_still ? SampleFault::silent : SampleFault::late;

@@ -2,6 +2,7 @@
 
 #include "surefoot/base/fields.hpp"
 #include "surefoot/base/formatted.hpp"
+#include "surefoot/math/numbers.hpp"
 #include "surefoot/math/rotation.hpp"
 
 #include <algorithm>
@@ -11,8 +12,7 @@
 namespace surefoot {
 namespace {
 
-constexpr double kRounding = 1e-9;  // [s]
-constexpr int kMinWitnesses = 2;    // feet that stand still
+constexpr int kMinFeetAtRest = 2;  // feet that stand still
 
 /// Median over the other stance feet's contact points and 0, along each axis of the heading.
 Vec3 velocity_of_others(const Dynamics& dynamics, const PerLeg<bool>& stands, Leg leg) {
@@ -64,7 +64,7 @@ void SlipDetector::update(const Dynamics& dynamics, const PerLeg<bool>& stands,
 // would never recover.
 void SlipDetector::doubt_the_belief(const PerLeg<bool>& stands) {
   const auto stays = [&](Leg leg) { return stands[index(leg)] && !feet_[index(leg)].slips; };
-  if (std::ranges::count_if(kLegs, stays) >= kMinWitnesses) return;
+  if (std::ranges::count_if(kLegs, stays) >= kMinFeetAtRest) return;
   for (Foot& foot : feet_) {
     foot.slips = false;
     foot.fast_for = 0.0;
@@ -81,8 +81,8 @@ void SlipDetector::judge(Foot& foot, const Vec3& velocity, double normal_force) 
   };
   add_up(foot.fast_for, judged && speed > options_.begin_speed);
   add_up(foot.slow_for, speed < options_.end_speed);
-  if (foot.fast_for > options_.begin_duration - kRounding) foot.slips = true;
-  if (foot.slow_for > options_.end_duration - kRounding) foot.slips = false;
+  if (foot.fast_for > options_.begin_duration - kTimeRounding) foot.slips = true;
+  if (foot.slow_for > options_.end_duration - kTimeRounding) foot.slips = false;
 }
 
 Group fields(SlipOptions& o) {

@@ -16,7 +16,7 @@ namespace surefoot {
 namespace {
 
 /// Two digits, or all that stand before the point: 0.12, 3.4, 460.
-std::string number(double value) {
+std::string two_digits(double value) {
   return formatted(std::abs(value) < 99.5 ? "%.2g" : "%.0f", value);
 }
 
@@ -136,13 +136,13 @@ std::string with_same(const CostlyRow& row) {
 
 std::string clause(const LevelThatGaveWay& level, Known known) {
   const std::string unit = level.unit.empty() ? "" : " " + level.unit;
-  std::string text = level.name + " gave way by " + number(level.residual) + unit;
+  std::string text = level.name + " gave way by " + two_digits(level.residual) + unit;
   if (level.to.empty()) return text + to_nobody(known);
   std::vector<std::string> rows;
   for (std::size_t i = 0; i < num_told(level); ++i) {
     const CostlyRow& row = level.to[i];
     rows.push_back(named(row, i == 0 ? nullptr : &level.to[i - 1]) + with_same(row) +
-                   (has_costs(level) ? " (" + number(row.cost) + unit + ")" : ""));
+                   (has_costs(level) ? " (" + two_digits(row.cost) + unit + ")" : ""));
   }
   const std::size_t others = level.to.size() - rows.size();
   if (others > 0) rows.push_back(std::to_string(others) + " more");
@@ -167,7 +167,7 @@ std::string clauses(const std::vector<LevelThatGaveWay>& levels, Known known) {
     const std::string unit = level.unit.empty() ? "" : " " + level.unit;
     const bool goes_on = i > 0 && is_by_the_same(level, levels[i - 1]);
     text += (i == 0 ? "" : "; ") +
-            (goes_on ? level.name + " gave way by " + number(level.residual) + unit + " to the same"
+            (goes_on ? level.name + " gave way by " + two_digits(level.residual) + unit + " to the same"
                      : clause(level, known));
   }
   return text + without_costs(levels);

@@ -34,10 +34,10 @@ void fields(Decoder& field, OutsideTruth& truth) {
 
 namespace {
 
-constexpr double kLoaded = 1.0;     // [N]
-constexpr double kSlack = 0.01;     // of a share that may be rounding
-constexpr double kRounding = 1e-6;  // of a time [s]
-constexpr int kBeginning = 400;     // ticks, in which the estimate may begin anew
+constexpr double kLoadedFoot = 1.0;    // [N]
+constexpr double kSlack = 0.01;        // of a share that may be rounding
+constexpr double kSameInstant = 1e-6;  // of a time [s]
+constexpr int kBeginning = 400;        // ticks, in which the estimate may begin anew
 
 /// How belief and truth lay at the first tick of a log; its truth comes before the second tick.
 std::optional<StartAlignment> read_start(const std::string& path) {
@@ -61,7 +61,8 @@ std::uint64_t nanoseconds(double time) {
 
 /// The end of a log's duration, also rounded as it is told: 12.35 s for 12.3475 s.
 bool is_end(double time, double end) {
-  return time <= end + kRounding || std::abs(time - 0.01 * std::round(100.0 * end)) <= kRounding;
+  return time <= end + kSameInstant ||
+         std::abs(time - 0.01 * std::round(100.0 * end)) <= kSameInstant;
 }
 
 /// The timing at a time; it stands behind all ticks, so that the last chunks come first.
@@ -342,13 +343,13 @@ TickExplanation read_tick(const std::string& path, double time) {
 bool is_beyond_limits(const TickExplanation& explanation, Leg leg) {
   const double normal = explanation.forces.normal[index(leg)];
   const double most = explanation.tick.plan.feet[index(leg)].force_max;
-  return normal < -kLoaded || normal > most + kLoaded ||
+  return normal < -kLoadedFoot || normal > most + kLoadedFoot ||
          explanation.forces.friction_use[index(leg)] > 1.0 + kSlack;
 }
 
 double true_friction_use(const TrueContact& contact) {
   const double along_normal = contact.normal.dot(contact.force);
-  if (along_normal < kLoaded || contact.friction <= 0.0) return kNaN;
+  if (along_normal < kLoadedFoot || contact.friction <= 0.0) return kNaN;
   return (contact.force - along_normal * contact.normal).norm() / (contact.friction * along_normal);
 }
 

@@ -1,15 +1,10 @@
 #include "surefoot/gaits/com_horizon.hpp"
 
 #include "surefoot/gaits/parts/reach.hpp"
-
-#include <limits>
+#include "surefoot/math/numbers.hpp"
 
 namespace surefoot {
-namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-}  // namespace
+namespace {}  // namespace
 
 ComHorizon::ComHorizon(const GaitTick& tick, Body& body, bool recovers)
     : tick_(tick),

@@ -35,9 +35,9 @@ Json reduced(const Json& message, const Json& kind) {
 }
 
 /// Compares messages, of a log of an older version in what they have: it lacks some members.
-class Comparison {
+class MessageComparison {
  public:
-  Comparison(const std::string& path, bool is_older) {
+  MessageComparison(const std::string& path, bool is_older) {
     if (!is_older) return;
     const TickRecord ours;
     McapReader log(path);
@@ -87,7 +87,7 @@ void compare_torques(const TickRecord& logged, const TickRecord& computed, Verif
   }
 }
 
-void compare_messages(const Comparison& comparison, const TickRecord& logged,
+void compare_messages(const MessageComparison& comparison, const TickRecord& logged,
                       const TickRecord& computed, Verification& result) {
   const std::array same{comparison.is_same("/state", logged.state, computed.state),
                         comparison.is_same("/plan", logged.plan, computed.plan),
@@ -104,7 +104,7 @@ void compare_messages(const Comparison& comparison, const TickRecord& logged,
 
 Verification verify_log(const std::string& path) {
   LogReplay replay(path, {.state = ReplayedState::estimated, .observer = {}});
-  const Comparison comparison(path, replay.header().is_older());
+  const MessageComparison comparison(path, replay.header().is_older());
   Verification result;
   result.header = replay.header();
   result.header.attachments.clear();

@@ -1,12 +1,9 @@
 #pragma once
 
+#include "surefoot/math/numbers.hpp"
 #include "surefoot/signals/leg.hpp"
 
-#include <limits>
-
 namespace surefoot {
-
-inline constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 /// Longest gap between readings [s]; after a longer one the past counts as unknown.
 inline constexpr double kLongestReadingGap = 0.1;

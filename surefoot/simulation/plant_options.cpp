@@ -9,7 +9,7 @@ namespace {
 constexpr NumberRange kDelay{.min = 0.0, .max = kMaxDelayTicks};
 constexpr NumberRange kFriction{.min = 0.0, .words = "a number of at least 0", .none = -1.0};
 constexpr NumberRange kImpedance{.min = 1e-4, .max = 0.9999, .words = "a number between 0 and 1"};
-constexpr NumberRange kStiffness{
+constexpr NumberRange kStiffnessRange{
     .min = 0.0, .max = 1e5, .min_included = false, .words = "above 0, at most 1e5 N·m/rad"};
 constexpr NumberRange kMass{.min = 0.0, .max = kMaxPayload, .words = "a number from 0 to 200 kg"};
 constexpr NumberRange kScale{
@@ -157,7 +157,8 @@ Group fields(ActuatorOptions& o) {
       {"torque_gain", &o.torque_gain, kPositive, "", "true torque per commanded, of all joints"},
       {"joint_torque_gain", joints(o.joint_torque_gain), kPositive, "", "of each joint, on top"},
       {"spring",
-       Group{{"stiffness", &o.spring.stiffness, kStiffness, "N·m/rad", "of ANYmal B's drives"}},
+       Group{
+           {"stiffness", &o.spring.stiffness, kStiffnessRange, "N·m/rad", "of ANYmal B's drives"}},
        "between motor and joint, at level 2"},
       {"rotor", fields(o.rotor), "motor and gear, at level 2"},
       {"torque_loop",

@@ -1,12 +1,12 @@
 #include "surefoot/simulation/sensor_link.hpp"
 
+#include "surefoot/math/numbers.hpp"
+
 #include <algorithm>
 
 namespace surefoot::simulation {
 
 namespace {
-
-constexpr double kRounding = 1e-9;  // of times [s]
 
 int usual_delay(FaultySensor sensor, const SensorOptions& options) {
   if (sensor == FaultySensor::encoders) return options.encoders.delay_ticks;
@@ -91,7 +91,7 @@ void SensorLink::delay(const SensorReading& sampled) noexcept {
 void SensorLink::apply(Fault& fault) noexcept {
   const SensorFault& options = fault.options;
   const double time = received_.time;
-  const bool active = time >= options.time - kRounding && time < fault.end - kRounding;
+  const bool active = time >= options.time - kTimeRounding && time < fault.end - kTimeRounding;
   if (!active || num_sent_ == 1) fault.before = received_;
   if (!active) return;
   const SensorReading& other = options.kind == FaultKind::late ? sent(fault.delay) : fault.before;

@@ -13,8 +13,8 @@
 namespace surefoot::simulation {
 namespace {
 
-constexpr double kMinOverlap = 1e-4;  // [m]
-constexpr double kRounding = 1e-6;    // [rad]
+constexpr double kMinOverlap = 1e-4;     // [m]
+constexpr double kAngleRounding = 1e-6;  // [rad]
 
 std::string link_of(const mjModel& model, int geom) {
   return mj_id2name(&model, mjOBJ_BODY, model.geom_bodyid[geom]);
@@ -28,7 +28,7 @@ void check_stops(const mjModel& model, const mjData& data, const RobotParts& par
     const int joint = model.dof_jntid[dof];
     const double* range = model.jnt_range + 2 * joint;
     const double q = data.qpos[model.jnt_qposadr[joint]];
-    const bool beyond = q < range[0] - kRounding || q > range[1] + kRounding;
+    const bool beyond = q < range[0] - kAngleRounding || q > range[1] + kAngleRounding;
     if (model.jnt_limited[joint] == 0 || !beyond) continue;
     throw Error(urdf + formatted(": joint \"%s\" would begin at %.3f rad, beyond its stops in the "
                                  "URDF, %.3f to %.3f rad",

@@ -1,6 +1,7 @@
 #include "surefoot/solver/active_set_search.hpp"
 
 #include "surefoot/solver/capacity.hpp"
+#include "surefoot/solver/index.hpp"
 #include "surefoot/solver/tolerances.hpp"
 
 #include <algorithm>
@@ -12,8 +13,6 @@ namespace {
 
 /// Up to so many wrong rows, changing them all at once is likely to succeed.
 constexpr std::size_t kFewRows = 4;
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 }  // namespace
 

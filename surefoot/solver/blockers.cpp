@@ -1,6 +1,7 @@
 #include "surefoot/solver/blockers.hpp"
 
 #include "surefoot/solver/capacity.hpp"
+#include "surefoot/solver/index.hpp"
 #include "surefoot/solver/row_states.hpp"
 #include "surefoot/solver/tolerances.hpp"
 
@@ -20,8 +21,6 @@ constexpr double kMinMultiplier = 1e-9;
 constexpr double kSameCost = 1e-6;
 /// Relative rounding of a direction.
 constexpr double kRank = 1e-8;
-
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
 double violation(const Sweep& s, int row) {
   return signed_violation(s.value[row], s.lower[row], s.upper[row]);

@@ -2,19 +2,15 @@
 
 #include "surefoot/solver/capacity.hpp"
 #include "surefoot/solver/denormals.hpp"
+#include "surefoot/solver/index.hpp"
 #include "surefoot/solver/row_states.hpp"
 #include "surefoot/solver/tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace surefoot {
-namespace {
-
-using Index = Eigen::Index;
-
-}  // namespace
+namespace {}  // namespace
 
 CascadeSolver::CascadeSolver(const Hierarchy& capacity, const CascadeOptions& options)
     : options_(options),

@@ -1,18 +1,15 @@
 #include "surefoot/solver/certificate.hpp"
 
+#include "surefoot/math/numbers.hpp"
 #include "surefoot/solver/doubt.hpp"
 #include "surefoot/solver/even_units.hpp"
 #include "surefoot/solver/optimality_conditions.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace surefoot {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 double finite_or_infinity(double number) { return std::isfinite(number) ? number : kInfinity; }
 

@@ -1,23 +1,19 @@
 #include "surefoot/solver/descent.hpp"
 
+#include "surefoot/math/numbers.hpp"
 #include "surefoot/solver/capacity.hpp"
+#include "surefoot/solver/index.hpp"
 #include "surefoot/solver/sweep_memory.hpp"
 #include "surefoot/solver/tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 
 namespace surefoot {
 namespace {
 
 using Side = LevelRows::Side;
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 /// Rows of the tableau: those of the hierarchy and y.
 std::size_t rows_of(const Hierarchy& capacity) {

@@ -1,6 +1,7 @@
 #include "surefoot/solver/distinct_rows.hpp"
 
 #include "surefoot/solver/certificate.hpp"
+#include "surefoot/solver/index.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +10,6 @@
 namespace surefoot {
 namespace {
 
-using Index = Eigen::Index;
 using Eigen::VectorXd;
 
 constexpr CertificateOptions kTolerances;

@@ -1,18 +1,18 @@
 #include "surefoot/solver/doubt.hpp"
 
+#include "surefoot/math/numbers.hpp"
 #include "surefoot/solver/double_double.hpp"
+#include "surefoot/solver/index.hpp"
 #include "surefoot/solver/non_negative_least_squares.hpp"
 
 #include <Eigen/QR>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace surefoot {
 namespace {
 
-using Index = Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 using Wide = DoubleDouble;
@@ -20,7 +20,7 @@ using WideMatrix = MatrixOf<Wide>;
 using WideVector = VectorOf<Wide>;
 
 /// Independent part of a row that may be rounding of its elements, relative to its length.
-constexpr double kDependent = 1e-14;
+constexpr double kDependentRow = 1e-14;
 /// Relative length, beyond all other rounding, for directions that no row sees.
 constexpr double kUnseen = 1e-16;
 /// The same, squared, for directions that a row sees: a row 1e-11 times as long as another of its
@@ -28,8 +28,6 @@ constexpr double kUnseen = 1e-16;
 constexpr double kSeen = 1e-22;
 /// A limit violated by less, relative to its `row_unit`, may be at its bound.
 constexpr double kAtBound = 1e-9;
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 
 /// A power of two near a row's length, to divide by without rounding.
 double size_of(const VectorXd& row) { return std::ldexp(1.0, std::ilogb(row.norm())); }
@@ -53,7 +51,7 @@ WideMatrix exact_rows(const Hierarchy& hierarchy, const RowSet& set) {
 struct Space {
   explicit Space(const WideMatrix& rows) : Q(WideMatrix::Identity(rows.cols(), rows.cols())) {
     if (rows.rows() == 0) return;
-    qr.setThreshold(Wide(kDependent));
+    qr.setThreshold(Wide(kDependentRow));
     qr.compute(rows.transpose());
     rank = qr.rank();
     Q = qr.householderQ() * Q;
@@ -148,7 +146,7 @@ bool is_needed(const Level& level, const Counting& own, const VectorXd& x, const
   rows.bottomRows(count).rowwise().normalize();
   const VectorXd left = rows.transpose().colPivHouseholderQr().matrixR().diagonal().cwiseAbs();
   return std::ranges::any_of(left,
-                             [](double size) { return size > kDependent && size < kClearRank; });
+                             [](double size) { return size > kDependentRow && size < kClearRank; });
 }
 
 /// min ½ ‖M d‖² + ½ ‖max(0, S d)‖² + gᵀ d over d with T d ≤ 0, as √(−2 of it): the gain of a step d
@@ -225,13 +223,13 @@ Doubt what_doubles_hide(const Hierarchy& hierarchy, std::size_t k, const VectorX
   Question question;
   question.rows = A.cast<Wide>() * Z * P * P.transpose();
   for (Index i = 0; i < lengths.size(); ++i) {  // of a dependent row only rounding is left
-    if (question.rows.row(i).norm() <= Wide(kDependent * lengths[i]))
+    if (question.rows.row(i).norm() <= Wide(kDependentRow * lengths[i]))
       question.rows.row(i).setZero();
   }
   question.unseen = WideMatrix::Identity(Z.cols(), Z.cols()) - P * P.transpose();
   question.touching = exact_rows(hierarchy, touching) * Z;
   for (auto row : question.touching.rowwise()) {
-    if (row.norm() <= Wide(kDependent)) row.setZero();
+    if (row.norm() <= Wide(kDependentRow)) row.setZero();
   }
   const double scale = own.scale;
   const auto set_gradient = [&](const Counting& of) {

@@ -1,5 +1,6 @@
 #include "surefoot/solver/even_units.hpp"
 
+#include "surefoot/solver/index.hpp"
 #include "surefoot/solver/tolerances.hpp"
 
 #include <algorithm>
@@ -28,8 +29,6 @@ constexpr int kMinElementPower = -50;
 /// A larger independent part of a row is clear, a smaller one rounding; `RankTolerance::solve` lies
 /// between them.
 constexpr double kClear = 1e-5;
-
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
 bool is_finite(const Hierarchy& hierarchy) {
   for (std::size_t k = 0; k < hierarchy.num_levels(); ++k) {

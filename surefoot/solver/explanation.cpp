@@ -4,6 +4,7 @@
 #include "surefoot/solver/certificate.hpp"
 #include "surefoot/solver/distinct_rows.hpp"
 #include "surefoot/solver/even_units.hpp"
+#include "surefoot/solver/index.hpp"
 #include "surefoot/solver/tolerances.hpp"
 
 #include <Eigen/QR>
@@ -16,15 +17,13 @@
 namespace surefoot {
 namespace {
 
-using Index = Eigen::Index;
 using Eigen::VectorXd;
 
 constexpr CertificateOptions kTolerances;
 /// Smallest multiplier, relative to the rounding of a level's gradient.
-constexpr double kMinMultiplier = 5e4;
+constexpr double kClearMultiplier = 5e4;
 /// Smallest cost, relative to the residual.
 constexpr double kMinCost = 1e-9;
-constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 
 /// Copies a row with its bounds on the step from x. Drops bounds beyond the solvers' range.
 void copy(const Level& from, Index i, double lower, double upper, Level& to) {
@@ -163,8 +162,8 @@ std::vector<Candidate> candidates(const Hierarchy& hierarchy, std::size_t k, con
   const auto add = [&](const DistinctRows& of, const VectorXd& strength, Index first,
                        bool is_fixed) {
     for (Index i = 0; i < strength.size(); ++i) {
-      const bool is_certain = std::abs(strength[i]) > kMinMultiplier * level.rounding;
-      const double enough = all ? 0.0 : kMinMultiplier * least[first + i];
+      const bool is_certain = std::abs(strength[i]) > kClearMultiplier * level.rounding;
+      const double enough = all ? 0.0 : kClearMultiplier * least[first + i];
       if (!is_certain && std::abs(strength[i]) <= enough) continue;
       const RowIndex at = of.rows.origin[static_cast<std::size_t>(i)];
       const double size = hierarchy.level(at.level).A().row(at.row).norm();

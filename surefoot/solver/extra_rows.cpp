@@ -1,14 +1,13 @@
 #include "surefoot/solver/extra_rows.hpp"
 
 #include "surefoot/base/error.hpp"
+#include "surefoot/solver/index.hpp"
 
 #include <cmath>
 #include <string>
 
 namespace surefoot {
 namespace {
-
-using Index = Eigen::Index;
 
 /// A smaller independent part of a row, relative to its length, is rounding.
 constexpr double kDependent = 1e-12;

@@ -1,18 +1,15 @@
 #include "surefoot/solver/level_rows.hpp"
 
+#include "surefoot/math/numbers.hpp"
+#include "surefoot/solver/index.hpp"
+
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace surefoot {
 namespace {
 
-using Index = Eigen::Index;
 using Side = LevelRows::Side;
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
 Side side_of(const RowValues& values, Index row) {
   const double lower = values.lower[row];

@@ -1,21 +1,16 @@
 #include "surefoot/solver/level_solver.hpp"
 
+#include "surefoot/math/numbers.hpp"
+#include "surefoot/solver/index.hpp"
 #include "surefoot/solver/tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace surefoot {
 namespace {
 
-using Index = Eigen::Index;
 using Side = LevelRows::Side;
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
-
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
 }  // namespace
 

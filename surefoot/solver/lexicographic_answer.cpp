@@ -1,5 +1,6 @@
 // Converts the solver's answer to a Solution.
 #include "surefoot/solver/answer_comparison.hpp"
+#include "surefoot/solver/index.hpp"
 #include "surefoot/solver/lexicographic_solver.hpp"
 #include "surefoot/solver/row_states.hpp"
 #include "surefoot/solver/tolerances.hpp"
@@ -9,10 +10,6 @@
 
 namespace surefoot {
 namespace {
-
-using Index = Eigen::Index;
-
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
 // The kernels write these values.
 static_assert(static_cast<int>(RowState::inactive) == 0);

@@ -1,22 +1,18 @@
 // Null space of the leading equalities, x = basis · (y, 1), and the rows in terms of y.
+#include "surefoot/math/numbers.hpp"
+#include "surefoot/solver/index.hpp"
 #include "surefoot/solver/lexicographic_solver.hpp"
 #include "surefoot/solver/quiet_overflow.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace surefoot {
 namespace {
 
-using Index = Eigen::Index;
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// Squared column lengths that are safe to divide by.
 constexpr double kMinSquare = 1e-280;
 constexpr double kMaxSquare = 1e280;
-
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
 }  // namespace
 

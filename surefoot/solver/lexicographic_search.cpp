@@ -1,4 +1,5 @@
 // Finds the active rows, by sweeps and the descent.
+#include "surefoot/solver/index.hpp"
 #include "surefoot/solver/lexicographic_solver.hpp"
 #include "surefoot/solver/tolerances.hpp"
 
@@ -10,8 +11,6 @@ namespace {
 
 /// Attempts to improve a guess before the search starts without one.
 constexpr int kMaxTries = 2;
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 }  // namespace
 

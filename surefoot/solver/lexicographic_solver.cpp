@@ -2,19 +2,14 @@
 
 #include "surefoot/solver/capacity.hpp"
 #include "surefoot/solver/denormals.hpp"
+#include "surefoot/solver/index.hpp"
 #include "surefoot/solver/quiet_overflow.hpp"
 #include "surefoot/solver/row_states.hpp"
 
 #include <algorithm>
 
 namespace surefoot {
-namespace {
-
-using Index = Eigen::Index;
-
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
-
-}  // namespace
+namespace {}  // namespace
 
 LexicographicSolver::LexicographicSolver(const Hierarchy& capacity,
                                          const LexicographicOptions& options)

@@ -1,5 +1,6 @@
 #include "surefoot/solver/optimality_conditions.hpp"
 
+#include "surefoot/solver/index.hpp"
 #include "surefoot/solver/non_negative_least_squares.hpp"
 
 #include <Eigen/QR>
@@ -7,18 +8,15 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <limits>
 #include <set>
 #include <utility>
 
 namespace surefoot {
 namespace {
 
-using Index = Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 /// Of sums over a row's elements, relative to ‖a‖ ‖x‖.
 constexpr double kRounding = 100.0 * kEpsilon;
 /// Largest stationarity from rounding of g.

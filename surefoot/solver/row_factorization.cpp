@@ -1,21 +1,17 @@
 #include "surefoot/solver/row_factorization.hpp"
 
 #include "surefoot/solver/householder.hpp"
+#include "surefoot/solver/index.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 namespace surefoot {
 namespace {
 
-using Index = Eigen::Index;
-
 /// A downdated length below this share of its last exact value has lost half of its digits.
 constexpr double kDowndateLoss = 1.5e-8;
-
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
 }  // namespace
 

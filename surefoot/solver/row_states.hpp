@@ -1,11 +1,11 @@
 #pragma once
 
+#include "surefoot/math/numbers.hpp"
 #include "surefoot/solver/hierarchy.hpp"
 #include "surefoot/solver/solution.hpp"
 #include "surefoot/solver/tolerances.hpp"
 
 #include <cmath>
-#include <limits>
 
 namespace surefoot {
 
@@ -20,7 +20,6 @@ inline double signed_violation(double value, double lower, double upper) {
 /// Is lower ≤ upper, each at most `tolerance::kLargest` if finite, and no infinity impossible?
 /// False for NaN.
 inline bool are_sound(double lower, double upper) {
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
   constexpr double kLargest = tolerance::kLargest;
   if (std::isunordered(lower, upper)) return false;  // ordering would raise an exception
   const bool is_lower = lower >= -kLargest || lower == -kInfinity;

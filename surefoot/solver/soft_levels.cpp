@@ -1,6 +1,7 @@
 #include "surefoot/solver/soft_levels.hpp"
 
 #include "surefoot/solver/capacity.hpp"
+#include "surefoot/solver/index.hpp"
 #include "surefoot/solver/row_states.hpp"
 
 #include <algorithm>
@@ -8,8 +9,6 @@
 
 namespace surefoot {
 namespace {
-
-using Index = Eigen::Index;
 
 /// Relative distance of a row at its bound.
 constexpr double kTouching = 1e-9;

@@ -1,6 +1,7 @@
 #include "surefoot/solver/tableau.hpp"
 
 #include "surefoot/solver/householder.hpp"
+#include "surefoot/solver/index.hpp"
 #include "surefoot/solver/tolerances.hpp"
 
 #include <algorithm>
@@ -9,10 +10,6 @@
 
 namespace surefoot {
 namespace {
-
-using Index = Eigen::Index;
-
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
 template <typename Piece>
 void turn_rows(Tableau& tableau, Index row, Index first, const std::vector<Rotation>& rotations) {

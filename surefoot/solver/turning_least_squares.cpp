@@ -1,12 +1,12 @@
 #include "surefoot/solver/turning_least_squares.hpp"
 
+#include "surefoot/solver/index.hpp"
+
 #include <algorithm>
 #include <cmath>
 
 namespace surefoot {
 namespace {
-
-using Index = Eigen::Index;
 
 /// Smallest diagonal element of R, relative to the largest, that certainly is no loss of rank.
 constexpr double kClearlyFullRank = 1e-6;

@@ -1,13 +1,12 @@
 #include "surefoot/solver/working_set.hpp"
 
 #include "surefoot/solver/householder.hpp"
+#include "surefoot/solver/index.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 namespace surefoot {
-
-using Index = Eigen::Index;
 
 WorkingSet::WorkingSet(Index unknowns)
     : held_(static_cast<std::size_t>(unknowns)),

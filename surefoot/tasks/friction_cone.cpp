@@ -1,5 +1,6 @@
 #include "surefoot/tasks/friction_cone.hpp"
 
+#include "surefoot/math/numbers.hpp"
 #include "surefoot/math/rotation.hpp"
 
 #include <Eigen/Geometry>
@@ -11,7 +12,6 @@
 namespace surefoot {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kMaxLean = 0.8;  // of the normal from the vertical, share of the half angle
 
 /// B of Eq. 31 for one foot, for forces in W: four faces, each ≤ 0, and the normal force.

@@ -1,6 +1,7 @@
 #include "surefoot/config/hierarchy_json.hpp"
 
 #include "surefoot/base/error.hpp"
+#include "surefoot/math/numbers.hpp"
 #include "tests/support/random_hierarchy.hpp"
 
 #include <gtest/gtest.h>
@@ -13,8 +14,6 @@
 
 namespace surefoot::test {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 Hierarchy parse(const std::string& line) {
   return parse_hierarchy(line, "stack.jsonl:3").hierarchy;

@@ -1,5 +1,6 @@
 #include "surefoot/control/hierarchy_summary.hpp"
 
+#include "surefoot/math/numbers.hpp"
 #include "surefoot/solver/cascade_solver.hpp"
 #include "surefoot/solver/lexicographic_solver.hpp"
 #include "tests/support/malloc_counter.hpp"
@@ -8,13 +9,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <limits>
 #include <vector>
 
 namespace surefoot {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// x in the plane: x = 1, then x ≤ 0.25 (violated) and y ≤ 5, then y → 7, held at 5 by the level
 /// before.

@@ -1,5 +1,6 @@
 #include "surefoot/control/safety.hpp"
 
+#include "surefoot/math/numbers.hpp"
 #include "surefoot/math/rotation.hpp"
 #include "tests/support/anymal_b.hpp"
 #include "tests/support/malloc_counter.hpp"
@@ -9,7 +10,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <string>
 
 namespace surefoot {
@@ -20,8 +20,7 @@ using test::RandomMatrices;
 
 constexpr int kFirstFreeLevel = 4;
 constexpr double kPeriod = 0.0025;  // [s]
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kLimit = 40.0;  // of every joint of the robot [N·m]
+constexpr double kLimit = 40.0;     // of every joint of the robot [N·m]
 
 RobotState standing(double time = 1.0) {
   RobotState state;

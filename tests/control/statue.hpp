@@ -3,19 +3,18 @@
 #include "surefoot/config/initial_posture.hpp"
 #include "surefoot/config/stack_file.hpp"
 #include "surefoot/control/controller.hpp"
+#include "surefoot/math/numbers.hpp"
 #include "surefoot/model/robot_model.hpp"
 #include "tests/support/anymal_b.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 #include <memory>
 #include <string>
 
 namespace surefoot::test {
 
-inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
 inline constexpr double kLimit = 40.0;  // of every joint of the robot [N·m]
 
 /// Believes what the test says.

@@ -1,5 +1,7 @@
 #include "surefoot/estimation/foot_sensor_trust.hpp"
 
+#include "surefoot/math/numbers.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -63,7 +65,6 @@ TEST(FootSensorTrust, OneThatWasLeftMustProveItself) {
 
 TEST(FootSensorTrust, WhatIsNoForceIsLeftOut) {
   FootSensorTrust trust(kPeriod);
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
   for (const double bad : {std::numeric_limits<double>::quiet_NaN(), kInfinity, -kInfinity, 1e5}) {
     EXPECT_EQ(trust.force(bad, 5.0), 5.0);
   }

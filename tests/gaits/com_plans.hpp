@@ -1,17 +1,16 @@
 #pragma once
 
 #include "surefoot/gaits/parts/com_planner.hpp"
+#include "surefoot/math/numbers.hpp"
 #include "tests/support/random_hierarchy.hpp"
 
 #include <gtest/gtest.h>
 
-#include <limits>
 #include <string>
 #include <vector>
 
 namespace surefoot::test {
 
-inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
 inline constexpr double kWeight = 300.0;  // [N]
 inline constexpr double kHeight = 0.45;   // [m]
 inline constexpr int kTrials = 40;

@@ -1,11 +1,11 @@
 #include "surefoot/gaits/parts/support_region.hpp"
 
+#include "surefoot/math/numbers.hpp"
 #include "tests/support/random_hierarchy.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <limits>
 #include <string>
 #include <vector>
 
@@ -15,7 +15,6 @@ namespace {
 using test::RandomMatrices;
 
 constexpr int kTrials = 300;
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 using Feet = PerLeg<Vec2>;
 using Shares = PerLeg<double>;

@@ -21,9 +21,10 @@ os.environ["PYTHONPATH"] = os.pathsep.join(filter(None, [str(SOURCE / "python"),
 
 
 def pytest_collection_modifyitems(items):
-    """What drives a browser is tried twice (decision 0020); the summary names those that needed it."""
+    """What drives a browser runs by itself, and is tried twice (decision 0020); the summary names those that needed it."""
     for item in items:
         if "browser" in item.fixturenames:
+            item.add_marker(pytest.mark.browser)
             item.add_marker(pytest.mark.flaky(reruns=1))
 
 

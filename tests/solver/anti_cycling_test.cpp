@@ -1,10 +1,10 @@
+#include "surefoot/math/numbers.hpp"
 #include "tests/solver/solve.hpp"
 
 #include <gtest/gtest.h>
 
 #include <array>
 #include <cmath>
-#include <limits>
 #include <string>
 
 namespace surefoot::test {
@@ -13,8 +13,6 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 LevelData non_negative(Index n) {
   return between(MatrixXd::Identity(n, n), VectorXd::Zero(n), VectorXd::Constant(n, kInfinity));

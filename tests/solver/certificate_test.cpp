@@ -1,5 +1,6 @@
 #include "surefoot/solver/certificate.hpp"
 
+#include "surefoot/math/numbers.hpp"
 #include "surefoot/solver/optimality_conditions.hpp"
 #include "tests/solver/solve.hpp"
 
@@ -225,8 +226,6 @@ TEST(Certificate, ALimitThatAnEqualityAboveHasAlreadyHoldsNothing) {
 }
 
 TEST(Certificate, RefusesNumbersThatAreNone) {
-  constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
   const Hierarchy hierarchy =
       make_hierarchy(2, {equalities(MatrixXd::Identity(2, 2), Vector2d(1.0, 1.0)),
                          at_most(RowVector2d(1.0, 0.0), number(1.0)),

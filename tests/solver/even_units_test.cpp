@@ -1,11 +1,11 @@
 #include "surefoot/solver/even_units.hpp"
 
+#include "surefoot/math/numbers.hpp"
 #include "tests/solver/solve.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 #include <string>
 
 namespace surefoot::test {
@@ -64,7 +64,6 @@ TEST(EvenUnits, AreOneWhereThereIsNothingToTell) {
   EXPECT_EQ(even_units(Hierarchy(3)), VectorXd::Ones(3));
   EXPECT_EQ(even_units(make_hierarchy(2, {equalities(MatrixXd::Zero(2, 2), Vector2d::Zero())})),
             VectorXd::Ones(2));
-  constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(even_units(make_hierarchy(2, {equalities(RowVector2d(1e-30, kNaN), number(1.0))})),
             VectorXd::Ones(2));
 }

@@ -1,3 +1,4 @@
+#include "surefoot/math/numbers.hpp"
 #include "surefoot/solver/tolerances.hpp"
 #include "tests/solver/solve.hpp"
 
@@ -64,7 +65,6 @@ TYPED_TEST(FloatTrapped, NumbersThatAreNoneAreRefused) {
 
 /// Up to 5 rows of small integers in each of 6 levels, sides of which are infinite at times.
 Hierarchy any_rows(RandomMatrices& random) {
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
   Hierarchy hierarchy(8);
   for (int k = 0; k < 6; ++k) {
     hierarchy.add_level("level " + std::to_string(k), 5);

@@ -1,9 +1,9 @@
+#include "surefoot/math/numbers.hpp"
 #include "tests/solver/solve.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 
 namespace surefoot::test {
 namespace {
@@ -15,7 +15,6 @@ using Eigen::RowVector3d;
 using Eigen::Vector2d;
 using Eigen::VectorXd;
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kExact = 1e-12;
 
 MatrixXd one(double a) { return MatrixXd::Constant(1, 1, a); }

@@ -1,6 +1,7 @@
 // Levels of equalities before the first inequality: rows that end early come first where all are
 // independent, which must not show.
 
+#include "surefoot/math/numbers.hpp"
 #include "tests/solver/solve.hpp"
 
 #include <Eigen/QR>
@@ -8,7 +9,6 @@
 
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <string>
 
 namespace surefoot::test {
@@ -63,7 +63,6 @@ TEST(LeadingEqualities, WithRowsOfAnyLengthLeaveTheOptimumAndTheFreedomOfTheirOr
 }
 
 TEST(LeadingEqualities, WithRowsOfAnyLengthLeaveTheShortestX) {
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
   for (int seed = 0; seed < 300; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     RandomMatrices random(static_cast<std::uint64_t>(seed));

@@ -1,3 +1,4 @@
+#include "surefoot/math/numbers.hpp"
 #include "tests/solver/guess.hpp"
 #include "tests/solver/solve.hpp"
 #include "tests/support/malloc_counter.hpp"
@@ -55,7 +56,6 @@ void expect_same_answer_after(Choice&& side_of) {
 
 /// Levels of small integers that leave x open here and there.
 HierarchyData open_levels(RandomMatrices& random, Index unknowns) {
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
   HierarchyData levels;
   for (int k = random.integer(1, 3); k > 0; --k) {
     const Index rows = random.integer(1, 4);

@@ -1,10 +1,10 @@
+#include "surefoot/math/numbers.hpp"
 #include "tests/solver/solve.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 #include <string>
 
@@ -15,7 +15,6 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr int kSeeds = 300;
 constexpr Index kUnknowns = 9;
 

@@ -1,10 +1,10 @@
+#include "surefoot/math/numbers.hpp"
 #include "tests/solver/solve.hpp"
 #include "tests/support/malloc_counter.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 #include <string>
 #include <vector>
 
@@ -14,9 +14,6 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 HierarchyData valid_levels() {
   RandomMatrices random(7);

@@ -1,9 +1,10 @@
 #include "tests/support/random_hierarchy.hpp"
 
+#include "surefoot/math/numbers.hpp"
+
 #include <Eigen/QR>
 
 #include <cmath>
-#include <limits>
 
 namespace surefoot::test {
 namespace {
@@ -11,8 +12,6 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 VectorXd constant(Index size, double value) { return VectorXd::Constant(size, value); }
 

@@ -1,6 +1,7 @@
 #include "surefoot/tasks/catalog.hpp"
 
 #include "surefoot/base/error.hpp"
+#include "surefoot/math/numbers.hpp"
 #include "tests/support/malloc_counter.hpp"
 #include "tests/tasks/scene.hpp"
 
@@ -117,7 +118,6 @@ TEST(TaskCatalog, refuses_what_it_does_not_know_and_says_what_there_is) {
 }
 
 TEST(TaskCatalog, refuses_numbers_out_of_range) {
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
   for (const double value : {-1.0, kInfinity, std::numeric_limits<double>::quiet_NaN()}) {
     EXPECT_THROW(static_cast<void>(make_task("com_xy", {{{"kp", value}}, {}})), Error);
   }

@@ -5,15 +5,14 @@
 #include "surefoot/gaits/reactions/balance_margin.hpp"
 #include "surefoot/gaits/reactions/leg_reactions.hpp"
 #include "surefoot/gaits/reactions/push_reactions.hpp"
+#include "surefoot/math/numbers.hpp"
 
 #include <algorithm>
 #include <cassert>
-#include <limits>
 
 namespace surefoot {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kGrace = 0.04;  // a touchdown this late is still on time [s]
 constexpr double kLate = 0.10;   // … and this late worth telling: noticing one takes 50 ms [s]
 constexpr double kWaitDuration = 0.8;  // how far ahead the COM is planned while a foot searches [s]

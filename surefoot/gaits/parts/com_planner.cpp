@@ -1,17 +1,16 @@
 #include "surefoot/gaits/parts/com_planner.hpp"
 
 #include "surefoot/gaits/parts/force_ramp.hpp"
+#include "surefoot/math/numbers.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <tuple>
 
 namespace surefoot {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kLeastHeight = 0.1;     // of the COM over an edge [m]
 constexpr double kRestWeight = 100.0;    // of an end at rest [1/s²]
 constexpr double kLoadedWeight = 3.0;    // of the pull to the centre against a load [1/s²] …
