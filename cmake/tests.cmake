@@ -1,5 +1,6 @@
 # Tests, examples and benchmarks. One executable for each folder of tests/; ctest counts every case.
 
+set(CMAKE_UNITY_BUILD OFF)  # their helpers share names
 find_package(GTest REQUIRED)
 find_package(benchmark REQUIRED)
 include(GoogleTest)

@@ -115,7 +115,7 @@ build() {
   if ! is_configured; then
     start_log
     echo "setup: configuring"
-    cmake -S "$root" --preset release --fresh >>"$log" 2>&1 ||
+    cmake -S "$root" --preset release --fresh -D CMAKE_UNITY_BUILD=ON >>"$log" 2>&1 ||
       { cat "$log" >&2 && give_up "the build could not be configured, for the reason above."; }
   fi
   ninja -C "$build" "$@" || give_up "the build failed: the first error above says where."

@@ -166,9 +166,9 @@ std::string clauses(const std::vector<LevelThatGaveWay>& levels, Known known) {
     const LevelThatGaveWay& level = levels[i];
     const std::string unit = level.unit.empty() ? "" : " " + level.unit;
     const bool goes_on = i > 0 && is_by_the_same(level, levels[i - 1]);
-    text += (i == 0 ? "" : "; ") +
-            (goes_on ? level.name + " gave way by " + two_digits(level.residual) + unit + " to the same"
-                     : clause(level, known));
+    text += (i == 0 ? "" : "; ") + (goes_on ? level.name + " gave way by " +
+                                                  two_digits(level.residual) + unit + " to the same"
+                                            : clause(level, known));
   }
   return text + without_costs(levels);
 }
