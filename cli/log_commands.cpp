@@ -2,13 +2,13 @@
 
 #include "cli/contents_text.hpp"
 #include "cli/exit_code.hpp"
-#include "surefoot/logging/output_files.hpp"
 #include "cli/progress.hpp"
 #include "surefoot/base/error.hpp"
 #include "surefoot/base/formatted.hpp"
 #include "surefoot/base/printable.hpp"
 #include "surefoot/explain/tick_text.hpp"
 #include "surefoot/logging/mend_log.hpp"
+#include "surefoot/logging/output_files.hpp"
 #include "surefoot/logging/partial_log.hpp"
 #include "surefoot/replay/exact_costs.hpp"
 

@@ -1,12 +1,12 @@
 """Our Python package of logs, and its commands as the launcher starts them."""
 
 import os
-import pathlib
 import subprocess
 import sys
 
+from program import ROOT
+
 TICKS = 800  # of the log that tests share
-ROOT = pathlib.Path(__file__).resolve().parents[2]
 
 
 def log_command(*arguments, package="surefoot_log", before="", **options):

@@ -165,17 +165,6 @@ def test_arrays_have_the_shapes_that_their_help_says(scenario):
                 assert value.flags.writeable != is_quaternion
 
 
-def test_a_reading_at_fault_is_marked(scenario):
-    plant, controller = walked(scenario, 40)
-    before = controller.health
-    reading = plant.read()
-    reading.q[4] = np.nan
-    controller.step(reading, scenario.user(plant.time))
-    assert before.encoders.fault == "none" and before.encoders.age == 0
-    assert controller.health.encoders.fault == "not_a_number" and controller.health.encoders.joint == 4
-    assert controller.health.imu.fault == "none"
-
-
 def test_what_is_read_is_what_the_simulator_knows(scenario):
     plant, controller = walked(scenario, 40)
     truth, reading, state = plant.truth, plant.read(), controller.state
@@ -237,9 +226,9 @@ def test_torques_of_ones_own_are_applied(scenario):
         plants[0].write(torque[:11])
 
 
-def test_readings_that_are_spoilt_are_bridged_for_20_ms_then_the_command_is_a_safe_one(scenario):
+def test_readings_that_are_spoilt_are_marked_and_bridged_for_20_ms_then_the_command_is_a_safe_one(scenario):
     plant, controller = walked(scenario, 5)
-    modes = []
+    before, modes = controller.health, []
     for _ in range(12):
         reading = plant.read()
         reading.q[3] = np.nan
@@ -248,6 +237,8 @@ def test_readings_that_are_spoilt_are_bridged_for_20_ms_then_the_command_is_a_sa
         modes.append(command.mode)
         plant.write(command)
     assert modes == ["optimal"] * 8 + ["sit"] * 4
+    assert before.encoders.fault == "none" and before.encoders.age == 0 and controller.health.imu.fault == "none"
+    assert controller.health.encoders.fault == "not_a_number" and controller.health.encoders.joint == 3
 
 
 def test_user_commands_hold_what_they_were_made_from(scenario):

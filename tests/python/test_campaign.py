@@ -15,11 +15,9 @@ from types import SimpleNamespace
 import pytest
 
 from campaign_folder import SPEC, CampaignFolder, is_running
-from program import PROGRAM
+from program import PROGRAM, ROOT
 from surefoot_campaign.results import Record
 from surefoot_campaign.worst import worst
-
-ROOT = pathlib.Path(__file__).resolve().parents[2]
 
 
 @pytest.fixture
@@ -468,7 +466,7 @@ def test_a_draw_is_that_of_a_scenario_that_randomises_the_same(tmp_path):
 
 def test_campaigns_that_ship_are_taken_by_the_program(tmp_path):
     folder = CampaignFolder(tmp_path, PROGRAM)
-    specs = sorted((pathlib.Path(__file__).resolve().parents[2] / "campaigns").glob("*.yaml"))
+    specs = sorted((ROOT / "campaigns").glob("*.yaml"))
     assert len(specs) >= 8
     for spec in specs:
         folder.spec = spec

@@ -100,54 +100,37 @@ def test_json_is_exactly_one_object_on_stdout():
     assert set(run["tick_us"]) == set(run["solve_us"]) == {"median", "p99", "max"}
 
 
-def test_exit_code_says_whether_the_criteria_hold(scenario):
-    passes = scenario("duration: 0.1\n")
-    assert surefoot("run", passes, "--json").returncode == 0
-    fails = scenario("duration: 0.1\ncriteria: {distance_m: {min: 100}}\n")
-    result = surefoot("run", fails)
-    assert result.returncode == 1
-    assert "✗" in result.stdout and "missed: distance_m" in result.stdout
+FAR, STOPS = "criteria: {distance_m: {min: 100}}\n", "safety: {max_tilt: 1.0e-9}\n"
 
 
-@pytest.mark.parametrize("rate, stop, code", [(1, False, 1), (1, True, 3), (0, False, 0), (0, True, 0)])
-def test_one_run_and_several_seeds_end_by_the_same_rule(scenario, rate, stop, code):
-    safety = "safety: {max_tilt: 1.0e-9}\n" if stop else ""
-    text = f"duration: 0.5\n{safety}success_rate: {rate}\ncriteria: {{distance_m: {{min: 100}}}}\n"
-    file = scenario(text)
+@pytest.mark.parametrize("text, code", [("", 0), ("success_rate: 1\n" + FAR, 1), ("success_rate: 1\n" + FAR + STOPS, 3), ("success_rate: 0\n" + FAR, 0),
+                                        ("success_rate: 0\n" + FAR + STOPS, 0)])  # fmt: skip
+def test_exit_code_says_whether_the_criteria_hold_by_one_rule_for_one_run_and_several_seeds(scenario, text, code):
+    """A tilt that nobody could keep below stops the controller at once, which has a code of its own."""
+    file = scenario(f"duration: 0.5\n{text}")
     for arguments in [[], ["--seed", 1], ["--seeds", 2]]:
         result = surefoot("run", file, "--json", *arguments)
         assert result.returncode == code
-        run = json.loads(result.stdout)
-        assert not any(row["succeeded"] for row in run.get("runs", [run]))
+        runs = (run := json.loads(result.stdout)).get("runs", [run])
+        assert all(one["succeeded"] == (text == "") and one["safety_stop"] == (STOPS in text) for one in runs)
+    if text:
+        assert "✗" in (told := surefoot("run", file).stdout) and "missed: distance_m" in told
 
 
-def test_a_safety_stop_has_its_own_exit_code():
-    # A tilt that nobody could keep below stops the controller at once.
-    result = surefoot("run", "walk_flat", "--json", "--set", "safety.max_tilt=1e-9", "--set", "duration=1.5")
-    assert result.returncode == 3
-    run = json.loads(result.stdout)
-    assert run["safety_stop"] and not run["succeeded"]
-
-
-def test_several_seeds_give_one_object_with_runs_and_rates():
+def test_several_seeds_give_one_object_with_runs_and_rates_and_each_the_results_that_it_gives_alone():
     result = surefoot("run", "step_down", "--seeds", 3, "--jobs", 2, "--json", *SHORT)
     assert result.returncode == 1
     seeds = json.loads(result.stdout)
     assert [run["seed"] for run in seeds["runs"]] == [1, 2, 3]
     assert len({run["drawn"]["initial.x"] for run in seeds["runs"]}) == 3
     for rate in ["succeeded", "fell"]:
-        low, high = seeds["rates"][rate]["interval"]
-        assert seeds["rates"][rate]["successes"] == 0 and seeds["rates"][rate]["trials"] == 3
+        assert (seeds["rates"][rate]["successes"], seeds["rates"][rate]["trials"]) == (0, 3)
         # Wilson's interval of 0 out of 3.
-        assert low == pytest.approx(0, abs=1e-12) and high == pytest.approx(0.5615, abs=1e-3)
+        assert seeds["rates"][rate]["interval"] == [pytest.approx(0, abs=1e-12), pytest.approx(0.5615, abs=1e-3)]
     assert "worst" in seeds["metrics"]["com_error_calibrating_max_m"]
-
-
-def test_the_same_seed_gives_the_same_results_alone_and_among_others():
-    measured = ["com_error_calibrating_max_m", "torque_max_nm", "drawn"]
     alone = json.loads(surefoot("run", "step_down", "--seed", 2, "--json", *SHORT).stdout)
-    among = json.loads(surefoot("run", "step_down", "--seeds", 2, "--jobs", 2, "--json", *SHORT).stdout)["runs"][1]
-    assert [alone[name] for name in measured] == [among[name] for name in measured]
+    for name in ["com_error_calibrating_max_m", "torque_max_nm", "drawn"]:
+        assert alone[name] == seeds["runs"][1][name]
 
 
 def test_report_and_log_are_written(tmp_path):

@@ -3,7 +3,6 @@
 import io
 import json
 import math
-import pathlib
 import re
 import subprocess
 import sys
@@ -15,10 +14,10 @@ from mcap.exceptions import McapError
 from mcap.reader import make_reader
 from mcap.records import Channel, Message
 from mcap.stream_reader import StreamReader
+from program import ROOT
 
 TOPICS = {"/readings", "/user", "/state", "/plan", "/model", "/hierarchy", "/command", "/health", "/truth", "/timings"}
 TICKS = 800
-ROOT = pathlib.Path(__file__).resolve().parents[2]
 
 
 def stream_messages(data):
