@@ -4,7 +4,6 @@ import numpy as np
 
 from surefoot_log.offscreen import mujoco
 
-IDENTITY = {"x": 0.0, "y": 0.0, "z": 0.0, "w": 1.0}
 LISTS = ("arrows", "cubes", "spheres", "cylinders", "lines", "triangles", "texts", "models")
 LINE_LOOP = 1
 
