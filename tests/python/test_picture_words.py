@@ -79,20 +79,19 @@ def test_the_hull_of_points_goes_around_them():
     assert [tuple(corner) for corner in overlays.hull(points)] == [(0, 0, 1), (2, 0, 1), (2, 2, 1), (0, 2, 1)]
 
 
+SENTENCES = [
+    (("com_xy", 0.314, ("LF_KFE",), "torque_limits", ()), {"com_xy": "m/s²"}, "com xy gives way by 0.31 m/s² as torque limits act: LF_KFE"),
+    (("com_xy", 161.4, ("LF", "RF", "LH"), "friction_cone", ("torso_yaw",)), {}, "com xy gives way by 161 as friction cone acts: LF, RF, …; torso yaw gives way too"),
+    (("com_xy", 1.0, (), "", ("torso_yaw", "torso_height")), {}, "com xy gives way by 1; torso yaw and torso height give way too"),
+    (("com_xy", 1.0, (), "", ("a", "b", "c")), {}, "com xy gives way by 1; 3 more levels give way too"),
+    (("torso_yaw", 2.0, None, None, ("com_xy",)), {}, "torso yaw gives way by 2 between two hierarchies; com xy gives way too"),
+]
+
+
 def test_words_on_pictures_stay_inside_and_say_what_gave_way():
     frame = frame_at(0.0, 1.25, phases={"LF": "swing", "RF": "stance", "LH": "search", "RH": "unloading"})
-    frame.gave_way = ("com_xy", 0.314, ("LF_KFE",), "torque_limits", ())
-    assert captions.sentence(frame, {"com_xy": "m/s²"}) == "com xy gives way by 0.31 m/s² as torque limits act: LF_KFE"
-    frame.gave_way = ("com_xy", 161.4, ("LF", "RF", "LH"), "friction_cone", ("torso_yaw",))
-    assert captions.sentence(frame, {}) == "com xy gives way by 161 as friction cone acts: LF, RF, …; torso yaw gives way too"
-    frame.gave_way = (*frame.gave_way[:4], ("torso_yaw", "torso_height"))
-    assert captions.sentence(frame, {}).endswith("; torso yaw and torso height give way too")
-    frame.gave_way = (*frame.gave_way[:4], ("a", "b", "c"))
-    assert captions.sentence(frame, {}).endswith("; 3 more levels give way too")
-    frame.gave_way = ("torso_yaw", 2.0, None, None, ("com_xy",))
-    assert captions.sentence(frame, {}) == "torso yaw gives way by 2 between two hierarchies; com xy gives way too"
-    frame.gave_way = ("torso_yaw", 2.0, (), "", ())
-    assert captions.sentence(frame, {}) == "torso yaw gives way by 2"
+    for frame.gave_way, units, told in SENTENCES:
+        assert captions.sentence(frame, units) == told
     frame.stop = "encoder LF_KFE changed too fast"
     assert captions.sentence(frame, {}) == "the controller has stopped for safety: encoder LF_KFE changed too fast"
     header = {"level_names": ["com_xy"], "level_units": ["m/s²"]}
