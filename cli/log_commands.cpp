@@ -4,8 +4,11 @@
 #include "cli/exit_code.hpp"
 #include "cli/progress.hpp"
 #include "surefoot/base/error.hpp"
+#include "surefoot/base/formatted.hpp"
 #include "surefoot/base/printable.hpp"
 #include "surefoot/explain/tick_text.hpp"
+#include "surefoot/logging/mend_log.hpp"
+#include "surefoot/logging/output_files.hpp"
 #include "surefoot/logging/partial_log.hpp"
 #include "surefoot/replay/exact_costs.hpp"
 
@@ -13,8 +16,20 @@
 #include <cstdio>
 #include <filesystem>
 #include <ostream>
+#include <vector>
 
 namespace surefoot {
+namespace {
+
+std::string events_text(const std::vector<NearbyEvent>& events) {
+  std::string out = events.empty() ? "" : "\n";
+  for (const NearbyEvent& event : events)
+    out += formatted("%9.4f s  ", event.time) + (event.leg.empty() ? "" : event.leg + ": ") +
+           event.text + "\n";
+  return out;
+}
+
+}  // namespace
 
 void tell_partial_beside(const std::string& log) {
   const std::string partial = partial_beside(log);
@@ -42,11 +57,23 @@ int run_explain(const ExplainArguments& arguments, std::ostream& out) {
 int run_info(const InfoArguments& arguments, std::ostream& out) {
   tell_partial_beside(arguments.log);
   const LogContents contents = read_contents(arguments.log);
+  const auto events = arguments.events ? read_events(arguments.log) : std::vector<NearbyEvent>();
   if (arguments.json) {
-    out << printable(contents_json(arguments.log, contents).dump()) << std::endl;
+    auto json = contents_json(arguments.log, contents);
+    if (arguments.events) json["events"] = events_json(events);
+    out << printable(json.dump()) << std::endl;
   } else {
-    out << printable(contents_text(arguments.log, contents), "\n") << std::flush;
+    out << printable(contents_text(arguments.log, contents) + events_text(events), "\n")
+        << std::flush;
   }
+  return kPassed;
+}
+
+int run_mend(const MendArguments& arguments, std::ostream& out) {
+  check_not_the_input(arguments.out, arguments.log);
+  check_writable_file(arguments.out);
+  const std::string problem = mend_log(arguments.log, arguments.out);
+  out << printable(problem.empty() ? "it was whole" : problem) << std::endl;
   return kPassed;
 }
 

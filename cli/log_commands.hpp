@@ -23,11 +23,20 @@ int run_explain(const ExplainArguments& arguments, std::ostream& out);
 /// `surefoot info`, as typed.
 struct InfoArguments {
   std::string log;
-  bool json = false;
+  bool events = false, json = false;
 };
 
 /// `surefoot info RUN.mcap`: what is in a log, of which run, and whether it is whole. Returns an
 /// ExitCode; throws Error on wrong input.
 int run_info(const InfoArguments& arguments, std::ostream& out);
+
+/// `surefoot mend`, as typed.
+struct MendArguments {
+  std::string log, out;
+};
+
+/// `surefoot mend RUN.mcap --out NEW.mcap`: what can be read of a log, as a whole one. Prints what
+/// is lost. Returns an ExitCode; throws Error on wrong input.
+int run_mend(const MendArguments& arguments, std::ostream& out);
 
 }  // namespace surefoot

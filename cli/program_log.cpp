@@ -49,6 +49,15 @@ Example:
   surefoot info run.mcap
 )";
 
+constexpr const char* kMendFooter = R"(
+Any reader of MCAP opens the new log. It says what is lost of the old one.
+
+Exit codes: 0 written, 2 the log can't be read or the new one not be written.
+
+Example:
+  surefoot mend run.mcap.partial --out run.mcap
+)";
+
 /// Empty: it is a number.
 std::string not_a_time(std::string& text) {
   char* end = nullptr;
@@ -95,9 +104,21 @@ void add_info(CLI::App& app, Command& chosen) {
   info->footer(kInfoFooter);
   const auto arguments = std::make_shared<InfoArguments>();
   info->add_option("log", arguments->log, "Log of a run (MCAP)")->required();
+  info->add_flag("--events", arguments->events, "Also list what happened in the run");
   info->add_flag("--json", arguments->json, "Print one JSON object instead of text");
   info->callback(
       [&chosen, arguments] { chosen = [arguments] { return run_info(*arguments, std::cout); }; });
+}
+
+void add_mend(CLI::App& app, Command& chosen) {
+  CLI::App* mend = app.add_subcommand(
+      "mend", "Write what can be read of a damaged or cut-off log as a whole one");
+  mend->footer(kMendFooter);
+  const auto arguments = std::make_shared<MendArguments>();
+  mend->add_option("log", arguments->log, "Log of a run (MCAP)")->required();
+  mend->add_option("--out", arguments->out, "The whole log")->required();
+  mend->callback(
+      [&chosen, arguments] { chosen = [arguments] { return run_mend(*arguments, std::cout); }; });
 }
 
 }  // namespace
@@ -106,6 +127,7 @@ void add_log_commands(CLI::App& app, Command& chosen) {
   add_replay(app, chosen);
   add_explain(app, chosen);
   add_info(app, chosen);
+  add_mend(app, chosen);
 }
 
 void add_python_command(CLI::App& app, Command& chosen, const std::string& name,

@@ -10,7 +10,7 @@ namespace surefoot {
 /// A command: fills its arguments while parsing, then runs.
 using Command = std::function<int()>;
 
-/// `replay`, `explain` and `info`.
+/// `replay`, `explain`, `info` and `mend`.
 void add_log_commands(CLI::App& app, Command& chosen);
 
 /// A Python program, which the launcher starts; here it has a name and a line of help only.

@@ -26,6 +26,8 @@ std::string python() {
 /// Runs a Python package and waits for it; what it prints goes nowhere, what it complains of where
 /// this program's complaints go. False if it failed or could not be started.
 bool run_python(const std::string& package, const std::vector<std::string>& words) {
+  constexpr int kKeep = 0;  // what the launcher names
+  setenv("SUREFOOT_PROGRAM", std::filesystem::read_symlink("/proc/self/exe").c_str(), kKeep);
   std::vector<std::string> command{python(), "-m", package};
   command.insert(command.end(), words.begin(), words.end());
   std::vector<char*> arguments;

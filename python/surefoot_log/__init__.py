@@ -1,6 +1,6 @@
 """Logs of runs, for other programs and for the eye.
 
-log_file, chunk   read a log as far as it goes
+log_file          reads a log as far as it goes
 channels, table   its fields as columns: CSV and Parquet
 foxglove*         its scene for Foxglove and Lichtblick
 frames, moments   what of a run is shown, and when

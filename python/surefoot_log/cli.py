@@ -108,8 +108,8 @@ def tell(text):
 
 
 def tell_problem(log):
-    if log.partial_beside.is_file():
-        tell(f"note: {log.partial_beside} is of a later run, which goes on or was cut off")
+    for note in log.notes:
+        tell(note)
     if log.problem:
         tell(f"warning: {log.path}: the log is not whole: {log.problem}")
 
@@ -132,7 +132,6 @@ def export(typed):
     write_exports(arguments)
     for file in files:
         print(file)
-    return DONE
 
 
 def write_exports(arguments):
@@ -177,7 +176,6 @@ def video(typed):
         tell(f"note: {note}")
     tell_problem(log)
     print(arguments.out)
-    return DONE
 
 
 class ImageCount:
@@ -222,22 +220,31 @@ def report_pictures(typed):
     done = pictures.make_report_pictures(LogFile(arguments.log), arguments.folder)
     span = {"first": done.span.first, "last": done.span.last}
     print(json.dumps({"times": [round(time, 6) for time in done.times], "span": span, "notes": done.notes, "has_pushes": done.has_pushes}))
-    return DONE
 
 
 COMMANDS = {"export": export, "video": video, "report-pictures": report_pictures}
 
 
-def main(typed):
+def guarded(command, typed, interrupted="interrupted"):
+    """Its exit code; what is wrong is told in one line."""
     signal.signal(signal.SIGTERM, interrupt)
     try:
-        if not typed or typed[0] not in COMMANDS:
-            raise InputError(f"unknown command; {valid_names(typed[0] if typed else '', COMMANDS)}")
-        return COMMANDS[typed[0]](typed[1:])
+        command(typed)
+        return DONE
     except InputError as error:
         tell(error)
     except KeyboardInterrupt:
-        tell("interrupted: nothing is kept")
+        tell(interrupted)
     except (ImportError, OSError) as error:
-        tell(f"{' '.join(str(error).split())}")
+        tell(" ".join(str(error).split()))
     return WRONG_INPUT
+
+
+def command(typed):
+    if not typed or typed[0] not in COMMANDS:
+        raise InputError(f"unknown command; {valid_names(typed[0] if typed else '', COMMANDS)}")
+    COMMANDS[typed[0]](typed[1:])
+
+
+def main(typed):
+    return guarded(command, typed, "interrupted: nothing is kept")

@@ -163,19 +163,18 @@ def write_scene(log, path, packages, cache=None, topics=None, every=1):
     check_topics(topics, log.topics())
     model = mujoco.MjModel.from_xml_string(log.text("model.xml"))
     robot, notes = robot_entities(model, log.text("robot.urdf"), packages, cache)
-    maker = FrameMaker(log.header, max(every, SCENE_EVERY))
+    maker = FrameMaker(log, max(every, SCENE_EVERY))
     with written_whole(path) as partial, SceneFile(partial) as file:
-        scene, copies, events = Scene(file, log, model, robot), Copies(file, log, topics, every), Events(file, log.header)
-        for _, messages in log.by_time():
+        scene, copies, events = Scene(file, log, model, robot), Copies(file, log, topics, every), Events(file, log, log.attachments.get(SUMMARY))
+        for time, messages in log.by_time():
             copies.write(messages)
-            events.see(messages)
+            events.write_until(time)
             frame = maker.frame(messages)
             if frame is not None:
                 scene.write(frame)
-        check_topics(topics, {channel.topic for channel in log.channels.values()})
         if not scene.has_begun:
             raise nothing_to_show(log)
-        events.end(log.attachments.get(SUMMARY))
+        events.write_until()
         for name, data in log.attachments.items():
             file.add_attachment(name, "application/json" if name.endswith(".json") else "text/plain", data)
     if not maker.has_truth:

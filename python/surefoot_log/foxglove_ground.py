@@ -3,18 +3,16 @@
 import numpy as np
 
 from surefoot_log import foxglove_shapes as shapes
+from surefoot_log.offscreen import mujoco
 
 GROUND = (0.86, 0.86, 0.84, 1.0)
 PLANE = (40.0, 40.0, 0.02)  # m: what is shown of an endless plane
 
 
 def transform(piece):
-    w, x, y, z = piece["q_WT"]
-    X = np.eye(4)
-    X[:3, :3] = [[1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
-                 [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
-                 [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)]]  # fmt: skip
-    X[:3, 3] = piece["position"]
+    X, R = np.eye(4), np.zeros(9)
+    mujoco.mju_quat2Mat(R, piece["q_WT"])
+    X[:3, :3], X[:3, 3] = R.reshape(3, 3), piece["position"]
     return X
 
 

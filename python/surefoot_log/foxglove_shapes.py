@@ -2,7 +2,8 @@
 
 import numpy as np
 
-IDENTITY = {"x": 0.0, "y": 0.0, "z": 0.0, "w": 1.0}
+from surefoot_log.offscreen import mujoco
+
 LISTS = ("arrows", "cubes", "spheres", "cylinders", "lines", "triangles", "texts", "models")
 LINE_LOOP = 1
 
@@ -16,18 +17,10 @@ def quaternion(wxyz):
 
 
 def wxyz_of(R):
-    """Quaternion of a rotation matrix, by its largest component."""
-    trace = np.array([R[0, 0] + R[1, 1] + R[2, 2], R[0, 0] - R[1, 1] - R[2, 2], R[1, 1] - R[0, 0] - R[2, 2], R[2, 2] - R[0, 0] - R[1, 1]])
-    k = int(np.argmax(trace))
-    big = np.sqrt(1.0 + trace[k]) * 2.0
-    skew = np.array([R[2, 1] - R[1, 2], R[0, 2] - R[2, 0], R[1, 0] - R[0, 1]]) / big
-    if k == 0:
-        return np.array([big / 4, *skew])
-    result = np.zeros(4)
-    result[0], result[k] = skew[k - 1], big / 4
-    for j in {1, 2, 3} - {k}:
-        result[j] = (R[k - 1, j - 1] + R[j - 1, k - 1]) / big
-    return result
+    """Quaternion of a rotation matrix."""
+    found = np.zeros(4)
+    mujoco.mju_mat2Quat(found, np.ravel(R))
+    return found
 
 
 def pose(position=(0, 0, 0), wxyz=(1, 0, 0, 0)):

@@ -6,12 +6,11 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from surefoot_campaign.errors import InputError
-from surefoot_log.stop_text import stop_text
 
 LEGS = ("LF", "RF", "LH", "RH")
 CARRIES = ("stance", "unloading")
 BETWEEN = "; "  # of two events at one tick
-TOPICS = {"/truth", "/plan", "/state", "/health", "/hierarchy", "/command"}
+TOPICS = {"/truth", "/plan", "/state", "/hierarchy", "/command"}
 ROUNDING = 1e-6  # a residual in every unit, of logs that don't say which people should see
 OPTIMAL, ITERATION_CAP, INVALID_INPUT = 0, 1, 2  # of /hierarchy.status
 LOADED = 20.0  # N: what a foot that carries has at least
@@ -82,7 +81,7 @@ class Run:
 
 def read_frames(log, every=1):
     """One frame of so many ticks."""
-    maker = FrameMaker(log.header, every)
+    maker = FrameMaker(log, every)
     frames, last = [], 0.0
     for time, messages in log.by_time(TOPICS):
         frame = maker.frame(messages)
@@ -101,17 +100,15 @@ def nothing_to_show(log):
 class FrameMaker:
     """Makes frames tick by tick; an event stands in the frame that follows it."""
 
-    def __init__(self, header, every=1):
-        self._header, self._every, self._number, self._event = header, every, -1, ""
-        self._event_time = None
+    def __init__(self, log, every=1):
+        self._header, self._events, self._every, self._number = log.header, list(log.events), every, -1
+        self._event, self._event_time, self._stop = "", None, ""
         self.has_truth = False
 
     def frame(self, messages):
         """Of the messages of one time; None where that is none of the ticks that are shown."""
         found = {message.topic: message.data for message in messages}
-        events = events_of(found, self._header)
-        if events:
-            self._event, self._event_time = BETWEEN.join(events), 1e-9 * messages[0].time
+        self._see_events(1e-9 * messages[0].time)
         if "/state" not in found:
             return None
         self._number += 1
@@ -119,20 +116,21 @@ class FrameMaker:
             return None
         made = frame_of({topic: found[topic] for topic in TOPICS & found.keys()}, self._header, self._event)
         if made is not None:
-            made.event_time = self._event_time if self._event else None
+            made.event_time, made.stop = self._event_time if self._event else None, self._stop
             self._event, self.has_truth = "", self.has_truth or "/truth" in found
         return made
 
-
-def events_of(found, header):
-    """The texts of a tick's events, as `explain` has them; "events" is the last member of a message on /plan. `found`: the tick's messages by
-    topic. Logs before 2.12 have one event a tick, without its leg."""
-    if "/plan" not in found or bytes(found["/plan"][-24:]).endswith((b'"events":[]}', b'"event":0}')):
-        return []
-    plan, names = json.loads(bytes(found["/plan"])), header["event_names"]
-    events = plan.get("events", [{"event": plan.get("event", 0), "leg": None}])
-    known = [event for event in events if 0 < event["event"] < len(names)]
-    return [f"{event['leg']}: {names[event['event']]}" if event["leg"] else names[event["event"]] for event in known]
+    def _see_events(self, time):
+        """Those of the planner that came last, and whether the controller has stopped: "command mode: sit, as encoders stopped"."""
+        told = []
+        while self._events and self._events[0]["time"] < time + 1e-9:
+            event = self._events.pop(0)
+            if event["by"] == "planner":
+                told.append(f"{event['leg']}: {event['text']}" if event["leg"] else event["text"])
+                self._event_time = event["time"]
+            elif event["by"] == "controller":
+                self._stop = event["text"].partition(", as ")[2]
+        self._event = BETWEEN.join(told) or self._event
 
 
 def frame_of(tick, header, event):
@@ -146,7 +144,6 @@ def frame_of(tick, header, event):
     frame.phases = {leg: foot["phase"] for leg, foot in plan.get("feet", {}).items()}
     command = decoded.get("/command", {})
     frame.mode = command.get("mode", "optimal")
-    frame.stop = stop_text(command, decoded.get("/health", {}))
     frame.gave_way = gave_way(decoded.get("/hierarchy", {}), header)
     if truth is not None:
         add_truth(frame, truth)

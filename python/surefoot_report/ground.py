@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from surefoot_log.foxglove_ground import transform
+from surefoot_report.run_data import matrices
 
 UPRIGHT = 1e-6  # of a normal's z: a face that stands so has no top
 
@@ -29,13 +29,17 @@ class Ground:
         return face, z, slope
 
 
+def rotation(piece):
+    return matrices(np.array(piece["q_WT"], float))
+
+
 def plane_through(point, normal, x, y):
     slope = -normal[:2] / normal[2]
     return point[2] + slope[0] * (x - point[0]) + slope[1] * (y - point[1]), slope
 
 
 def on_plane(piece, x, y):
-    normal = transform(piece)[:3, 2]
+    normal = rotation(piece)[:, 2]
     if normal[2] < UPRIGHT:
         return nowhere(x)
     z, slope = plane_through(np.array(piece["position"]), normal, x, y)
@@ -48,12 +52,12 @@ def nowhere(x):
 
 def on_box(piece, x, y):
     """The face that a ray from above enters through: the lowest top of its three slabs."""
-    X = transform(piece)
+    R = rotation(piece)
     face, top, slope = np.full(x.shape, -1), np.full(x.shape, np.inf), np.zeros((*x.shape, 2))
     bottom, beside = np.full(x.shape, -np.inf), np.zeros(x.shape, bool)
     for number in range(6):
-        normal = (2 * (number % 2) - 1) * X[:3, number // 2]
-        point = X[:3, 3] + 0.5 * piece["size"][number // 2] * normal
+        normal = (2 * (number % 2) - 1) * R[:, number // 2]
+        point = np.array(piece["position"]) + 0.5 * piece["size"][number // 2] * normal
         if abs(normal[2]) < UPRIGHT:
             beside |= normal[0] * (x - point[0]) + normal[1] * (y - point[1]) > normal[2] * point[2]
             continue

@@ -5,7 +5,7 @@ from surefoot_report.page import Cell, table
 from surefoot_report.words import counted, decimal, escape
 
 TROUBLES = [6, 7, 8, 9, 15]  # events: no ground, contact lost, lift-off aborted, collision, caught
-MOST_PUSHES = 12
+MOST_CHANGES = 24
 
 
 def title(header):
@@ -39,12 +39,11 @@ def troubles(run):
                                for what, times in found if len(times)])  # fmt: skip
 
 
-def pushes(run):
-    """By hand there can be many."""
-    items = [f"Pushed by {escape(text)}, from {decimal(begin, 2)} s to {'the end' if end is None else f'{decimal(end, 2)} s'}"
-             for begin, end, text in run.applied[:MOST_PUSHES]]  # fmt: skip
-    more = len(run.applied) - MOST_PUSHES
-    return listed("pushes", items + [f"and {more} times more"] * (more > 0))
+def from_outside(run):
+    """What pushed the robot, and what the operator did. By hand there can be many."""
+    found = [event for event in run.events if event["by"] in ("outside", "operator")]
+    items = [f"{decimal(event['time'], 2)} s: {escape(event['text'])}" for event in found[:MOST_CHANGES]]
+    return listed("pushes", items + [f"and {len(found) - MOST_CHANGES} more"] * (len(found) > MOST_CHANGES))
 
 
 def criteria_badge(outcome):
@@ -94,7 +93,7 @@ def verdict(run, outcome):
     out = cut_warning(run, outcome)
     if outcome.known and not outcome.interrupted:
         out += criteria_badge(outcome) + goal_badge(outcome) + ending(run, outcome) + steered(run)
-    return out + pushes(run) + troubles(run) + "".join(f'<p class="soft">{escape(note)}</p>\n' for note in run.header.get("notes") or [])
+    return out + from_outside(run) + troubles(run) + "".join(f'<p class="soft">{escape(note)}</p>\n' for note in run.header.get("notes") or [])
 
 
 def left_out(run, outcome):

@@ -4,9 +4,9 @@ import json
 from contextlib import suppress
 from dataclasses import dataclass, field
 
-from surefoot_log.foxglove_events import BROKEN_OFF
 from surefoot_report.words import decimal
 
+BROKEN_OFF = ("interrupted", "begun again")  # reasons that are no end
 OTHER_SHAPE = (ValueError, KeyError, TypeError, AttributeError, RecursionError)
 
 

@@ -12,7 +12,6 @@ import pyarrow.json
 from surefoot_campaign.errors import InputError
 from surefoot_log.frames import ITERATION_CAP, LEGS
 from surefoot_log.log_file import SUMMARY
-from surefoot_report.outside_forces import outside_forces
 
 STANCE, UNLOADING, SWING, SEARCH = range(4)
 PHASES = ["stance", "unloading", "swing", "search"]
@@ -39,7 +38,7 @@ SCHEMAS = {
                    ("blocked_by", pa.list_(pa.struct([("level", TEXT), ("by", TEXT), ("row", TEXT), ("id", WHOLE), ("cost", NUMBER)])))],
     "/command": [("torque", VECTOR), ("mode", TEXT)],
     "/truth": [("p_WB", VECTOR), ("q_WB", VECTOR), ("v_WB", VECTOR), ("p_WCom", VECTOR), ("p_WF", of_legs(VECTOR)),
-               ("feet", of_legs(pa.struct([("force", VECTOR), ("normal", VECTOR)]))), ("torque", VECTOR), ("xfrc_applied", VECTOR)],
+               ("feet", of_legs(pa.struct([("force", VECTOR), ("normal", VECTOR)]))), ("torque", VECTOR)],
     "/timings": [("total", NUMBER)],
 }  # fmt: skip
 APART = {"/truth", "/timings"}  # a tick is whole without them
@@ -234,7 +233,7 @@ def made_run(log, tables, num_changes):
     run = SimpleNamespace(header=log.header, time=1e-9 * times, period=log.header["control_period"], num_changes=num_changes, problem=log.problem)
     run.span = run.time[0], run.time[-1] + run.period
     run.summary, run.has_truth = log.attachments.get(SUMMARY, b"").decode(errors="replace"), len(tables["/truth"][0]) > 0
-    run.applied = outside_forces(tables["/truth"], numbers, log.attachments.get("model.xml", b"").decode())
+    run.events = log.events
     run.totals = numbers(tables["/timings"][1], "total")  # wall clock of each tick [µs]
 
     run.belief, run.truth = pose_of(tick["/state"], model, model), pose_of(truth, truth, truth)

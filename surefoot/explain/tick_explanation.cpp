@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace surefoot {
 namespace logged {
@@ -144,35 +145,29 @@ std::string end_text(const std::string& summary) {
 /// Reads a log from `back` before a time up to a little behind it.
 class Search {
  public:
-  Search(const std::string& path, double time, double back)
-      : path_(path), time_(time), back_(back), log_(path, [this](const McapMessage& message) {
+  Search(const std::string& path, double time, double back, double window = kEventWindow)
+      : path_(path),
+        time_(time),
+        back_(back),
+        window_(window),
+        log_(path, [this](const McapMessage& message) {
           if (message.channel->topic == "/truth") take_truth(message);
           if (message.channel->topic == "/changes") take_change(message);
-        }) {}
+        }) {
+    found_.bodies = body_names(log_.header());
+    scenario_.emplace(found_.bodies);
+  }
+
+  /// Within the window.
+  std::vector<NearbyEvent> events() {
+    const bool has_ended = read();
+    add_forces();
+    if (has_ended) add_end();
+    return std::move(found_.events);
+  }
 
   TickExplanation run() {
-    scenario_.emplace(body_names(log_.header()));
-    log_.skip_until(time_ - back_);
-    std::optional<CommandMode> mode_before;
-    bool has_ended = false;
-    while (!(has_ended = !log_.next(tick_)) &&
-           (tick_.reading.time <= time_ + kEventWindow || is_in_blend_)) {
-      see_blend();
-      if (tick_.reading.time > time_ + kEventWindow) continue;
-      if (is_near(tick_.reading.time)) {
-        add_plan_events();
-        if (mode_before && log_.follows()) add_mode(*mode_before);
-      }
-      mode_before = tick_.command.mode;
-      if (std::isnan(first_)) first_ = tick_.reading.time;
-      last_ = tick_.reading.time;
-      yaw_ = roll_pitch_yaw(tick_.state.q_WB.toRotationMatrix()).z();
-      if (!is_nearest()) continue;
-      found_.tick = tick_;
-      found_.order = log_.level_order();
-      nearest_ = tick_.reading.time;
-      find_blend();
-    }
+    const bool has_ended = read();
     found_.header = log_.header();
     const double period = found_.header.control_period;
     found_.asked = time_;
@@ -180,7 +175,6 @@ class Search {
         has_ended && time_ > nearest_ + 0.5001 * period && is_end(time_, nearest_ + period);
     if (!found_.is_behind_end && !(std::abs(nearest_ - time_) <= 0.5001 * period)) refuse();
     found_.forces = commanded_forces(friction_cone_of(found_.header), found_.tick);
-    found_.bodies = body_names(found_.header);
     found_.header.attachments.clear();
     found_.row_names = log_.row_names();
     found_.timing = read_timing(path_, nanoseconds(nearest_), found_.header.level_names);
@@ -201,12 +195,41 @@ class Search {
   }
 
  private:
+  /// Up to the end of the window, and of a blend there; true: to the end of the log.
+  bool read() {
+    log_.skip_until(time_ - back_);
+    std::optional<CommandMode> mode_before;
+    bool has_ended = false;
+    while (!(has_ended = !log_.next(tick_)) &&
+           (tick_.reading.time <= time_ + window_ || is_in_blend_)) {
+      see_blend();
+      if (tick_.reading.time > time_ + window_) continue;
+      if (is_near(tick_.reading.time)) {
+        add_plan_events();
+        if (mode_before && log_.follows())
+          add_mode(*mode_before);
+        else if (std::isinf(window_) && !text_of_stop(tick_).empty())
+          add_mode(CommandMode::optimal);  // all of the log begins, or goes on, in a stop
+      }
+      mode_before = tick_.command.mode;
+      if (std::isnan(first_)) first_ = tick_.reading.time;
+      last_ = tick_.reading.time;
+      yaw_ = roll_pitch_yaw(tick_.state.q_WB.toRotationMatrix()).z();
+      if (!is_nearest()) continue;
+      found_.tick = tick_;
+      found_.order = log_.level_order();
+      nearest_ = tick_.reading.time;
+      find_blend();
+    }
+    return has_ended;
+  }
+
   [[nodiscard]] bool is_nearest() const {
     return std::isnan(nearest_) ||
            std::abs(tick_.reading.time - time_) <= std::abs(nearest_ - time_);
   }
 
-  [[nodiscard]] bool is_near(double time) const { return std::abs(time - time_) <= kEventWindow; }
+  [[nodiscard]] bool is_near(double time) const { return std::abs(time - time_) <= window_; }
 
   /// Of the tick that is told.
   void find_blend() {
@@ -311,7 +334,7 @@ class Search {
   }
 
   std::string path_;
-  double time_, back_, nearest_ = kNaN;
+  double time_, back_, window_, nearest_ = kNaN;
   double first_ = kNaN, last_ = kNaN;  // of the ticks that were looked at [s]
   double yaw_ = kNaN;                  // believed at the last tick
   BlendWatch blends_;
@@ -338,6 +361,11 @@ TickExplanation read_tick(const std::string& path, double time) {
     TickExplanation found = search.run();
     if (!found.blend || found.blend->before || search.saw_the_start()) return found;
   }
+}
+
+std::vector<NearbyEvent> read_events(const std::string& path) {
+  constexpr double kAll = std::numeric_limits<double>::infinity();
+  return Search(path, 0.0, kAll, kAll).events();
 }
 
 bool is_beyond_limits(const TickExplanation& explanation, Leg leg) {

@@ -81,6 +81,9 @@ inline constexpr double kEventWindow = 1.0;
 /// the log has no tick at that time.
 [[nodiscard]] TickExplanation read_tick(const std::string& path, double time);
 
+/// What happened in all of a log. Throws FileError as LogReader does.
+[[nodiscard]] std::vector<NearbyEvent> read_events(const std::string& path);
+
 /// That solving a level took, by its number in the header [µs]; NaN: not measured.
 [[nodiscard]] double level_time(const TickExplanation& explanation, std::size_t level);
 

@@ -141,16 +141,6 @@ Json blend_json(const TickExplanation& explanation) {
           {"behind", time_of(blend.after)}};
 }
 
-Json events_json(const TickExplanation& explanation) {
-  Json list = Json::array();
-  for (const NearbyEvent& event : explanation.events)
-    list.push_back({{"time", event.time},
-                    {"text", event.text},
-                    {"leg", event.leg.empty() ? Json() : Json(event.leg)},
-                    {"by", event.by}});
-  return list;
-}
-
 Json applied_json(const TickExplanation& explanation) {
   Json list = Json::array();
   for (const AppliedForce& force : explanation.applied)
@@ -163,6 +153,16 @@ Json applied_json(const TickExplanation& explanation) {
 }
 
 }  // namespace
+
+Json events_json(const std::vector<NearbyEvent>& events) {
+  Json list = Json::array();
+  for (const NearbyEvent& event : events)
+    list.push_back({{"time", event.time},
+                    {"text", event.text},
+                    {"leg", event.leg.empty() ? Json() : Json(event.leg)},
+                    {"by", event.by}});
+  return list;
+}
 
 Json gave_way_json(const TickExplanation& explanation) {
   return {{"time", explanation.tick.reading.time},
@@ -193,7 +193,7 @@ Json tick_json(const std::string& path, const TickExplanation& explanation) {
                {"levels", levels_json(explanation)},
                {"limits", limits_json(explanation)},
                {"missed", missed_json(explanation)},
-               {"events", events_json(explanation)},
+               {"events", events_json(explanation.events)},
                {"why_stopped", text_of_stop(tick)},
                {"readings", message(tick.reading)},
                {"health", message(tick.health)},

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include <string>
+#include <vector>
 
 namespace surefoot {
 
@@ -16,6 +17,9 @@ namespace surefoot {
 /// of them. SI units.
 [[nodiscard]] nlohmann::ordered_json tick_json(const std::string& path,
                                                const TickExplanation& explanation);
+
+/// Each with `time`, `text`, `leg` (null: none) and `by`.
+[[nodiscard]] nlohmann::ordered_json events_json(const std::vector<NearbyEvent>& events);
 
 /// Of that what gave way to what: `time`, `sentence`, `gave_way`, `costs_are_exact` and
 /// `why_estimates`.

@@ -165,11 +165,15 @@ void McapReader::take_descriptions(mcap::Opcode opcode, std::string_view content
   if (opcode == Opcode::schema) {
     Cursor cursor(content);
     const auto id = cursor.number<std::uint16_t>();
-    schemas_[id] = cursor.text();
+    McapSchema& schema = schemas_[id];
+    schema.name = cursor.text();
+    schema.encoding = cursor.text();
+    schema.data = cursor.text();
   } else if (opcode == Opcode::channel) {
     const mcap::ChannelRecord channel = mcap::channel_record(content);
-    channels_[channel.id] = {channel.topic, schemas_[channel.schema], channel.encoding,
-                             channel.metadata};
+    const McapSchema& schema = schemas_[channel.schema];
+    channels_[channel.id] = {channel.topic, schema.name, channel.encoding, channel.metadata,
+                             schema};
   }
 }
 

@@ -13,9 +13,14 @@
 
 namespace surefoot {
 
+struct McapSchema {
+  std::string name, encoding, data;
+};
+
 struct McapChannel {
   std::string topic, schema_name, message_encoding;
   std::map<std::string, std::string> metadata;
+  McapSchema schema{};  ///< of a McapReader's messages
 };
 
 /// A message; valid until the next one is read.
@@ -93,7 +98,7 @@ class McapReader {
   std::uint64_t chunk_offset_ = 0;
   std::string record_, chunk_;
   std::string_view rest_;  // of the open chunk
-  std::map<std::uint16_t, std::string> schemas_;
+  std::map<std::uint16_t, McapSchema> schemas_;
   std::map<std::uint16_t, McapChannel> channels_;
   std::map<std::string, std::string> attachments_;
   std::map<std::string, std::map<std::string, std::string>> metadata_;

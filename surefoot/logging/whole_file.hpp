@@ -16,6 +16,8 @@ class WholeFile {
   WholeFile& operator=(const WholeFile&) = delete;
 
   [[nodiscard]] std::ostream& stream() { return stream_; }
+  /// Its name until `finish`, for those that write by name.
+  [[nodiscard]] const std::string& partial() const { return partial_; }
   /// Renames the file. Throws FileError, with its name, if it could not be written.
   void finish();
 

@@ -6,7 +6,8 @@ import pathlib
 import subprocess
 import sys
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
+from program import ROOT
+
 FAKE = ROOT / "tests/python/fake_surefoot.py"
 
 SPEC = """\

@@ -9,6 +9,7 @@ import pytest
 from browser import Browser
 from live_page import LONG, Served
 from log_tools import exported
+from program import PROGRAM
 
 # A shell's background jobs ignore ^C, and so would all programs that they start.
 if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
@@ -17,6 +18,7 @@ if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
 SOURCE = pathlib.Path(__file__).resolve().parents[2]
 # As the launcher does.
 os.environ.setdefault("SUREFOOT_PYTHON", sys.executable)
+os.environ.setdefault("SUREFOOT_PROGRAM", PROGRAM)
 os.environ["PYTHONPATH"] = os.pathsep.join(filter(None, [str(SOURCE / "python"), os.environ.get("PYTHONPATH")]))
 
 
@@ -47,8 +49,7 @@ def pytest_terminal_summary(terminalreporter, config):
 
 def record(path, *arguments, scenario="walk_flat_ideal", duration=2):
     """Runs two seconds of the flat walk, long enough for a step, or another scenario, and records it."""
-    program = os.environ.get("SUREFOOT_PROGRAM", str(SOURCE / "bin" / "surefoot"))
-    command = [program, "run", str(SOURCE / "scenarios" / f"{scenario}.yaml"), "--set", f"duration={duration}",
+    command = [PROGRAM, "run", str(SOURCE / "scenarios" / f"{scenario}.yaml"), "--set", f"duration={duration}",
                "--record", str(path), "--json", *arguments]
     run = subprocess.run(command, capture_output=True, text=True)
     # 1: the criteria of the whole walk do not hold after so short a time.

@@ -1,18 +1,19 @@
 """Our Python package of logs, and its commands as the launcher starts them."""
 
 import os
-import pathlib
 import subprocess
 import sys
 
+from program import ROOT
+
 TICKS = 800  # of the log that tests share
-ROOT = pathlib.Path(__file__).resolve().parents[2]
 
 
-def log_command(*arguments, package="surefoot_log"):
-    environment = {**os.environ, "PYTHONPATH": os.pathsep.join([str(ROOT / "python"), os.environ.get("PYTHONPATH", "")])}
+def log_command(*arguments, package="surefoot_log", before="", **options):
+    """`before`: a folder whose packages take the place of others."""
+    environment = {**os.environ, "PYTHONPATH": os.pathsep.join([str(before), str(ROOT / "python"), os.environ.get("PYTHONPATH", "")])}
     command = [sys.executable, "-m", package, *map(str, arguments)]
-    return subprocess.run(command, env=environment, capture_output=True, text=True, timeout=600)
+    return subprocess.run(command, env=environment, capture_output=True, text=True, timeout=600, **options)
 
 
 def complaint_of(*arguments, package="surefoot_log"):

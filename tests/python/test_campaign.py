@@ -15,11 +15,9 @@ from types import SimpleNamespace
 import pytest
 
 from campaign_folder import SPEC, CampaignFolder, is_running
-from program import PROGRAM
+from program import PROGRAM, ROOT
 from surefoot_campaign.results import Record
 from surefoot_campaign.worst import worst
-
-ROOT = pathlib.Path(__file__).resolve().parents[2]
 
 
 @pytest.fixture
@@ -27,13 +25,36 @@ def folder(tmp_path):
     return CampaignFolder(tmp_path).write()
 
 
+def started_until(folder, count, *words):
+    """A campaign that goes on, of which so many runs are finished."""
+    process = folder.start(*words)
+    while not (folder.out / "rows.jsonl").exists() or len(folder.rows()) < count:
+        time.sleep(0.02)
+    return process
+
+
+def hanging(folder, *words):
+    """A campaign whose program hangs, and the process of that."""
+    process, pids = folder.start(*words), folder.path / "pids"
+    while not pids.exists() or not pids.read_text():
+        time.sleep(0.02)
+    return process, int(pids.read_text().split()[0])
+
+
 def table(folder):
     with (folder.out / "runs.csv").open() as file:
         return list(csv.DictReader(file))
 
 
-def test_every_point_runs_with_every_seed_once_and_stands_in_the_table(folder):
-    found = folder.result()
+@pytest.fixture(scope="module")
+def finished(tmp_path_factory):
+    """A campaign that came to its end, to look at; and its summary."""
+    folder = CampaignFolder(tmp_path_factory.mktemp("finished"), plots=True).write()
+    return folder, folder.result()
+
+
+def test_every_point_runs_with_every_seed_once_and_stands_in_the_table(finished):
+    folder, found = finished
     assert found["runs"]["planned"] == found["runs"]["finished"] == 8
     runs = [(seed, float(parameters["height"])) for _, seed, parameters in folder.started()]
     assert sorted(runs) == sorted((seed, height) for seed in range(1, 5) for height in (0.1, 0.3))
@@ -44,26 +65,28 @@ def test_every_point_runs_with_every_seed_once_and_stands_in_the_table(folder):
     assert list(rows[0])[-2:] == ["tick_us.median", "wall_time_s"]  # what the clock decides stands last
 
 
-def test_what_is_drawn_depends_on_the_seed_alone(folder):
-    folder.result()
+def test_what_is_drawn_depends_on_the_seed_alone(finished):
     masses = {}
-    for row in table(folder):
+    for row in table(finished[0]):
         masses.setdefault(row["seed"], set()).add(row["mass"])
     assert all(len(of_seed) == 1 for of_seed in masses.values())
     assert len({mass for of_seed in masses.values() for mass in of_seed}) == 4
 
 
-def test_csv_and_parquet_hold_the_same(folder):
+def test_csv_and_parquet_hold_the_same_beside_plots_and_the_worst(finished):
+    """Plots for each parameter and each pair."""
     import pyarrow.parquet
 
-    folder.result()
-    columns = pyarrow.parquet.read_table(folder.out / "runs.parquet").to_pydict()
-    rows = table(folder)
+    folder, _ = finished
+    columns, rows = pyarrow.parquet.read_table(folder.out / "runs.parquet").to_pydict(), table(folder)
     assert list(columns) == list(rows[0])
     assert columns["id"] == [row["id"] for row in rows]
     assert columns["seed"] == [int(row["seed"]) for row in rows]
     assert columns["com_error_max_m"] == [float(row["com_error_max_m"]) for row in rows]
     assert columns["fell"] == [row["fell"] == "true" for row in rows]
+    names = {file.name for file in (folder.out / "plots").iterdir()}
+    assert names == {f"{name}.{form}" for name in ("height", "mass", "height__mass") for form in ("png", "svg")}
+    assert f"The commands work in `{folder.path}`" in (folder.out / "worst.md").read_text()
 
 
 def test_a_tool_makes_the_readmes_rows_of_the_table_and_keeps_the_runs_short(tmp_path):
@@ -165,9 +188,7 @@ def test_more_seeds_add_to_what_an_older_version_left(folder):
 
 def test_killed_and_started_again_it_goes_on_where_it_was(folder):
     folder.write(SPEC.replace("set:", "set:\n  mode: slow").replace("count: 4", "count: 10"))
-    process = folder.start("--jobs", 2)
-    while not (folder.out / "rows.jsonl").exists() or len(folder.rows()) < 3:
-        time.sleep(0.02)
+    process = started_until(folder, 3, "--jobs", 2)
     process.kill()
     process.communicate()
     kept = {row["id"] for row in folder.rows()}
@@ -183,11 +204,7 @@ def test_killed_and_started_again_it_goes_on_where_it_was(folder):
 
 def test_runs_end_with_a_campaign_that_is_killed(folder):
     folder.write(SPEC.replace("set:", "set:\n  mode: hang"))
-    process = folder.start("--jobs", 1)
-    pids = folder.path / "pids"
-    while not pids.exists() or not pids.read_text():
-        time.sleep(0.02)
-    program = int(pids.read_text().split()[0])
+    process, program = hanging(folder, "--jobs", 1)
     process.kill()
     process.communicate()
     deadline = time.monotonic() + 5
@@ -250,9 +267,7 @@ def test_a_run_that_was_ended_from_outside_has_no_row(folder):
 @pytest.mark.parametrize("which", [signal.SIGINT, signal.SIGTERM])
 def test_an_interrupt_keeps_what_is_finished_and_says_how_to_go_on(folder, which):
     folder.write(SPEC.replace("set:", "set:\n  mode: slow").replace("count: 4", "count: 200"))
-    process = folder.start("--jobs", 2)
-    while not (folder.out / "rows.jsonl").exists() or len(folder.rows()) < 2:
-        time.sleep(0.02)
+    process = started_until(folder, 2, "--jobs", 2)
     process.send_signal(which)
     out, err = process.communicate(timeout=30)
     assert process.returncode == 2
@@ -265,9 +280,7 @@ def test_an_interrupt_keeps_what_is_finished_and_says_how_to_go_on(folder, which
 
 def test_two_campaigns_do_not_write_into_one_folder(folder):
     folder.write("scenario: fake\nseeds: [1]\nset: {mode: hang}\n")
-    process = folder.start()
-    while not (folder.path / "pids").exists():
-        time.sleep(0.02)
+    process, _ = hanging(folder)
     done = folder.run()
     process.terminate()
     process.communicate()
@@ -278,9 +291,7 @@ def spoilt_meanwhile(folder, spoil):
     """The rows of a campaign whose scenario's file is spoilt after two of its twenty runs; that ends it."""
     (folder.path / "mine.yaml").write_text("before")
     folder.write("scenario: mine.yaml\nseeds: {count: 20}\nset: {mode: slow}\n")
-    process = folder.start("--jobs", 1)
-    while not (folder.out / "rows.jsonl").exists() or len(folder.rows()) < 2:
-        time.sleep(0.02)
+    process = started_until(folder, 2, "--jobs", 1)
     spoil(folder.path / "mine.yaml")
     _, err = process.communicate(timeout=30)
     assert process.returncode == 2 and "changed while the campaign ran" in err
@@ -311,18 +322,13 @@ def test_a_dry_run_lists_what_would_run_and_writes_nothing(folder):
     assert (found["planned"], found["done"], len(found["runs"])) == (10, 8, 10)
 
 
-def test_progress_goes_to_stderr_and_a_table_to_stdout(folder):
-    done = folder.run()
-    assert done.returncode == 0
-    lines = done.stdout.splitlines()
-    assert lines[0].split()[:3] == ["scenario", "height", "succeeded"] and len(lines[1].split()) > 5
-    assert any(line.startswith("worst: ") for line in lines) and "digest" in lines[-1]
-
-
-def test_the_worst_tell_which_criteria_they_missed(folder):
+def test_a_table_goes_to_stdout_and_the_worst_tell_which_criteria_they_missed(folder):
     folder.write(SPEC.replace("count: 4", "count: 12"))
     done = folder.run()
-    (line,) = [line for line in done.stdout.splitlines() if line.startswith("worst: ")]
+    lines = done.stdout.splitlines()
+    assert done.returncode == 0
+    assert lines[0].split()[:3] == ["scenario", "height", "succeeded"] and len(lines[1].split()) > 5 and "digest" in lines[-1]
+    (line,) = [line for line in lines if line.startswith("worst: ")]
     assert line.startswith("worst: failed: fell; missed: fell; com_error_max_m 0.")
     assert "1. failed: fell; missed: fell; com_error_max_m 0." in (folder.out / "worst.md").read_text()
 
@@ -348,11 +354,6 @@ def test_a_fall_a_stop_or_a_crash_is_worse_than_any_missed_criterion():
     plan = SimpleNamespace(spec=SimpleNamespace(judge="com_error_max_m"), metrics={"com_error_max_m": {"worst": "greatest"}})
     found = worst(plan, [missed, missed_without, walked, fell, stopped, crashed])
     assert [id(one) for one in found] == [id(one) for one in (crashed, stopped, fell, missed_without, missed, walked)]
-
-
-def test_the_page_of_the_worst_says_from_where_its_commands_work(folder):
-    folder.result()
-    assert f"The commands work in `{folder.path}`" in (folder.out / "worst.md").read_text()
 
 
 CASES = """\
@@ -390,13 +391,6 @@ def test_a_parameter_of_a_case_that_the_program_does_not_know_is_told_with_its_l
     text = CASES.replace("{mass: 8", "{masss: 8").replace("{mode: crash", "{masss: 9, mode: crash")
     said = CampaignFolder(tmp_path).write(text).complaint()
     assert "spec.yaml:5: cases.heavy: masss=8: masss: unknown key" in said
-
-
-def test_plots_are_there_for_each_parameter_and_each_pair(tmp_path):
-    folder = CampaignFolder(tmp_path, plots=True).write()
-    folder.result()
-    names = {file.name for file in (folder.out / "plots").iterdir()}
-    assert names == {f"{name}.{form}" for name in ("height", "mass", "height__mass") for form in ("png", "svg")}
 
 
 def test_the_help_tells_the_form_of_a_spec():
@@ -472,7 +466,7 @@ def test_a_draw_is_that_of_a_scenario_that_randomises_the_same(tmp_path):
 
 def test_campaigns_that_ship_are_taken_by_the_program(tmp_path):
     folder = CampaignFolder(tmp_path, PROGRAM)
-    specs = sorted((pathlib.Path(__file__).resolve().parents[2] / "campaigns").glob("*.yaml"))
+    specs = sorted((ROOT / "campaigns").glob("*.yaml"))
     assert len(specs) >= 8
     for spec in specs:
         folder.spec = spec

@@ -1,14 +1,10 @@
 """Films and strips of logs, made by the program of pictures."""
 
 import io
-import os
 import resource
-import subprocess
-import sys
 
 import numpy as np
 import pytest
-from conftest import SOURCE
 from damaged_logs import cut, without_ticks
 from log_tools import complaint_of, log_command
 from pictures_made import cache, frames_of  # noqa: F401, fixtures
@@ -18,19 +14,14 @@ from surefoot_log.cli import ImageCount  # isort: skip
 from surefoot_log.log_file import LogFile  # isort: skip
 
 
-def test_a_film_has_the_size_the_rate_and_the_length_that_were_asked_for(log, tmp_path):
-    file = tmp_path / "run.mp4"
-    done = log_command("video", log, "--out", file, "--size", "128x96", "--rate", "10", "--from", "0.5", "--to", "1.5", "--speed", "2")
-    assert (done.returncode, done.stdout) == (0, f"{file}\n"), done.stderr
+def test_a_film_has_the_size_the_rate_and_the_length_that_were_asked_for_and_the_same_bytes_again(log, tmp_path):
+    for file in (tmp_path / "a.mp4", tmp_path / "b.mp4"):
+        done = log_command("video", log, "--out", file, "--size", "128x96", "--rate", "10", "--from", "0.5", "--to", "1.5", "--speed", "2")
+        assert (done.returncode, done.stdout) == (0, f"{file}\n"), done.stderr
     images, rate = frames_of(file)
     assert (len(images), rate, images[0].shape) == (6, 10, (96, 128, 3))
     assert np.abs(images[0] - images[-1]).sum() > 0
-    assert list(tmp_path.iterdir()) == [file]
-
-
-@pytest.mark.parametrize("wrong", [["--from", "nan"], ["--to", "inf"], ["--rate", "1000000"], ["--rate", "0"], ["--from", "soon"], ["--speed", "2000"]])
-def test_a_time_or_a_rate_that_is_none_is_refused_before_the_work(log, tmp_path, wrong):
-    assert f'"{wrong[1]}" is not a ' in complaint_of("video", log, "--out", tmp_path / "x.mp4", *wrong)
+    assert (tmp_path / "a.mp4").read_bytes() == file.read_bytes() and len(list(tmp_path.iterdir())) == 2
 
 
 def test_a_film_may_begin_at_the_very_last_tick(log, tmp_path):
@@ -50,13 +41,6 @@ def test_who_waits_for_a_film_is_told_its_length_and_what_is_left_in_a_pipe_too(
     assert len(lines) == 5 and lines[-1].endswith("about 8 s left") and "\r" not in stream.getvalue()
 
 
-def test_a_film_is_the_same_bytes_again(log, tmp_path):
-    arguments = ["--size", "96x64", "--rate", "5", "--from", "1"]
-    for name in ("a.mp4", "b.mp4"):
-        assert log_command("video", log, "--out", tmp_path / name, *arguments).returncode == 0
-    assert (tmp_path / "a.mp4").read_bytes() == (tmp_path / "b.mp4").read_bytes()
-
-
 def test_a_log_that_was_cut_off_is_filmed_as_far_as_it_goes(log, tmp_path):
     done = log_command("video", cut(log, tmp_path, 0.5), "--out", tmp_path / "cut.mp4", "--size", "96x64", "--rate", "5")
     assert done.returncode == 0 and "the log is not whole" in done.stderr
@@ -68,6 +52,8 @@ def test_wrong_arguments_are_said_and_leave_no_film(log, tmp_path):
     assert "--from 7; the log goes from 0 s to 1.9975 s" in complaint_of("video", log, "--out", out, "--from", "7")
     assert "no tick lies in --from 1 --to 0.5" in complaint_of("video", log, "--out", out, "--from", "1", "--to", "0.5")
     assert "127x96" in complaint_of("video", log, "--out", out, "--size", "127x96")
+    for wrong in (("--from", "nan"), ("--to", "inf"), ("--rate", "1000000"), ("--rate", "0"), ("--from", "soon"), ("--speed", "2000")):
+        assert f'"{wrong[1]}" is not a ' in complaint_of("video", log, "--out", out, *wrong)
     for name in ("a.avi", "a.webm", "a"):
         assert "a name that ends with .mp4 would be valid" in complaint_of("video", log, "--out", tmp_path / name)
     assert "there is no folder" in complaint_of("video", log, "--out", tmp_path / "no/a.mp4")
@@ -80,21 +66,17 @@ def test_wrong_arguments_are_said_and_leave_no_film(log, tmp_path):
 def test_a_film_that_finds_no_room_is_told_in_a_line_and_the_one_before_stays(log, tmp_path, room):
     file = tmp_path / "a.mp4"
     file.write_bytes(b"the film before")
-    command = [sys.executable, "-m", "surefoot_log", "video", log, "--out", file, "--size", "96x64", "--from", "1"]
-    environment = {**os.environ, "PYTHONPATH": f"{SOURCE / 'python'}:{os.environ.get('PYTHONPATH', '')}"}
-    limited = {"preexec_fn": lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (room, room))}
-    done = subprocess.run(command, env=environment, capture_output=True, text=True, **limited)
+    done = log_command("video", log, "--out", file, "--size", "96x64", "--from", "1", preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (room, room)))
     assert done.returncode == 2 and done.stderr.splitlines()[-1] == f"surefoot: {file}: can't be written: File too large"
     assert file.read_bytes() == b"the film before" and list(tmp_path.iterdir()) == [file]
 
 
-def test_where_nothing_can_render_it_is_said_what_is_needed(log, tmp_path):
+def test_where_nothing_can_render_it_is_said_what_is_needed(log, tmp_path, monkeypatch):
     """A package of that name that is broken, as OpenGL is where its library is missing."""
     (tmp_path / "OpenGL").mkdir()
     (tmp_path / "OpenGL/__init__.py").write_text("raise AttributeError('no OSMesa')\n")
-    environment = {**os.environ, "PYTHONPATH": f"{tmp_path}:{SOURCE / 'python'}:{os.environ.get('PYTHONPATH', '')}", "MUJOCO_GL": "osmesa"}
-    command = [sys.executable, "-m", "surefoot_log", "video", log, "--out", tmp_path / "a.mp4"]
-    done = subprocess.run(command, env=environment, capture_output=True, text=True)
+    monkeypatch.setenv("MUJOCO_GL", "osmesa")
+    done = log_command("video", log, "--out", tmp_path / "a.mp4", before=tmp_path)
     assert done.returncode == 2 and "libosmesa6" in done.stderr and len(done.stderr.splitlines()) == 1
 
 

@@ -11,11 +11,18 @@ import pytest
 from program import PROGRAM, complaint
 
 
-def interrupt(arguments, after, which=signal.SIGINT):
+LONG = ["--set", "duration=1000"]
+
+
+def interrupt(*arguments, after=1.5, which=signal.SIGINT, words=None):
+    """After a time, or as soon as a line on stderr begins with these words."""
     process = subprocess.Popen([PROGRAM, *map(str, arguments)], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
-    time.sleep(after)
+    if words is None:
+        time.sleep(after)
+    else:
+        next(line for line in process.stderr if line.startswith(words))
     process.send_signal(which)
-    out, err = process.communicate(timeout=60)
+    out, err = process.communicate(timeout=120)
     return process.returncode, out, err
 
 
@@ -26,11 +33,8 @@ def test_an_interrupt_closes_the_log_and_leaves_no_results(tmp_path, which):
     log = tmp_path / "run.mcap"
     (tmp_path / "out").mkdir()
     (tmp_path / "out/index.html").write_text("of an earlier run")
-    code, out, err = interrupt(
-        ["run", "walk_flat", "--json", "--record", log, "--report", tmp_path / "out", "--set", "duration=1000"], 1.5, which
-    )
-    assert code == 2
-    assert out == ""
+    code, out, err = interrupt("run", "walk_flat", "--json", "--record", log, "--report", tmp_path / "out", *LONG, which=which)
+    assert (code, out) == (2, "")
     assert [line for line in err.splitlines() if line.startswith("surefoot: ")] == err.splitlines()[-1:]
     partial = pathlib.Path(f"{log}.partial")
     assert "interrupted" in err and str(partial) in err
@@ -48,29 +52,17 @@ def earlier_results(folder, *names):
 
 def left_of(folder):
     """Files that still are of an earlier run."""
-    return sorted(
-        str(file.relative_to(folder))
-        for file in folder.rglob("*")
-        if file.is_file() and file.read_bytes() == b"of an earlier run"
-    )
+    files = [file for file in folder.rglob("*") if file.is_file() and file.read_bytes() == b"of an earlier run"]
+    return sorted(str(file.relative_to(folder)) for file in files)
 
 
-@pytest.mark.parametrize(
-    "arguments, outdated, others",
-    [
-        (["run", "walk_flat", "--report"], ["index.html", "run.mcap"], ["notes.txt"]),
-        (
-            ["run", "walk_flat", "--seeds", 3, "--report"],
-            ["seed1/index.html", "seed3/index.html", "run-seed3.mcap"],
-            ["seed4/index.html"],
-        ),
-        (["demo", "--out"], ["index.html", "walk_flat/index.html", "push/index.html", "push/run.mcap"], ["notes.txt"]),
-    ],
-)
+@pytest.mark.parametrize("arguments, outdated, others", [
+    (["run", "walk_flat", *LONG, "--report"], ["index.html", "run.mcap"], ["notes.txt"]),
+    (["run", "walk_flat", "--seeds", 3, *LONG, "--report"], ["seed1/index.html", "seed3/index.html", "run-seed3.mcap"], ["seed4/index.html"]),
+    (["demo", "--out"], ["index.html", "walk_flat/index.html", "push/index.html", "push/run.mcap"], ["notes.txt"])])  # fmt: skip
 def test_an_interrupt_leaves_no_page_of_an_earlier_run_beside_a_new_log(tmp_path, arguments, outdated, others):
     earlier_results(tmp_path, *outdated, *others)
-    long = ["--set", "duration=1000"] if arguments[0] == "run" else []
-    interrupt([*arguments, tmp_path, *long], 1.5)
+    interrupt(*arguments, tmp_path)
     assert left_of(tmp_path) == others
 
 
@@ -87,55 +79,29 @@ def test_a_wrong_scenario_leaves_an_earlier_report_as_it_is(tmp_path):
 
 def test_a_log_with_a_name_of_its_own_is_kept_until_the_new_one_is_whole(tmp_path):
     (tmp_path / "run.mcap").write_text("of an earlier run")
-    process = subprocess.Popen(
-        [PROGRAM, "run", "walk_flat", "--set", "duration=1000", "--record", tmp_path / "run.mcap", "--report", tmp_path],
-        stdout=subprocess.DEVNULL,
-        stderr=subprocess.DEVNULL,
-    )
-    time.sleep(1.5)
-    process.kill()
-    process.wait()
+    interrupt("run", "walk_flat", *LONG, "--record", tmp_path / "run.mcap", "--report", tmp_path, which=signal.SIGKILL)
     assert left_of(tmp_path) == ["run.mcap"]
 
 
 def test_an_interrupt_of_several_seeds_ends_all_of_them(tmp_path):
-    code, out, err = interrupt(
-        ["run", "walk_flat", "--json", "--seeds", 8, "--jobs", 2, "--set", "duration=1000"], 1.5, signal.SIGTERM
-    )
-    assert code == 2
-    assert out == ""
+    code, out, err = interrupt("run", "walk_flat", "--json", "--seeds", 8, "--jobs", 2, *LONG, which=signal.SIGTERM)
+    assert (code, out) == (2, "")
     assert err.strip().splitlines()[-1].startswith("surefoot: interrupted")
 
 
 @pytest.mark.parametrize("arguments", [[], ["--seeds", 2, "--jobs", 2]])
 def test_an_interrupt_leaves_no_report_folder_that_was_made_for_nothing(tmp_path, arguments):
-    log = tmp_path / "run.mcap"
     folder = tmp_path / "out"
-    code, _, err = interrupt(
-        ["run", "walk_flat", *arguments, "--report", folder, "--record", log, "--set", "duration=1000"], 1.5
-    )
+    code, _, err = interrupt("run", "walk_flat", *arguments, "--report", folder, "--record", tmp_path / "run.mcap", *LONG)
     assert code == 2 and not folder.exists()
     left = sorted(file.name for file in tmp_path.iterdir())
     assert left and all(name.endswith(".mcap.partial") for name in left)
     assert all(name in err.splitlines()[-1] for name in left)
 
 
-def interrupt_after(words, arguments):
-    """Sends ^C as soon as a line on stderr begins with these words."""
-    process = subprocess.Popen([PROGRAM, *map(str, arguments)], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
-    for line in process.stderr:
-        if line.startswith(words):
-            break
-    process.send_signal(signal.SIGINT)
-    out, err = process.communicate(timeout=120)
-    return process.returncode, out, err
-
-
 def test_an_interrupt_shows_the_seeds_that_are_finished_and_no_cut_log_looks_whole(tmp_path):
-    code, out, err = interrupt_after(
-        "seed ",
-        ["run", "walk_flat_sea", "--seeds", 100, "--jobs", 2, "--json", "--set", "duration=2", "--record", tmp_path / "m.mcap"],
-    )
+    run = ["run", "walk_flat_sea", "--seeds", 100, "--jobs", 2, "--json", "--set", "duration=2", "--record", tmp_path / "m.mcap"]
+    code, out, err = interrupt(*run, words="seed ")
     assert code == 2
     result = json.loads(out)
     finished = {run["seed"] for run in result["runs"]}
@@ -153,7 +119,7 @@ def test_an_interrupt_shows_the_seeds_that_are_finished_and_no_cut_log_looks_who
 
 def test_an_interrupted_demo_leaves_whole_experiments_and_their_index(tmp_path):
     out = tmp_path / "demo"
-    code, printed, err = interrupt_after("walk_flat: ", ["demo", "--out", out, "--seeds", 1, "--jobs", 2])
+    code, printed, err = interrupt("demo", "--out", out, "--seeds", 1, "--jobs", 2, words="walk_flat: ")
     assert code == 2 and "experiments are whole" in err.splitlines()[-1]
     folders = {entry.name for entry in out.iterdir() if entry.is_dir()}
     index = (out / "index.html").read_text()
@@ -165,6 +131,6 @@ def test_an_interrupted_demo_leaves_whole_experiments_and_their_index(tmp_path):
 
 
 def test_a_demo_interrupted_at_once_leaves_nothing(tmp_path):
-    code, printed, err = interrupt(["demo", "--out", tmp_path / "demo"], 0.5)
+    code, printed, err = interrupt("demo", "--out", tmp_path / "demo", after=0.5)
     assert code == 2 and printed == ""
     assert not (tmp_path / "demo").exists()

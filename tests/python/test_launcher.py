@@ -4,13 +4,16 @@ import contextlib
 import fcntl
 import hashlib
 import os
-import pathlib
 import shutil
 import subprocess
 
 import pytest
+from program import ROOT
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
+
+def found_in(tree):
+    """The environment in which its ninja is found."""
+    return {**os.environ, "PATH": f"{tree}/bin:{os.environ['PATH']}"}
 
 
 @pytest.fixture
@@ -32,13 +35,8 @@ def build_program(tmp_path):
         (tmp_path / "printed").write_text(printed)
         (tmp_path / "bin/ninja").write_text(f"#!/bin/sh\ncat {tmp_path}/printed\nexit {status}\n")
         (tmp_path / "bin/ninja").chmod(0o755)
-        return subprocess.run(
-            ["bash", "-c", "source tools/setup.sh; locked build_program >&2"],
-            env={**os.environ, "PATH": f"{tmp_path}/bin:{os.environ['PATH']}"},
-            cwd=tmp_path,
-            capture_output=True,
-            text=True,
-        )
+        return subprocess.run(["bash", "-c", "source tools/setup.sh; locked build_program >&2"], env=found_in(tmp_path), cwd=tmp_path,
+                              capture_output=True, text=True)  # fmt: skip
 
     return run
 
@@ -81,8 +79,7 @@ def launcher(build_program, tmp_path):
     program.write_text("half of what the next build links")
 
     def start(*words):
-        return subprocess.Popen(["bin/surefoot", *words], cwd=tmp_path, env={**os.environ, "PATH": f"{tmp_path}/bin:{os.environ['PATH']}"},
-                                stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)  # fmt: skip
+        return subprocess.Popen(["bin/surefoot", *words], cwd=tmp_path, env=found_in(tmp_path), stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
 
     return start
 

@@ -2,16 +2,18 @@
 
 import json
 import math
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
 from conftest import record
-from damaged_logs import rewritten, steered
+from damaged_logs import steered
 from foxglove_fields import FIELDS, bare, differences, schema_of
-from log_file import OPERATOR, OPERATOR_TOLD, attachment, messages
+from log_file import OPERATOR, messages
 from log_tools import TICKS, exported
 from mcap.reader import NonSeekingReader, make_reader
 from program import of_json
+from surefoot_log.foxglove_events import Events
 
 
 def in_file_order(path):
@@ -57,63 +59,38 @@ def test_messages_and_schemas_have_the_fields_of_the_published_schemas(scene_fil
     assert seen == set(FIELDS)
 
 
-def events_of(log, folder):
-    """Of the scene of a log: time, message, who did it, and the level."""
-    file = folder / f"scene_of_{log.name}"
-    exported(log, "--foxglove", file, "--topics", "user", "--every", 20)
-    told = [message for _, channel, message in in_file_order(file) if channel.topic == "/events"]
-    found = [(message.log_time, json.loads(message.data)) for message in told]
-    assert all(event["timestamp"] == dict(zip(("sec", "nsec"), divmod(time, 10**9))) for time, event in found)
-    return [(round(1e-9 * time, 6), event["message"], event["name"], event["level"]) for time, event in found]
-
-
-def test_events_tell_what_the_operator_did(log, tmp_path):
-    told = events_of(steered(log, tmp_path, OPERATOR), tmp_path)
-    assert {time: text for time, text, by, _ in told if by == "operator"} == OPERATOR_TOLD
-    assert "planner" in {by for *_, by, _ in told}
-
-
-def test_no_change_is_left_out_however_few_ticks_are_copied(log, tmp_path):
-    exported(steered(log, tmp_path, OPERATOR), "--foxglove", tmp_path / "scene.mcap", "--every", 100)
-    assert [change["text"] for change in messages(tmp_path / "scene.mcap", "/changes")] == [change["text"] for change in OPERATOR]
-
-
-def test_events_of_the_planner_are_those_of_explain(log, tmp_path):
-    told = {(time, text) for time, text, by, _ in events_of(log, tmp_path) if by == "planner"}
-    assert {text.partition(": ")[2] for _, text in told} >= {"lift-off", "touchdown"}
-    explained, end = set(), messages(log, "/plan")[-1]["time"]
-    for at in np.arange(0.5, end + 1.0, 1.5):
-        around = of_json("explain", log, "--at", min(at, end))["events"]
-        explained |= {(event["time"], f"{event['leg']}: {event['text']}" if event["leg"] else event["text"]) for event in around if event["by"] == "planner"}
-    assert {(round(time, 6), text) for time, text in explained} == told
-
-
 WARNING, ERROR = 3, 4
 # So hard that the controller takes its sensors for faulty.
 HIT = ["--set", "disturbances.pushes.lateral.time=0.5", "--set", "disturbances.pushes.lateral.force.y=400"]
 
 
-@pytest.fixture(scope="module")
-def stopped(tmp_path_factory):
-    return record(tmp_path_factory.mktemp("log") / "stopped.mcap", *HIT, scenario="push", duration=6)
+def test_events_are_those_of_info_and_no_change_is_left_out_however_few_ticks_are_copied(log, tmp_path):
+    stopped = record(tmp_path / "stopped.mcap", *HIT, scenario="push", duration=6)
+    for file, by in ((steered(log, tmp_path, OPERATOR), {"planner", "operator", "run"}), (stopped, {"planner", "outside", "controller", "run"})):
+        scene = tmp_path / f"scene_of_{file.name}"
+        exported(file, "--foxglove", scene, "--every", 100)
+        told = [(message.log_time, json.loads(message.data)) for _, channel, message in in_file_order(scene) if channel.topic == "/events"]
+        assert all(event["timestamp"] == dict(zip(("sec", "nsec"), divmod(time, 10**9))) for time, event in told)
+        events = of_json("info", file, "--events")["events"]
+        texts = [f"{event['leg']}: {event['text']}" if event["leg"] else event["text"] for event in events]
+        assert [(event["message"], event["name"]) for _, event in told] == [(text, event["by"]) for text, event in zip(texts, events)]
+        assert [1e-9 * time for time, _ in told] == pytest.approx([event["time"] for event in events]) and {event["by"] for event in events} >= by
+        changes = [change["text"] for change in messages(scene, "/changes")]
+        assert changes == [change["text"] for change in OPERATOR if "operator" in by]
+    (stop,) = [event for _, event in told if event["name"] == "controller"]
+    assert stop["message"].startswith("command mode: ") and ", as " in stop["message"] and stop["level"] == WARNING
 
 
-def test_events_tell_stops_and_the_runs_end_as_explain_does(stopped, tmp_path):
-    told = [event for event in events_of(stopped, tmp_path) if event[2] in ("controller", "run")]
-    assert [by for *_, by, _ in told] == ["controller", "run"], told
-    for time, text, by, _ in told:
-        around = of_json("explain", stopped, "--at", time)["events"]
-        assert [(event["time"], event["text"]) for event in around if event["by"] == by] == [(pytest.approx(time), text)]
-    assert told[0][1].startswith("command mode: ") and ", as " in told[0][1] and told[0][3] == WARNING
-
-
-@pytest.mark.parametrize("summary, told", [
-    ({"metrics": {"reason": "fell at 1.99 s: tilted", "fell": True}}, [("the run ended: fell at 1.99 s: tilted", ERROR)]),
-    ({"metrics": {"reason": "interrupted", "fell": False}}, [("the run was interrupted", 2)]),
-    ({"metrics": {"reason": None}}, []), ({"metrics": []}, []), ([], [])], ids=str)  # fmt: skip
-def test_how_a_run_ended_is_told_as_its_summary_has_it(log, tmp_path, summary, told):
-    file = rewritten(log, tmp_path / "ended.mcap", attachments={"summary.json": json.dumps(summary).encode()})
-    assert [(text, level) for _, text, by, level in events_of(file, tmp_path) if by == "run"] == told
+@pytest.mark.parametrize("summary, level", [(b'{"metrics": {"fell": true}}', ERROR), (b'{"metrics": {"fell": false}}', 2), (b'{"metrics": []}', 2),
+                                            (b"[]", 2), (b"no", 2), (None, 2)])  # fmt: skip
+def test_the_end_of_a_run_is_an_error_where_the_robot_fell(summary, level):
+    written, log = [], SimpleNamespace(events=[{"time": 1.5, "text": "the run ended: so", "leg": None, "by": "run"}])
+    events = Events(SimpleNamespace(write=lambda *message: written.append(message)), log, summary)
+    events.write_until(1_499_999_999)
+    assert written == []
+    events.write_until(1_500_000_000)
+    ((topic, _, _, time, message),) = written
+    assert (topic, time, message["message"], message["level"]) == ("/events", 1_500_000_000, "the run ended: so", level)
 
 
 def test_time_never_goes_back_in_the_scenes_file(scene_file):

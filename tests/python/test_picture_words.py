@@ -13,7 +13,8 @@ from pictures_made import frame_at
 from surefoot_log import camera, captions, moments, overlays, strip  # isort: skip
 from surefoot_log.clip import nearest, times_of  # isort: skip
 from surefoot_log.foxglove import scene_entities  # isort: skip
-from surefoot_log.frames import LEGS, Touch, add_truth, events_of, frame_of, gave_way  # isort: skip
+from surefoot_log.frames import LEGS, FrameMaker, Touch, add_truth, frame_of, gave_way  # isort: skip
+from surefoot_log.log_file import Message  # isort: skip
 from surefoot_log.pictures import with_lasting_words  # isort: skip
 from surefoot_log.offscreen import mujoco  # isort: skip
 
@@ -78,20 +79,19 @@ def test_the_hull_of_points_goes_around_them():
     assert [tuple(corner) for corner in overlays.hull(points)] == [(0, 0, 1), (2, 0, 1), (2, 2, 1), (0, 2, 1)]
 
 
+SENTENCES = [
+    (("com_xy", 0.314, ("LF_KFE",), "torque_limits", ()), {"com_xy": "m/s²"}, "com xy gives way by 0.31 m/s² as torque limits act: LF_KFE"),
+    (("com_xy", 161.4, ("LF", "RF", "LH"), "friction_cone", ("torso_yaw",)), {}, "com xy gives way by 161 as friction cone acts: LF, RF, …; torso yaw gives way too"),
+    (("com_xy", 1.0, (), "", ("torso_yaw", "torso_height")), {}, "com xy gives way by 1; torso yaw and torso height give way too"),
+    (("com_xy", 1.0, (), "", ("a", "b", "c")), {}, "com xy gives way by 1; 3 more levels give way too"),
+    (("torso_yaw", 2.0, None, None, ("com_xy",)), {}, "torso yaw gives way by 2 between two hierarchies; com xy gives way too"),
+]
+
+
 def test_words_on_pictures_stay_inside_and_say_what_gave_way():
     frame = frame_at(0.0, 1.25, phases={"LF": "swing", "RF": "stance", "LH": "search", "RH": "unloading"})
-    frame.gave_way = ("com_xy", 0.314, ("LF_KFE",), "torque_limits", ())
-    assert captions.sentence(frame, {"com_xy": "m/s²"}) == "com xy gives way by 0.31 m/s² as torque limits act: LF_KFE"
-    frame.gave_way = ("com_xy", 161.4, ("LF", "RF", "LH"), "friction_cone", ("torso_yaw",))
-    assert captions.sentence(frame, {}) == "com xy gives way by 161 as friction cone acts: LF, RF, …; torso yaw gives way too"
-    frame.gave_way = (*frame.gave_way[:4], ("torso_yaw", "torso_height"))
-    assert captions.sentence(frame, {}).endswith("; torso yaw and torso height give way too")
-    frame.gave_way = (*frame.gave_way[:4], ("a", "b", "c"))
-    assert captions.sentence(frame, {}).endswith("; 3 more levels give way too")
-    frame.gave_way = ("torso_yaw", 2.0, None, None, ("com_xy",))
-    assert captions.sentence(frame, {}) == "torso yaw gives way by 2 between two hierarchies; com xy gives way too"
-    frame.gave_way = ("torso_yaw", 2.0, (), "", ())
-    assert captions.sentence(frame, {}) == "torso yaw gives way by 2"
+    for frame.gave_way, units, told in SENTENCES:
+        assert captions.sentence(frame, units) == told
     frame.stop = "encoder LF_KFE changed too fast"
     assert captions.sentence(frame, {}) == "the controller has stopped for safety: encoder LF_KFE changed too fast"
     header = {"level_names": ["com_xy"], "level_units": ["m/s²"]}
@@ -200,33 +200,17 @@ def test_of_a_solve_that_was_cut_off_nothing_is_told_of_the_level_that_it_was_in
     assert gave_way(tick | {"status": 2, "failed_level": -1}, header) is None, "nothing was solved"
 
 
-def test_why_the_controller_has_stopped_is_said_in_the_programs_words():
-    state = json.dumps({"time": 1.0, "p_WB": [0, 0, 0.5], "q_WB": [1, 0, 0, 0], "q": [0.0] * 12}).encode()
-    for cause, fault, text, text_of_joint in json.loads((ROOT / "tests/support/stop_words.json").read_text()):
-        for joint, told in [(-1, text), (2, text_of_joint), (12, text)]:
-            health = {group: {"fault": fault, "joint": joint} for group in ("encoders", "joint_torques", "imu")}
-            tick = {"/state": state, "/command": json.dumps({"mode": "damping", "cause": cause}).encode(), "/health": json.dumps(health).encode()}
-            assert frame_of(tick, {"level_names": []}, "").stop == told
-            if text != text_of_joint and fault != "none":  # what was wrong then stays the reason
-                tick["/command"] = json.dumps({"mode": "damping", "cause": cause, "fault": fault, "joint": joint}).encode()
-                tick["/health"] = json.dumps({group: {"fault": "late", "joint": 5} for group in health}).encode()
-                assert frame_of(tick, {"level_names": []}, "").stop == told
-
-
-def told_of(plan):
-    data = json.dumps({"time": 1.0, **plan}, separators=(",", ":")).encode()
-    return events_of({"/plan": data}, {"event_names": [f"event {i}" for i in range(19)]})
-
-
-def test_of_an_event_it_is_told_whose_foot_it_is():
-    assert told_of({"events": []}) == []
-    assert told_of({"events": [{"event": 1, "leg": "RF"}]}) == ["RF: event 1"]
-    assert told_of({"events": [{"event": 11, "leg": "LH"}, {"event": 11, "leg": "RF"}, {"event": 10, "leg": None}]}) == ["LH: event 11", "RF: event 11", "event 10"]
-    assert told_of({"events": [{"event": 99, "leg": "LF"}]}) == [], "of a newer program"
-
-
-def test_logs_of_older_programs_tell_an_event_without_its_foot():
-    assert told_of({"event": 0}) == [] and told_of({"event": 5}) == ["event 5"]
+def test_frames_tell_the_events_before_them_and_why_the_controller_has_stopped():
+    events = [{"time": 0.1, "text": "lift-off", "leg": "RF", "by": "planner"}, {"time": 0.3, "text": "friction 0.6", "leg": None, "by": "operator"},
+              {"time": 0.3, "text": "touchdown", "leg": "LH", "by": "planner"}, {"time": 0.3, "text": "caught", "leg": None, "by": "planner"},
+              {"time": 0.5, "text": "command mode: damping, as encoder LF_KFE came late", "leg": None, "by": "controller"},
+              {"time": 0.8, "text": "command mode: optimal", "leg": None, "by": "controller"}]  # fmt: skip
+    maker = FrameMaker(SimpleNamespace(header={"level_names": []}, events=events), every=2)
+    state = {"time": 1.0, "p_WB": [0, 0, 0.5], "q_WB": [1, 0, 0, 0], "q": [0.0] * 12}
+    frames = [maker.frame([Message("/state", 100_000_000 * tick, json.dumps(state).encode())]) for tick in range(10)]
+    assert [frame.event for frame in frames[::2]] == ["", "RF: lift-off", "LH: touchdown; caught", "", ""] and frames[1] is None
+    assert [frame.event_time for frame in frames[::2]] == [None, 0.1, 0.3, None, None]
+    assert [frame.stop for frame in frames[::2]] == ["", "", "", "encoder LF_KFE came late", ""]
 
 
 def test_what_every_step_has_is_of_no_interest_whoever_does_it():

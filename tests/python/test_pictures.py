@@ -1,7 +1,6 @@
 """Pictures without a screen: the robot stands in them where the log says, with all that acts on it."""
 
 import numpy as np
-import pytest
 from log_file import messages
 from pictures_made import SIZE, cache, dressed, painted, run  # noqa: F401, fixtures
 
@@ -44,25 +43,22 @@ def test_the_robot_is_drawn_where_it_is(log, run, cache):
     assert column(moved) > column(first) + 0.1 * SIZE[0]
 
 
-def test_forces_and_the_support_polygon_are_drawn_over_it(log, run, cache):
-    frame = run.frames[5]
-    bare = Frame(frame.time, frame.qpos, frame.p_WB)
-    pushed = Frame(frame.time, frame.qpos, frame.p_WB, pushes=[(1, np.array([0.0, 0.0, 120.0]), np.zeros(3))])
-    plain, full, push = painted(log, run, [bare, frame, pushed], cache=cache)
+def test_what_acts_is_drawn_over_it(log, run, cache):
+    """A push is seen from wherever it acts, also behind the body, and at the body that it acts on."""
+    def pushed(way, body=1):
+        return Frame(frame.time, frame.qpos, frame.p_WB, pushes=[(body, np.array(way), np.zeros(3))])
+
+    frame, bare = run.frames[5], Frame(run.frames[5].time, run.frames[5].qpos, run.frames[5].p_WB)
+    ways = [(0.0, 300.0, 0.0), (0.0, -300.0, 0.0), (-300.0, 0.0, 0.0)]
+    frames = [bare, frame, pushed((0.0, 0.0, 120.0)), pushed((0.0, 0.0, 120.0), 4), *map(pushed, ways)]
+    plain, full, base, leg, *pushes = painted(log, run, frames, cache=cache)
     green = (full[..., 1] - full[..., 0]) - (plain[..., 1] - plain[..., 0]) > 15
-    assert green.sum() > 40
-    assert (np.abs(push - plain).sum(axis=2) > 60).sum() > 15
-
-
-@pytest.mark.parametrize("way", [(0.0, 300.0, 0.0), (0.0, -300.0, 0.0), (-300.0, 0.0, 0.0)])
-def test_a_push_is_seen_from_wherever_it_acts_also_behind_the_body(log, run, cache, way):
-    frame = run.frames[5]
-    bare = Frame(frame.time, frame.qpos, frame.p_WB)
-    pushed = Frame(frame.time, frame.qpos, frame.p_WB, pushes=[(1, np.array(way), np.zeros(3))])
-    plain, push = painted(log, run, [bare, pushed], cache=cache)
-    changed = np.abs(push - plain).sum(axis=2) > 60
-    yellow = changed & (push[..., 0] > 180) & (push[..., 1] > 170) & (push[..., 2] < 120)
-    assert yellow.sum() > 15
+    assert green.sum() > 40, "the support polygon"
+    places = [np.nonzero(np.abs(image - plain).sum(axis=2) > 60) for image in (base, leg)]
+    assert len(places[0][0]) > 15 and abs(places[0][1].mean() - places[1][1].mean()) + abs(places[0][0].mean() - places[1][0].mean()) > 4
+    for push in pushes:
+        yellow = (np.abs(push - plain).sum(axis=2) > 60) & (push[..., 0] > 180) & (push[..., 1] > 170) & (push[..., 2] < 120)
+        assert yellow.sum() > 15
 
 
 def test_an_arrow_over_the_image_lies_where_the_camera_sees_it(log, run, cache):
@@ -80,12 +76,3 @@ def test_an_arrow_over_the_image_lies_where_the_camera_sees_it(log, run, cache):
             rows, columns = np.nonzero(np.abs(with_ball - plain).sum(axis=2) > 60)
             x, y = Lens(scene.camera, SIZE).pixel(point)
             assert abs(np.median(columns) + 0.5 - x) < 1.5 and abs(np.median(rows) + 0.5 - y) < 1.5
-
-
-def test_a_push_on_a_leg_is_drawn_at_that_leg(log, run, cache):
-    frame = run.frames[5]
-    bare = Frame(frame.time, frame.qpos, frame.p_WB)
-    pushed = [Frame(frame.time, frame.qpos, frame.p_WB, pushes=[(body, np.array([0.0, 0.0, 120.0]), np.zeros(3))]) for body in (1, 4)]
-    plain, base, leg = painted(log, run, [bare, *pushed], cache=cache)
-    places = [np.nonzero(np.abs(image - plain).sum(axis=2) > 60) for image in (base, leg)]
-    assert abs(places[0][1].mean() - places[1][1].mean()) + abs(places[0][0].mean() - places[1][0].mean()) > 4

@@ -62,14 +62,6 @@ def test_a_film_that_can_not_be_made_is_told_before_the_run(tmp_path):
     assert done.returncode == 2 and "run.avi: films are written as MP4" in done.stderr and not list(tmp_path.iterdir())
 
 
-def test_seeds_have_a_film_each(tmp_path, fake_python):
-    python = fake_python('printf film > "$6"')
-    done = program(*SHORT, "--seeds", "2", "--video", tmp_path / "run.mp4", python=python)
-    assert done.returncode in (0, 1), done.stderr
-    assert sorted(path.name for path in tmp_path.glob("*.mp4")) == ["run-seed1.mp4", "run-seed2.mp4"]
-    assert not list(tmp_path.glob("*.mcap"))
-
-
 def test_a_report_that_fails_costs_no_result(tmp_path, fake_python):
     done = program(*SHORT, "--report", tmp_path / "out", python=fake_python("echo 'surefoot: no room' >&2; exit 2"))
     assert done.returncode == 2 and json.loads(done.stdout)["scenario"] == "walk_flat_ideal"
@@ -84,9 +76,11 @@ def test_a_report_that_can_not_be_made_is_told_before_the_run(tmp_path):
         assert (done.returncode, done.stdout) == (2, "") and "started without its launcher" in done.stderr and not (tmp_path / "out").exists()
 
 
-def test_seeds_have_a_report_each(tmp_path, fake_python):
-    done = program(*SHORT, "--seeds", "2", "--report", tmp_path / "out", python=fake_python('mkdir -p "$5"; echo "$@" > "$5/index.html"'))
+def test_seeds_have_a_film_and_a_report_each(tmp_path, fake_python):
+    python = fake_python('case $3 in video) printf film > "$6";; *) mkdir -p "$5"; echo "$@" > "$5/index.html";; esac')
+    done = program(*SHORT, "--seeds", "2", "--video", tmp_path / "run.mp4", "--report", tmp_path / "out", python=python)
     assert done.returncode in (0, 1), done.stderr
+    assert sorted(path.name for path in tmp_path.glob("run*")) == ["run-seed1.mp4", "run-seed2.mp4"]
     for seed in (1, 2):
         page = tmp_path / f"out/seed{seed}/index.html"
         assert page.read_text() == f"-m surefoot_report {tmp_path}/out/run-seed{seed}.mcap --out {page.parent} --of-run --quiet\n"

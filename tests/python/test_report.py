@@ -9,7 +9,7 @@ import sys
 from unittest import mock
 
 import pytest
-from damaged_logs import attachment_place, cut, cut_at, damaged_at, newer, of_version, plain_text, rewritten, steered, tick_chunks, without_ticks
+from damaged_logs import cut, cut_at, damaged_at, of_version, plain_text, rewritten, steered, tick_chunks, without_ticks
 from log_file import OPERATOR, attachment
 from log_tools import complaint_of, log_command
 
@@ -19,14 +19,19 @@ from surefoot_report import report  # isort: skip
 FIGURES = ["com_tracking", "terrain_adaptation", "estimate", "map", "events", "torques", "forces", "residuals", "active_limits", "tick_times"]
 
 
-def page_of(log, folder):
-    return report.write_report(log, folder, with_pictures=False).read_text()
+def page_of(log, folder, **options):
+    return report.write_report(log, folder, with_pictures=False, **options).read_text()
 
 
-def words_of(log, folder):
-    """The page with empty images, which is soon made."""
-    with mock.patch.object(report, "saved", lambda figure, name: ("<svg></svg>", b"")), mock.patch.object(report, "inline", lambda svg, name: name):
-        return page_of(log, folder)
+# In place of what draws the figures, which takes most of the time.
+NOT_DRAWN = {"saved": lambda figure, name: ("<svg></svg>", b""), "inline": lambda svg, name: name,
+             **{part: [(name, lambda run: "figure", caption) for name, _, caption in getattr(report, part)] for part in ("MOTION", "FORCES", "LEVELS", "TIMES")}}
+
+
+def words_of(log, folder, **options):
+    """The page with empty images."""
+    with mock.patch.multiple(report, **NOT_DRAWN):
+        return page_of(log, folder, **options)
 
 
 @pytest.fixture(scope="module")
@@ -100,21 +105,19 @@ def test_two_reports_at_once_into_a_folder_are_not_mixed(log, tmp_path):
     words_of(log, tmp_path)
     place = os.open(tmp_path, os.O_RDONLY)
     fcntl.flock(place, fcntl.LOCK_EX)
-    said = complaint_of(log, "--out", tmp_path, package="surefoot_report")
-    assert f"{tmp_path}: is being written by another run" in said
+    with pytest.raises(InputError, match=f"{tmp_path}: is being written by another run"):
+        words_of(log, tmp_path)
     assert (tmp_path / "index.html").exists()
     for folder in (tmp_path, tmp_path / "a/seed1"):  # by a run, whose lock it is
-        done = log_command(log, "--out", folder, "--no-pictures", "--of-run", package="surefoot_report")
-        assert (done.returncode, done.stdout) == (0, f"{folder}/index.html\n")
+        assert words_of(log, folder, is_locked=True)
     os.close(place)
 
 
 def test_what_is_no_log_is_refused_and_leaves_nothing(log, tmp_path):
     (tmp_path / "run.mcap.partial").write_bytes(b"x")
-    files = {plain_text(tmp_path): "not an MCAP file", tmp_path / "none.mcap": "can't be read: No such file", tmp_path: "is a folder",
-             cut(log, tmp_path, 0.01): "cut off at byte", without_ticks(log, tmp_path): "holds no tick, so there is nothing to report",
-             newer(log, tmp_path): "log version 3.0; this program reads", tmp_path / "run.mcap": "of a run that goes on or was cut off, would be valid",
-             damaged_at(log, tmp_path, attachment_place(log, "header.json") + 200): "the checksum of the attachment header.json is wrong"}  # fmt: skip
+    files = {plain_text(tmp_path): "not an MCAP file", cut(log, tmp_path, 0.01): "cut off at byte",
+             without_ticks(log, tmp_path): "holds no tick, so there is nothing to report",
+             tmp_path / "run.mcap": "of a run that goes on or was cut off, would be valid"}  # fmt: skip
     for file, words in files.items():
         with pytest.raises(InputError) as refused:
             words_of(file, tmp_path / "a/b")
@@ -123,7 +126,9 @@ def test_what_is_no_log_is_refused_and_leaves_nothing(log, tmp_path):
 
 def test_a_wrong_call_gives_one_line(log, tmp_path):
     (tmp_path / "file").write_text("in the way")
-    for arguments, words in {("run.mcap", "--out", ""): "the name is empty", (log, "--out", tmp_path / "file/report"): "file/report: this folder can't be made",
+    with pytest.raises(InputError, match="file/report: this folder can't be made"):
+        words_of(log, tmp_path / "file/report")
+    for arguments, words in {("run.mcap", "--out", ""): "the name is empty", ("run.mcap", "--out", "x"): "run.mcap: no such file",
                              (log,): "--out", (log, "--out", "x", "--piktures"): 'unknown argument "--piktures"'}.items():  # fmt: skip
         assert words in complaint_of(*arguments, package="surefoot_report")
     assert "surefoot report run.mcap --out out" in log_command("--help", package="surefoot_report").stdout
@@ -195,6 +200,18 @@ def test_a_run_that_was_steered_by_hand_is_told_beside_its_verdict_and_its_comma
     page = words_of(steered(log, tmp_path, OPERATOR), tmp_path / "out")
     assert "The run was steered by hand: 4 changes and pushes while it ran" in page[: page.index("<h2>")]
     assert "without what was changed and pushed by hand (4 times, on /changes)" in page
+    assert "<li>0.5 s: the operator pushes base with 12 N·s to the left (120 N for 0.1 s)</li>" in page
+
+
+def test_what_pushed_the_robot_is_told_with_its_time(log, tmp_path):
+    def pushed(channel, number, data):
+        """50 N to the left of a robot that looks along x, from 0.5 to 1 s: the truth of a tick has what acted in the step before it."""
+        if channel.topic != "/truth" or not 200 < number <= 400:
+            return data
+        return data.replace(b'"xfrc_applied":[0,0,0,0,0,0,0,0,0,', b'"xfrc_applied":[0,0,0,0,0,0,0,50,0,')
+
+    page = words_of(rewritten(log, tmp_path / "pushed.mcap", pushed), tmp_path / "out")
+    assert re.search(r"<li>0.5 s: pushed by 50 N, 9\d° from ahead to the left, on the base</li>\n<li>1 s: the push on the base ends</li>", page)
 
 
 SPEAKS = '{"times": [1.5, 2.25], "span": {"first": 1, "last": 2}, "notes": ["a note <b>"], "has_pushes": true}'
@@ -202,13 +219,17 @@ SPEAKS = '{"times": [1.5, 2.25], "span": {"first": 1, "last": 2}, "notes": ["a n
 
 @pytest.fixture
 def picture_maker(monkeypatch):
-    """In the place of the process that makes pictures; does as it is told, in a shell with the folder as $1. Figures are not drawn."""
-    monkeypatch.setattr(report, "saved", lambda figure, name: ("<svg></svg>", b""))
-    monkeypatch.setattr(report, "inline", lambda svg, name: name)
+    """In the place of the process that makes pictures; does as it is told, in a shell with the folder as $1."""
+    for name, value in NOT_DRAWN.items():
+        monkeypatch.setattr(report, name, value)
 
     def made(script):
         run = subprocess.run
-        monkeypatch.setattr(subprocess, "run", lambda command, **options: run(["sh", "-c", script, "sh", command[-1]], **options))
+
+        def told(command, **options):
+            return run(["sh", "-c", script, "sh", command[-1]] if "report-pictures" in command else command, **options)
+
+        monkeypatch.setattr(subprocess, "run", told)
 
     return made
 

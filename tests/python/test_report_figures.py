@@ -4,11 +4,11 @@ import copy
 
 import numpy as np
 import pytest
-from damaged_logs import changed, rewritten
+from damaged_logs import changed
 from log_file import messages
 
 from surefoot_log.log_file import LogFile  # isort: skip
-from surefoot_report import blockers, hierarchy_figures, motion_figures, outside_forces, plotting, report, run_data, space_figure  # isort: skip
+from surefoot_report import blockers, hierarchy_figures, motion_figures, plotting, report, run_data, space_figure  # isort: skip
 from surefoot_report.ground import Ground  # isort: skip
 
 LEGS = ["LF", "RF", "LH", "RH"]
@@ -255,17 +255,3 @@ def test_between_the_heights_of_a_grid_is_interpolated():
     ground = Ground([piece("heights", (1, 0, 0.5), (2, 1, 0), columns=3, rows=2, heights=[0, 0.1, 0.2, 1, 1.1, 1.2])])
     _, z, slope = ground.at([0.5, 1.0, 1.5], [-0.5, 0, 0])
     assert z[:2] == pytest.approx([0.55, 1.1]) and slope[2][0] == pytest.approx(0.1) and ground.at(1, 0.51)[0] == -1
-
-
-def test_a_push_is_told_with_its_time_size_and_direction(log, tmp_path):
-    def pushed(channel, number, data):
-        """50 N to the left of a robot that looks along x, from 0.5 to 1 s: the truth of a tick has what acted in the step before it."""
-        if channel.topic != "/truth" or not 200 < number <= 400:
-            return data
-        return data.replace(b'"xfrc_applied":[0,0,0,0,0,0,0,0,0,', b'"xfrc_applied":[0,0,0,0,0,0,0,50,0,')
-
-    ((begin, end, text),) = run_data.read_run(LogFile(rewritten(log, tmp_path / "pushed.mcap", pushed))).applied
-    assert (begin, end) == pytest.approx((0.5, 1.0)) and text.startswith("50 N, 9") and text.endswith("° from ahead to the left, on the base")
-    quaternion = [1, 0, 0, 0]
-    assert outside_forces.direction(np.array([-1.0, 0, 1]), quaternion) == ", 180° from ahead and upwards"
-    assert outside_forces.direction(np.array([1.0, -1, 0]), quaternion) == ", 45° from ahead to the right"

@@ -1,13 +1,11 @@
 """Every scenario once, whole, as a user starts it: its criteria hold."""
 
 import json
-import os
-import pathlib
 import subprocess
 
 import pytest
+from program import PROGRAM, ROOT
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
 NAMES = sorted(path.stem for path in (ROOT / "scenarios").glob("*.yaml"))
 # What these are about is how far they get.
 AS_FOUND = {"push", "step_down_without_limits"}
@@ -22,9 +20,8 @@ GROUNDS = ["step_down", "step_up", "stairs_down", "slope_any", "rough_boxes", "p
 
 def run(name, *assignments, options=()):
     """Exit code and result of one run, or of several seeds."""
-    program = os.environ.get("SUREFOOT_PROGRAM", str(ROOT / "bin" / "surefoot"))
     sets = [word for assignment in assignments for word in ("--set", assignment)]
-    done = subprocess.run([program, "run", name, "--json", *options, *sets], capture_output=True, text=True, cwd=ROOT)
+    done = subprocess.run([PROGRAM, "run", name, "--json", *options, *sets], capture_output=True, text=True, cwd=ROOT)
     assert done.returncode in (0, 1), done.stderr
     return done.returncode, json.loads(done.stdout)
 

@@ -2,15 +2,13 @@
 
 import copy
 import json
-import pathlib
 import re
 
 import jsonschema
 import pytest
 import yaml
-from program import PROGRAM, complaint, surefoot
+from program import PROGRAM, ROOT, complaint, surefoot
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
 FOLDERS = {"scenario": "scenarios", "randomisation": "randomisations", "robot": "robots", "stack": "stacks"}
 FILES = [(kind, file) for kind, folder in FOLDERS.items() for file in sorted((ROOT / folder).glob("*.yaml"))]
 
@@ -39,26 +37,12 @@ def test_a_file_that_ships_is_valid(kind, file, validators):
     assert [error.message for error in validators[kind].iter_errors(load(file))] == []
 
 
-WRONG = [
-    "planner: {swing: {apx: 0.1}}",
-    "planner: {swing: {apex: -0.1}}",
-    "planner: {torso: {max_tilt: 1.6}}",
-    "planner: {stance: {knees: backwards}}",
-    "planner: {gait: {order: [LF, RF, LH]}}",
-    "actuators: {level: 3}",
-    "sensors: {encoders: {offset: {LF_KFF: 0.1}}}",
-    "sensors: {faults: {a: {sensor: gps, kind: nan, time: 1}}}",
-    "terrain: {elements: {a: {shape: plane, size: [1, 1, 1]}}}",
-    "terrain: {elements: {a: {shape: steps, height: 0.1, count: 0}}}",
-    "tasks: {com_xy: {kq: 1}}",
-    "tasks: {com_xy: {kp: -1}}",
-    "criteria: {fel: false}",
-    "user: [{walk: true}]",
-    "stack_switches: [{time: -1, remove: [com_xy]}]",
-    "randomise: {terrain.fricton: [0.4, 1.0]}",
-    "randomise: {terrain.friction: [-0.4, 1.0]}",
-    "randomise: {terrain.friction: [0.4]}",
-]
+WRONG = ["planner: {swing: {apx: 0.1}}", "planner: {swing: {apex: -0.1}}", "planner: {torso: {max_tilt: 1.6}}", "planner: {stance: {knees: backwards}}",
+         "planner: {gait: {order: [LF, RF, LH]}}", "actuators: {level: 3}", "sensors: {encoders: {offset: {LF_KFF: 0.1}}}",
+         "sensors: {faults: {a: {sensor: gps, kind: nan, time: 1}}}", "terrain: {elements: {a: {shape: plane, size: [1, 1, 1]}}}",
+         "terrain: {elements: {a: {shape: steps, height: 0.1, count: 0}}}", "tasks: {com_xy: {kq: 1}}", "tasks: {com_xy: {kp: -1}}", "criteria: {fel: false}",
+         "user: [{walk: true}]", "stack_switches: [{time: -1, remove: [com_xy]}]", "randomise: {terrain.fricton: [0.4, 1.0]}",
+         "randomise: {terrain.friction: [-0.4, 1.0]}", "randomise: {terrain.friction: [0.4]}"]  # fmt: skip
 
 
 @pytest.mark.parametrize("text", WRONG)
