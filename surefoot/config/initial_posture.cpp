@@ -2,7 +2,7 @@
 
 #include "surefoot/base/error.hpp"
 #include "surefoot/base/formatted.hpp"
-#include "surefoot/gaits/parts/foothold_planner.hpp"
+#include "surefoot/gaits/parts/leg_limits.hpp"
 
 #include <cmath>
 #include <string>

@@ -1,7 +1,7 @@
 #include "surefoot/control/footing.hpp"
 
 #include "surefoot/control/ease.hpp"
-#include "surefoot/gaits/parts/foothold_planner.hpp"
+#include "surefoot/gaits/parts/leg_limits.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,13 +1,12 @@
 #pragma once
 
 #include "surefoot/estimation/terrain_plane.hpp"
-#include "surefoot/gaits/gait_tick.hpp"
 #include "surefoot/gaits/parts/com_planner.hpp"
 #include "surefoot/gaits/parts/foothold_planner.hpp"
 #include "surefoot/gaits/parts/grip.hpp"
-#include "surefoot/gaits/parts/legs.hpp"
+#include "surefoot/gaits/parts/leg_limits.hpp"
+#include "surefoot/gaits/parts/leg_motion.hpp"
 #include "surefoot/gaits/parts/push_balance.hpp"
-#include "surefoot/gaits/planner_options.hpp"
 #include "surefoot/signals/event_list.hpp"
 
 namespace surefoot {
@@ -30,22 +29,33 @@ struct SwingMemory {
 
 /// What every gait stands and walks with: the gait that has the legs changes it, reactions read it.
 struct Body {
-  /// `weight` of the robot [N]; `period` of the control loop [s].
-  Body(const PlannerOptions& options, double weight, double period);
+  /// `control_period` [s].
+  Body(const PlannerOptions& given, double control_period)
+      : options(given),
+        period(control_period),
+        legs(given, control_period),
+        footholds(given.stance, given.foothold),
+        grip(given.grip, given.force.friction, control_period),
+        balance(given.push, control_period),
+        com(given.com, given.force) {}
 
   /// The terrain plane through the footholds.
-  void fit_plane();
+  void fit_plane() { plane = fit_terrain_plane(legs.footholds(), options.torso.max_tilt); }
   /// Nothing but the present footholds is known of the ground.
-  void learn_ground();
-  /// One tick of the friction that the feet find. True if one began or ceased to slide: it stands
-  /// elsewhere than it did.
-  [[nodiscard]] bool observe_grip(const GaitTick& tick);
-  /// Of the gait's durations, longer where a foot has little friction: a factor.
-  [[nodiscard]] double pace() const;
+  void learn_ground() {
+    footholds.forget();
+    for (const Leg k : kLegs) footholds.remember(k, legs[k].foothold());
+    fit_plane();
+  }
+  /// Of the gait's durations, longer where a foot has little friction: a factor. Accelerations fall
+  /// with the square of the durations.
+  [[nodiscard]] double pace() const { return std::sqrt(grip.caution()); }
   /// Of the COM over the plane, but no less than a plan can be made with [m].
-  [[nodiscard]] double com_height(const Dynamics& dynamics) const;
-  /// Does the load, or where the COM has gone, ask for a new COM plan?
-  [[nodiscard]] bool wants_plan(const GaitTick& tick) const;
+  [[nodiscard]] double com_height(const Dynamics& dynamics) const {
+    constexpr double kLeast = 0.1;  // [m]
+    const Vec3& p = dynamics.com.p;
+    return std::max(kLeast, p.z() - plane.height(p.head<2>()));
+  }
 
   PlannerOptions options;
   double period;

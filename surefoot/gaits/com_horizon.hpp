@@ -1,15 +1,15 @@
 #pragma once
 
-#include "surefoot/gaits/body.hpp"
+#include "surefoot/gaits/reactions/situation.hpp"
 
 namespace surefoot {
 
 /// Puts together the phases ahead that the COM is planned through, beginning with the feet as they
-/// are. Ends with `plan`.
+/// are. Ends with `plan` or `come_to_rest`.
 class ComHorizon {
  public:
   /// `recovers`: the robot has lost its balance and comes to rest.
-  ComHorizon(const GaitTick& tick, Body& body, bool recovers);
+  ComHorizon(const Situation& now, bool recovers);
 
   /// Goes on by a phase with the feet that are down. See SupportPhase for `must_rest`.
   void add(double duration, bool must_rest);
@@ -21,15 +21,16 @@ class ComHorizon {
   [[nodiscard]] bool is_down(Leg leg) const { return phase_.down[index(leg)]; }
   [[nodiscard]] const PerLeg<Vec3>& feet() const { return feet_; }
 
-  /// Plans the COM to a velocity at the end, x and y in W [m/s], or to rest there.
-  void plan(const Vec2& end_velocity, bool comes_to_rest = false);
+  /// Plans the COM to a velocity at the end, x and y in W [m/s] …
+  void plan(Body& body, const Vec2& end_velocity);
+  /// … or over the centre of the feet, to rest there.
+  void come_to_rest(Body& body, double duration = 1.0, bool must_rest = false);
 
  private:
-  const GaitTick& tick_;
-  Body& body_;
   double ground_;  // under the COM [m]
   PerLeg<Vec3> feet_;
   SupportPhase phase_;
+  ComProblem problem_;
 };
 
 }  // namespace surefoot

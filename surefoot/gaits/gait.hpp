@@ -1,10 +1,6 @@
 #pragma once
 
-#include "surefoot/gaits/body.hpp"
-#include "surefoot/gaits/gait_tick.hpp"
-#include "surefoot/gaits/reactions/action.hpp"
-
-#include <optional>
+#include "surefoot/gaits/reactions/situation.hpp"
 
 namespace surefoot {
 
@@ -15,21 +11,33 @@ struct GaitOutcome {
   bool begins_step = false;  ///< by the gait's own time: the next step may have other velocities
 };
 
-/// A way to stand or to walk. One gait has the legs at a time. Nothing allocates or throws.
+/// A way to stand or to walk. One gait has the legs at a time. It sees the situation and changes
+/// the body. Nothing allocates or throws.
 class Gait {
  public:
   virtual ~Gait() = default;
 
   /// Takes the legs over, which all stand, and begins with `first`, if there is such an action.
-  virtual void begin(const GaitTick& tick, Body& body,
-                     const std::optional<Action>& first) noexcept = 0;
+  virtual void begin(Situation& now, Body& body, const std::optional<Action>& first) = 0;
   /// The first half of a tick: looks at the legs, and reacts to what they have met.
-  virtual void observe(const GaitTick& tick, Body& body) noexcept = 0;
+  void observe(Situation& now, Body& body);
   /// The second half: reacts to feet that slide and to pushes, then goes on in time.
-  virtual GaitOutcome advance(const GaitTick& tick, Body& body) noexcept = 0;
-
+  GaitOutcome advance(Situation& now, Body& body);
   /// Does the heading stay as it is, because no step is going on or the next one waits?
   [[nodiscard]] virtual bool waits(const Body& body) const = 0;
+
+ protected:
+  using Reaction = std::optional<Action> (*)(const Situation&);
+  void react(Reaction reaction, Situation& now, Body& body);
+  void act(const Action& action, Situation& now, Body& body);
+  /// Does the load, or where the COM has gone, ask for a new COM plan?
+  [[nodiscard]] static bool wants_plan(const Situation& now);
+
+  [[nodiscard]] virtual GaitStatus status(const Body&) const { return {}; }
+  /// Its own times and state after an action that legs and ground already know.
+  virtual void follow(const Action&, const Situation&, Body&) {}
+  virtual void plan_com(const Situation& now, Body& body) = 0;
+  virtual GaitOutcome go_on(Situation& now, Body& body) = 0;
 };
 
 }  // namespace surefoot

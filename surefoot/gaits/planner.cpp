@@ -10,8 +10,8 @@
 
 namespace surefoot {
 
-Planner::Planner(const PlannerOptions& options, double weight, double period)
-    : body_(options, weight, period),
+Planner::Planner(const PlannerOptions& options, double period)
+    : body_(options, period),
       crawl_(options),
       limits_(options, period),
       torso_(options.torso, period),
@@ -38,10 +38,10 @@ const MotionPlan& Planner::update(const UserCommand& command, const RobotState& 
   if (!initialised_ || restarts_) initialise(state, dynamics);
   calibration_.update(state.time, command.calibrate, is_undisturbed(state));
   const UserCommand user = limit(command);
-  const GaitTick tick{state.time, yaw_, user, state, dynamics, last, plan_};
-  move_legs(tick);
+  Situation now{state.time, yaw_, user, state, dynamics, last, plan_, body_};
+  move_legs(now);
   finish_calibration(state);
-  write_plan(tick);
+  write_plan(now);
   return plan_;
 }
 
@@ -60,7 +60,8 @@ void Planner::initialise(const RobotState& state, const Dynamics& dynamics) {
   torso_.restart(state);
   const UserCommand nothing;
   const HierarchyOutcome unknown;
-  stand_.begin({state.time, yaw_, nothing, state, dynamics, unknown, plan_}, body_, {});
+  Situation now{state.time, yaw_, nothing, state, dynamics, unknown, plan_, body_};
+  stand_.begin(now, body_, {});
 }
 
 void Planner::learn_ground_anew() {
@@ -85,25 +86,25 @@ CommandRoom Planner::room() const {
 // ones or after it went the other way, the feet come to stand across the torso.
 UserCommand Planner::limit(const UserCommand& command) {
   const CommandRoom now = room();
-  UserCommand user = limits_.update(command, now, body_.footholds);
+  UserCommand user = limits_.update(command, now);
   user.walk = user.walk && !calibration_.is_due();
-  user.yaw_rate *= body_.footholds.turning_share(user.yaw_rate, body_.legs.footholds(),
-                                                 body_.legs.down(), yaw_, now.cycle_duration);
+  user.yaw_rate *= limits_.strides().turning_share(user.yaw_rate, body_.legs.footholds(),
+                                                   body_.legs.down(), yaw_, now.cycle_duration);
   yaw_rate_ = user.walk && !gait().waits(body_) ? user.yaw_rate : 0.0;
   yaw_ += body_.period * yaw_rate_;
   return user;
 }
 
-void Planner::move_legs(const GaitTick& tick) {
-  gait().observe(tick, body_);
+void Planner::move_legs(Situation& now) {
+  gait().observe(now, body_);
   if (learns_ground_ && !calibration_.is_going_on()) learn_ground_anew();
-  const GaitOutcome outcome = gait().advance(tick, body_);
-  if (outcome.begins_step) limits_.take_up(room(), body_.footholds);
+  const GaitOutcome outcome = gait().advance(now, body_);
+  if (outcome.begins_step) limits_.take_up(room());
   if (outcome.hands_over) {
     walks_ = !walks_;
-    gait().begin(tick, body_, outcome.first);
+    gait().begin(now, body_, outcome.first);
   }
-  rest_.update(tick.state, !walks_ && body_.legs.all_down());
+  rest_.update(now.state, !walks_ && body_.legs.all_down());
 }
 
 // Nothing else happens at a tick at which the estimate begins anew.
@@ -118,15 +119,15 @@ void Planner::finish_calibration(const RobotState& state) {
   events.add({.kind = calibration_.take_waiting()});
 }
 
-void Planner::write_plan(const GaitTick& tick) {
-  plan_.time = tick.time;
+void Planner::write_plan(const Situation& now) {
+  plan_.time = now.time;
   for (const Leg k : kLegs) {
-    plan_.feet[index(k)] = body_.legs[k].plan(tick.time);
+    plan_.feet[index(k)] = body_.legs[k].plan(now.time);
     plan_.feet[index(k)].friction = body_.grip.friction(k);
   }
-  plan_.com = body_.com.at(tick.time);
+  plan_.com = body_.com.at(now.time);
   plan_.com_zmp_slack = body_.com.zmp_slack();
-  const double height = body_.options.stance.height + tick.user.height;
+  const double height = body_.options.stance.height + now.user.height;
   torso_.update(body_.plane, yaw_, yaw_rate_, plan_.com, height, calibration_.motion());
   plan_.torso = torso_.plan();
   friction_frame_.update(body_.plane.normal);

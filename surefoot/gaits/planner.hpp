@@ -5,11 +5,8 @@
 #include "surefoot/gaits/crawl/crawl.hpp"
 #include "surefoot/gaits/parts/calibration_schedule.hpp"
 #include "surefoot/gaits/parts/friction_frame.hpp"
-#include "surefoot/gaits/parts/rest_watch.hpp"
 #include "surefoot/gaits/parts/torso_reference.hpp"
-#include "surefoot/gaits/planner_options.hpp"
 #include "surefoot/gaits/stand/stand.hpp"
-#include "surefoot/signals/motion_plan.hpp"
 
 namespace surefoot {
 
@@ -18,9 +15,8 @@ namespace surefoot {
 /// relative to the footholds; nothing depends on where the world's origin lies.
 class Planner {
  public:
-  /// `weight` of the robot [N]; `period` of the control loop [s]. Throws Error unless the gait's
-  /// order has each leg once.
-  Planner(const PlannerOptions& options, double weight, double period);
+  /// `period` of the control loop [s]. Throws Error unless the gait's order has each leg once.
+  Planner(const PlannerOptions& options, double period);
 
   /// One tick. Allocates nothing, throws nothing.
   const MotionPlan& update(const UserCommand& command, const RobotState& state,
@@ -42,7 +38,6 @@ class Planner {
   /// lags, and jumps only where a calibration begins the plan anew.
   [[nodiscard]] const Vec3& terrain_normal() const { return friction_frame_.normal(); }
   [[nodiscard]] int steps_taken() const { return body_.steps_taken; }
-  [[nodiscard]] CrawlState crawl_state() const { return crawl_.state(); }
   /// Is the estimate to begin anew before the next update, and the plan with it? As the user asked,
   /// or after a calibration that was disturbed, once all feet stand and nothing has moved for 1 s.
   [[nodiscard]] bool restarts() const { return restarts_; }
@@ -59,12 +54,9 @@ class Planner {
   /// The command that the gait gets; turns the heading.
   [[nodiscard]] UserCommand limit(const UserCommand& command);
   [[nodiscard]] Gait& gait() { return walks_ ? static_cast<Gait&>(crawl_) : stand_; }
-  [[nodiscard]] const Gait& gait() const {
-    return walks_ ? static_cast<const Gait&>(crawl_) : stand_;
-  }
-  void move_legs(const GaitTick& tick);
+  void move_legs(Situation& now);
   void finish_calibration(const RobotState& state);
-  void write_plan(const GaitTick& tick);
+  void write_plan(const Situation& now);
 
   Body body_;
   Stand stand_;
@@ -76,7 +68,7 @@ class Planner {
   CalibrationSchedule calibration_;
   RestWatch rest_;
   MotionPlan plan_;
-  PerLeg<Vec2> hips_{};                // about the torso's centre, in heading axes [m]
+  PerLeg<Vec2> hips_;                  // about the torso's centre, in heading axes [m]
   double yaw_ = 0.0, yaw_rate_ = 0.0;  // that the torso is to have
   bool learns_ground_ = false;         // once more, as soon as the calibration is over
   bool initialised_ = false;

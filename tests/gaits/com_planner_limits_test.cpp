@@ -45,10 +45,9 @@ TEST(ComPlanner, AgainstALoadAsksForNoMoreAlongTheGroundThanFrictionGives) {
   constexpr double kFriction = 0.5;
   const Vec2 force(0.0, 0.2);  // of the weight
   ComPlanner planner = make_planner();
-  planner.bear({.force = force});
-  planner.stand_on(kFriction, 0.0);
   const Phases phases{standing(1.0, nominal_feet())};
-  plan(planner, phases, 0.0, {{0.0, 0.0}, {0.0, 0.25}, {0.0, 0.0}});
+  plan(planner, phases, 0.0, {{0.0, 0.0}, {0.0, 0.25}, {0.0, 0.0}}, Vec2::Zero(),
+       {.load = {.force = force}, .friction = kFriction});
   over(phases, 0.0, [&](const SupportPhase&, double, double t) {
     const Vec2 along = planner.at(t).a / kGravity - force;
     EXPECT_LT(along.lpNorm<Eigen::Infinity>(), kFriction / std::numbers::sqrt2) << t;
@@ -60,11 +59,10 @@ TEST(ComPlanner, FrictionIsThatOfPyramidsThatLookWhereTheHeadingDoes) {
   const auto begin_of = [](double heading) {
     const Mat2 R = rotation_about_z(heading).topLeftCorner<2, 2>();
     ComPlanner planner = make_planner();
-    planner.bear({.force = R * Vec2(0.18, 0.0)});
-    planner.stand_on(kFriction, heading);
     SupportPhase phase = standing(1.0, nominal_feet());
     for (Vec2& foot : phase.feet) foot = R * foot;
-    plan(planner, {phase}, 0.0, {{0.0, 0.0}, R * Vec2(0.1, 0.05), {0.0, 0.0}});
+    plan(planner, {phase}, 0.0, {{0.0, 0.0}, R * Vec2(0.1, 0.05), {0.0, 0.0}}, Vec2::Zero(),
+         {.load = {.force = R * Vec2(0.18, 0.0)}, .friction = kFriction, .heading = heading});
     return Vec2(R.transpose() * planner.at(0.2).a);
   };
   for (const double heading : {0.3, kPi / 4.0, 2.0})
@@ -94,13 +92,17 @@ TEST(ComPlanner, AgainstALoadKeepsEveryHipWhereItsLegReachesIt) {
   constexpr double kReach = 0.05;
   for (const double angle : {0.0, 1.0, 2.5, 4.0}) {
     ComPlanner planner = make_planner({.terminal_weight = 100.0});
-    planner.bear({.force = 0.2 * Vec2(std::cos(angle), std::sin(angle))});
-    planner.stand_on(1.0, 0.0);
+    const ComProblem loaded{.load = {.force = 0.2 * Vec2(std::cos(angle), std::sin(angle))},
+                            .friction = 1.0};
+    const auto plan_again = [&](double reach) {
+      for (int i = 0; i < 5; ++i)
+        plan(planner, on_short_legs(reach), 0.0, {{0, 0}, {0, 0}, {0, 0}}, Vec2::Zero(), loaded);
+    };
     // The rows are tangents where the plan before was, so that of a first plan is not bounded yet.
-    for (int i = 0; i < 5; ++i) plan(planner, on_short_legs(kReach), 0.0, {{0, 0}, {0, 0}, {0, 0}});
+    plan_again(kReach);
     EXPECT_LT(furthest_hip(planner, on_short_legs(kReach)), 1.05 * kReach) << angle;
     EXPECT_EQ(planner.zmp_slack(), 0.0);
-    for (int i = 0; i < 5; ++i) plan(planner, on_short_legs(1.0), 0.0, {{0, 0}, {0, 0}, {0, 0}});
+    plan_again(1.0);
     EXPECT_GT(furthest_hip(planner, on_short_legs(1.0)), 1.5 * kReach) << "longer legs lean more";
   }
 }
@@ -143,9 +145,8 @@ TEST(ComPlanner, AgainstALoadTheCapturePointStaysInsideThoughThePhaseNeedNotRest
   const Phases phases{standing(2.0, nominal_feet())};  // time enough to stop late
   const Vec2 force(0.0, 0.1);
   ComPlanner planner = make_planner(options);
-  planner.bear({.force = force});
-  planner.stand_on(1.0, 0.0);
-  plan(planner, phases, 0.0, {{0.0, 0.0}, {0.0, 0.4}, {0.0, 0.0}});
+  plan(planner, phases, 0.0, {{0.0, 0.0}, {0.0, 0.4}, {0.0, 0.0}}, Vec2::Zero(),
+       {.load = {.force = force}, .friction = 1.0});
   EXPECT_GT(least_rest_margin(planner, phases, kHeight * force), 0.9 * options.rest_margin);
 }
 
@@ -171,7 +172,7 @@ TEST(ComPlanner, APhaseCanLetTheZmpComeNearerToTheEdgesThanUsual) {
 TEST(ComPlanner, LetsNoLegCarryMoreThanItsShare) {
   ComPlanner planner = make_planner({.leg_share = 0.6});
   const SupportPhase phase = standing(1.0, nominal_feet());
-  for (std::size_t k = 0; k < kNumLegs; ++k) EXPECT_EQ(planner.share(phase, k, 0.5), 0.6);
+  for (std::size_t k = 0; k < kNumLegs; ++k) EXPECT_EQ(planner.share(phase, k, 0.5, kWeight), 0.6);
   EXPECT_LT(region(planner, phase, 0.5).margin(phase.feet[0]), -0.05);
 }
 
@@ -229,33 +230,36 @@ TEST(ComPlanner, LeavesOutPhasesThatAreTooShortOrTooMany) {
 
 TEST(ComPlanner, AFootsShareRampsUpFromTouchdownAndDownToLiftOff) {
   const ForceOptions force{.max = 240.0, .ramp_up = 0.1, .ramp_down = 0.2};
-  ComPlanner planner({.leg_share = 1.0}, force, kWeight);
+  const ComPlanner planner({.leg_share = 1.0}, force);
   SupportPhase phase = standing(1.0, nominal_feet());
   phase.loaded_for[0] = 0.0;
   phase.lifts_in[0] = 0.8;
-  EXPECT_NEAR(planner.share(phase, 0, 0.0), 0.0, 1e-12);
-  EXPECT_NEAR(planner.share(phase, 0, 0.05), 0.4, 1e-12);
-  EXPECT_NEAR(planner.share(phase, 0, 0.3), 0.8, 1e-12);
-  EXPECT_NEAR(planner.share(phase, 0, 0.7), 0.4, 1e-12);
-  EXPECT_NEAR(planner.share(phase, 0, 0.8), 0.0, 1e-12);
-  EXPECT_NEAR(planner.share(phase, 0, 0.9), 0.0, 1e-12);
-  EXPECT_NEAR(planner.share(phase, 1, 0.5), 0.8, 1e-12);
-  planner.weigh(1.25 * kWeight);
-  EXPECT_NEAR(planner.share(phase, 1, 0.5), 0.64, 1e-12) << "of a heavier robot";
+  const auto share = [&](std::size_t leg, double t, double weight = kWeight) {
+    return planner.share(phase, leg, t, weight);
+  };
+  EXPECT_NEAR(share(0, 0.0), 0.0, 1e-12);
+  EXPECT_NEAR(share(0, 0.05), 0.4, 1e-12);
+  EXPECT_NEAR(share(0, 0.3), 0.8, 1e-12);
+  EXPECT_NEAR(share(0, 0.7), 0.4, 1e-12);
+  EXPECT_NEAR(share(0, 0.8), 0.0, 1e-12);
+  EXPECT_NEAR(share(0, 0.9), 0.0, 1e-12);
+  EXPECT_NEAR(share(1, 0.5), 0.8, 1e-12);
+  EXPECT_NEAR(share(1, 0.5, 1.25 * kWeight), 0.64, 1e-12) << "of a heavier robot";
   phase.down[1] = false;
-  EXPECT_EQ(planner.share(phase, 1, 0.5), 0.0);
+  EXPECT_EQ(share(1, 0.5), 0.0);
 }
 
 TEST(ComPlanner, WithoutRampsOrWithRampsOfNoLengthAFootCarriesAllAtOnce) {
   for (const ForceOptions& force : {ForceOptions{.max = 240.0, .ramps = false},
                                     ForceOptions{.max = 240.0, .ramp_up = 0.0, .ramp_down = 0.0}}) {
-    const ComPlanner planner({.leg_share = 1.0}, force, kWeight);
+    const ComPlanner planner({.leg_share = 1.0}, force);
     SupportPhase phase = standing(0.5, nominal_feet());
     phase.loaded_for[0] = 0.0;
     phase.lifts_in[0] = 0.5;
-    for (const double t : {0.001, 0.1, 0.499}) EXPECT_NEAR(planner.share(phase, 0, t), 0.8, 1e-12);
-    EXPECT_TRUE(std::isfinite(planner.share(phase, 0, 0.5)));
-    EXPECT_TRUE(std::isfinite(planner.share(phase, 0, 0.0)));
+    for (const double t : {0.001, 0.1, 0.499})
+      EXPECT_NEAR(planner.share(phase, 0, t, kWeight), 0.8, 1e-12);
+    EXPECT_TRUE(std::isfinite(planner.share(phase, 0, 0.5, kWeight)));
+    EXPECT_TRUE(std::isfinite(planner.share(phase, 0, 0.0, kWeight)));
   }
 }
 

@@ -116,7 +116,7 @@ Phases first_swings() {
 TEST(ComPlanner, EveryPlanIsOptimal) {
   RandomMatrices random(7);
   ComPlanner planner(ComPlannerOptions{.zmp_margin = 0.055},
-                     ForceOptions{.ramp_up = 0.06, .ramp_down = 0.07}, 298.96363929222008);
+                     ForceOptions{.ramp_up = 0.06, .ramp_down = 0.07});
   constexpr int kPlans = 200;
   for (int trial = 0; trial < kPlans; ++trial) {
     Phases phases = first_swings();
@@ -128,12 +128,15 @@ TEST(ComPlanner, EveryPlanIsOptimal) {
       const Vec2 shift(random.uniform(-size, size), random.uniform(-size, size));
       for (SupportPhase& phase : phases) phase.feet[leg] += shift;
     }
-    planner.clear();
-    for (const SupportPhase& phase : phases) planner.add(phase);
-    planner.plan(9.5,
-                 {Vec2(0.014549859590972594, 0.00060189375878823368),
+    ComProblem problem{
+        .time = 9.5,
+        .begin = {Vec2(0.014549859590972594, 0.00060189375878823368),
                   Vec2(-0.00022765192236675642, -0.00034386842946236318), Vec2::Zero()},
-                 0.44354665222145256, {0.2, 0.0});
+        .height = 0.44354665222145256,
+        .weight = 298.96363929222008,
+        .end_velocity = {0.2, 0.0}};
+    for (const SupportPhase& phase : phases) problem.add(phase);
+    planner.plan(problem);
     const double worst = worst_stationarity(certify(planner.hierarchy(), planner.solution().x));
     EXPECT_LT(worst, 1e-8) << "trial " << trial;
     EXPECT_LT(planner.at(planner.end_time()).p.norm(), 0.5) << "trial " << trial;
@@ -168,9 +171,8 @@ TEST(ComPlanner, ComesToRestOverItsFeetWhereItIsToldTo) {
   ComPlanner planner = make_planner();
   for (int trial = 0; trial < kTrials; ++trial) {
     const Motion<Vec2> start = random_start(random);
-    planner.clear();
-    planner.add(standing(1.0, nominal_feet()));
-    planner.plan(0.0, start, kHeight, Vec2::Zero(), true);
+    plan(planner, {standing(1.0, nominal_feet())}, 0.0, start, Vec2::Zero(),
+         {.comes_to_rest = true});
     const ComPlan end = planner.at(1.0 - 1e-9);
     EXPECT_LT(end.p.norm(), 1e-3);
     EXPECT_LT(end.v.norm(), 1e-3);

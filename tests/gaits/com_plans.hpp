@@ -80,14 +80,19 @@ inline Motion<Vec2> random_start(RandomMatrices& random) {
 }
 
 inline ComPlanner make_planner(const ComPlannerOptions& options = {}) {
-  return ComPlanner(options, ForceOptions{}, kWeight);
+  return ComPlanner(options, ForceOptions{});
 }
 
+/// `problem`: what else is asked, as its load.
 inline void plan(ComPlanner& planner, const Phases& phases, double time, const Motion<Vec2>& begin,
-                 const Vec2& end_velocity = Vec2::Zero()) {
-  planner.clear();
-  for (const SupportPhase& phase : phases) planner.add(phase);
-  planner.plan(time, begin, kHeight, end_velocity);
+                 const Vec2& end_velocity = Vec2::Zero(), ComProblem problem = {}) {
+  problem.time = time;
+  problem.begin = begin;
+  problem.height = kHeight;
+  problem.weight = kWeight;
+  problem.end_velocity = end_velocity;
+  for (const SupportPhase& phase : phases) problem.add(phase);
+  planner.plan(problem);
 }
 
 inline double total_duration(const Phases& phases) {
@@ -111,7 +116,7 @@ void over(const Phases& phases, double time, const Check& check) {
 
 inline SupportRegion region(const ComPlanner& planner, const SupportPhase& phase, double t) {
   PerLeg<double> shares{};
-  for (std::size_t k = 0; k < kNumLegs; ++k) shares[k] = planner.share(phase, k, t);
+  for (std::size_t k = 0; k < kNumLegs; ++k) shares[k] = planner.share(phase, k, t, kWeight);
   return {phase.feet, shares};
 }
 

@@ -15,21 +15,25 @@ inline const Vec3 kNoForce = Vec3::Zero();
 inline constexpr double kHipHeight = 0.22;  // low, so that the leg is long enough for all [m]
 inline const SwingOptions kSwing{.hip_height_min = 0.2};
 
+inline LegMotion make_leg(const ForceOptions& force = {}) {
+  PlannerOptions options;
+  options.force = force;
+  options.swing = kSwing;
+  return LegMotion(options, kPeriod);
+}
+
 /// A leg and the foot that it moves.
 struct Bench {
   Bench() = default;
-  explicit Bench(const ForceOptions& force) : leg(kSwing, TouchdownOptions{}, force, kPeriod) {}
+  explicit Bench(const ForceOptions& force) : leg(make_leg(force)) {}
 
   LegEvent observe(const Vec3& force) {
     const double ground = std::max(p.z(), leg.foothold().z());
     const Vec3 over_foot(p.x(), p.y(), ground + kHipHeight);
-    const Motion<Vec3> hip_motion{hip ? *hip : over_foot, hip_velocity, Vec3::Zero()};
+    const PointKinematics hip_point{.p = hip ? *hip : over_foot, .v = hip_velocity};
     const Vec3 v = foot_velocity ? *foot_velocity : leg.plan(time).v_WF;
-    return leg.observe(time, {.hip = hip_motion,
-                              .foot = {p, v, Vec3::Zero()},
-                              .force = force,
-                              .normal = kUp,
-                              .force_per_torque = force_per_torque});
+    const PointKinematics foot{.p = p, .v = v};
+    return leg.observe(time, {hip_point, foot, force, kUp, force_per_torque});
   }
   LegEvent observe(double normal_force) { return observe(normal_force * kUp); }
 
@@ -56,7 +60,7 @@ struct Bench {
     return event;
   }
 
-  LegMotion leg{kSwing, TouchdownOptions{}, ForceOptions{}, kPeriod};
+  LegMotion leg = make_leg();
   double time = 10.0;
   Vec3 p{1.0, 2.0, 0.03};
   std::optional<Vec3> hip;  // without one the leg is never too short

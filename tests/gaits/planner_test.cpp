@@ -368,7 +368,7 @@ TEST(Planner, AllocatesNothingInATick) {
   Dynamics dynamics;
   dynamics.com.p = state.p_WB;
   dynamics.mass = Puppet::kWeight / kGravity;
-  Planner planner(probing(), Puppet::kWeight, kPeriod);
+  Planner planner(probing(), kPeriod);
   std::size_t most = 0;
   puppet.run(20.0, [&] {
     state.time = puppet.time();

@@ -30,7 +30,7 @@ Ground step_at(double edge, double height) {
 }
 
 Puppet::Puppet(const PlannerOptions& options, Ground terrain, const Vec2& position, double heading)
-    : ground(std::move(terrain)), planner_(of_any_height(options), kWeight, kPeriod) {
+    : ground(std::move(terrain)), planner_(of_any_height(options), kPeriod) {
   const Mat3 R = rotation_about_z(heading);
   slide.fill(Vec2::Zero());
   double mean = 0.0;

@@ -11,9 +11,15 @@ const Vec3 kUp = Vec3::UnitZ();
 const Vec3 kForward = Vec3::UnitX();
 constexpr double kDuration = 0.5;  // of the swing [s]
 
+PlannerOptions with(const ReflexOptions& reflex) {
+  PlannerOptions options;
+  options.reflex = reflex;
+  return options;
+}
+
 /// A foot that goes a stride forward, `behind` its reference and under a force.
 struct Foot {
-  explicit Foot(const ReflexOptions& reflex = {}) : leg({}, {}, {}, kPeriod, reflex) {
+  explicit Foot(const ReflexOptions& reflex = {}) : leg(with(reflex), kPeriod) {
     leg.plant(-5.0, Vec3::Zero());
     leg.lift(0.0, {Vec3::Zero(), 0.2 * kForward, kUp, kDuration, 0.08});
   }
@@ -23,10 +29,9 @@ struct Foot {
     LegEvent event = LegEvent::none;
     for (double t = from * kDuration; t < to * kDuration && event == LegEvent::none; t += kPeriod) {
       const FootPlan plan = leg.plan(t);
-      event = leg.observe(t, {.hip = {plan.p_WF + 0.3 * kUp, Vec3::Zero(), Vec3::Zero()},
-                              .foot = {plan.p_WF - behind, plan.v_WF, Vec3::Zero()},
-                              .force = force,
-                              .normal = kUp});
+      const PointKinematics hip{.p = plan.p_WF + 0.3 * kUp};
+      const PointKinematics foot{.p = plan.p_WF - behind, .v = plan.v_WF};
+      event = leg.observe(t, {hip, foot, force, kUp, 0.0});
     }
     return event;
   }

@@ -1,11 +1,9 @@
 #include "surefoot/gaits/crawl/crawl.hpp"
 
-#include "surefoot/gaits/crawl/lift_off.hpp"
-#include "surefoot/gaits/crawl/wider_support.hpp"
-#include "surefoot/gaits/reactions/balance_margin.hpp"
+#include "surefoot/gaits/com_horizon.hpp"
 #include "surefoot/gaits/reactions/leg_reactions.hpp"
 #include "surefoot/gaits/reactions/push_reactions.hpp"
-#include "surefoot/math/numbers.hpp"
+#include "surefoot/math/rotation.hpp"
 
 #include <algorithm>
 #include <cassert>
@@ -20,10 +18,9 @@ constexpr double kOnTime = 0.05;       // a lift-off later than this needs a new
 constexpr double kLiftOffPatience = 0.3;  // before a lift-off is given up [s]
 constexpr double kTiltGivenUp = 20.0;     // more of a shortfall than on all feet [rad/s²]
 constexpr double kShortestPlan = 0.08;    // left of a phase that a new plan can use [s]
+constexpr double kRecovery = 0.6;         // in which the COM of a pushed robot comes to rest [s]
 
 }  // namespace
-
-Crawl::Crawl(const PlannerOptions& options) : steps_(options.gait, options.probe) {}
 
 void Crawl::go(CrawlCause cause) {
   const CrawlTransition* way = find_transition(state_, cause);
@@ -31,34 +28,11 @@ void Crawl::go(CrawlCause cause) {
   if (way != nullptr) state_ = way->to;
 }
 
-void Crawl::begin(const GaitTick& tick, Body& body, const std::optional<Action>& first) noexcept {
-  if (first) return act(first, tick, body);
+void Crawl::begin(Situation& now, Body& body, const std::optional<Action>& first) {
+  if (first) return act(*first, now, body);
   go(CrawlCause::walks);
-  begin_support(tick, body.options.gait.start_duration);
-  plan_com(tick, body);
-}
-
-void Crawl::observe(const GaitTick& tick, Body& body) noexcept {
-  for (const Leg k : kLegs) {
-    const LegEvent event = look_at(k, tick, body);
-    act(react_to_leg(event, see(tick, body), k), tick, body);
-  }
-}
-
-GaitOutcome Crawl::advance(const GaitTick& tick, Body& body) noexcept {
-  if (body.observe_grip(tick)) act(on_slip(see(tick, body)), tick, body);
-  react_to_push(tick, body);
-  switch (state_) {
-    case CrawlState::stand:
-      return {};
-    case CrawlState::shift:
-      return advance_shift(tick, body);
-    case CrawlState::unload:
-      return advance_unload(tick, body);
-    case CrawlState::swing:
-      return advance_swing(tick, body);
-  }
-  return {};
+  begin_support(now, body.options.gait.start_duration);
+  plan_com(now, body);
 }
 
 bool Crawl::waits(const Body& body) const {
@@ -72,29 +46,23 @@ bool Crawl::has_lost(const Body& body) const {
   });
 }
 
-Situation Crawl::see(const GaitTick& tick, const Body& body) const {
-  Situation now{tick, body, {}};
-  if (state_ == CrawlState::swing) now.gait.swings = steps_.next();
-  if (state_ == CrawlState::unload) now.gait.unloads = steps_.next();
-  now.gait.lands_at = deadline_;
-  now.gait.support_duration = steps_.support_duration(body.pace());
-  return now;
+GaitStatus Crawl::status(const Body& body) const {
+  GaitStatus result{.lands_at = deadline_,
+                    .support_duration = steps_.support_duration(body.pace())};
+  if (state_ == CrawlState::swing) result.swings = steps_.next();
+  if (state_ == CrawlState::unload) result.unloads = steps_.next();
+  return result;
 }
 
-void Crawl::act(const std::optional<Action>& action, const GaitTick& tick, Body& body) {
-  if (!action) return;
-  carry_out(*action, tick, body);
-  if (action->recovers) recovers_ = *action->recovers;
-  change_state(*action, tick, body);
-  if (action->support) begin_support(tick, *action->support);
-  if (action->swing && !action->swing->keeps_deadline) {
-    expect_touchdown(tick.time, action->swing->target.duration);
-    plan_com(tick, body);
-  }
-  if (action->replans) plan_com(tick, body);
+void Crawl::follow(const Action& action, const Situation& now, Body& body) {
+  if (action.recovers) recovers_ = *action.recovers;
+  change_state(action, now, body);
+  if (action.support) begin_support(now, *action.support);
+  if (action.swing && !action.swing->keeps_deadline)
+    expect_touchdown(now, action.swing->target.duration);
 }
 
-void Crawl::change_state(const Action& action, const GaitTick& tick, Body& body) {
+void Crawl::change_state(const Action& action, const Situation& now, Body& body) {
   const Leg next = steps_.next();
   if (action.steps_out_of_turn) {
     go(CrawlCause::steps_to_recover);
@@ -103,7 +71,7 @@ void Crawl::change_state(const Action& action, const GaitTick& tick, Body& body)
     go(CrawlCause::lands);
     ++body.steps_taken;
     steps_.advance();
-    begin_support(tick, steps_.support_duration(body.pace()));
+    begin_support(now, steps_.support_duration(body.pace()));
   } else if (state_ == CrawlState::swing && action.swing && action.swing->leg == next) {
     go(CrawlCause::goes_on_swinging);
   } else if (state_ == CrawlState::unload && body.legs[next].phase() != LegPhase::unloading) {
@@ -113,99 +81,127 @@ void Crawl::change_state(const Action& action, const GaitTick& tick, Body& body)
   }
 }
 
-void Crawl::begin_support(const GaitTick& tick, double duration) {
-  steps_.set_backward(tick.user.velocity.x() < 0.0);
-  lift_time_ = tick.time + duration;
+void Crawl::begin_support(const Situation& now, double duration) {
+  steps_.set_backward(now.user.velocity.x() < 0.0);
+  lift_time_ = now.time + duration;
 }
 
-void Crawl::expect_touchdown(double time, double duration) {
-  deadline_ = time + duration;
+void Crawl::expect_touchdown(const Situation& now, double duration) {
+  deadline_ = now.time + duration;
   late_time_ = deadline_ + kLate;
 }
 
-void Crawl::react_to_push(const GaitTick& tick, Body& body) {
-  body.balance.update(tick.state, tick.dynamics, body.com_height(tick.dynamics));
-  if (recovers_ && state_ != CrawlState::swing) act(go_on_if_calm(see(tick, body)), tick, body);
-  if (!body.options.push.enabled) return;
-  if (state_ == CrawlState::swing) {
-    act(land_if_tipping(see(tick, body)), tick, body);
-  } else {
-    act(reload_if_pushed(see(tick, body)), tick, body);
-    act(step_to_recover(see(tick, body)), tick, body);
+GaitOutcome Crawl::go_on(Situation& now, Body& body) {
+  react_to_push(now, body);
+  switch (state_) {
+    case CrawlState::stand:
+      return {};
+    case CrawlState::shift:
+      return go_on_shifting(now, body);
+    case CrawlState::unload:
+      return go_on_unloading(now, body);
+    case CrawlState::swing:
+      return go_on_swinging(now, body);
   }
-  const double left = (state_ == CrawlState::swing ? deadline_ : lift_time_) - tick.time;
-  if (body.wants_plan(tick) && left > kShortestPlan) plan_com(tick, body);
+  return {};
 }
 
-GaitOutcome Crawl::advance_shift(const GaitTick& tick, Body& body) {
+void Crawl::react_to_push(Situation& now, Body& body) {
+  if (recovers_ && state_ != CrawlState::swing) react(go_on_if_calm, now, body);
+  if (!body.options.push.enabled) return;
+  if (state_ == CrawlState::swing) {
+    react(land_if_tipping, now, body);
+  } else {
+    react(reload_if_pushed, now, body);
+    react(step_to_recover, now, body);
+  }
+  const double left = (state_ == CrawlState::swing ? deadline_ : lift_time_) - now.time;
+  if (wants_plan(now) && left > kShortestPlan) plan_com(now, body);
+}
+
+GaitOutcome Crawl::go_on_shifting(const Situation& now, Body& body) {
   if (waits(body)) {
-    lift_time_ = std::max(lift_time_, tick.time + steps_.support_duration(body.pace()));
+    lift_time_ = std::max(lift_time_, now.time + steps_.support_duration(body.pace()));
     return {};
   }
-  if (!tick.user.walk) {
+  if (!now.user.walk) {
     go(CrawlCause::stops);
     return {.hands_over = true};
   }
-  if (tick.time < lift_time_ - body.options.force.ramp_down) return {};
-  if (const std::optional<Leg> first = leg_for_wider_support(tick, body, steps_)) {
+  if (now.time < lift_time_ - body.options.force.ramp_down) return {};
+  if (const std::optional<Leg> first = leg_for_wider_support(now, steps_)) {
     body.events.add({.kind = PlanEvent::support_widened, .leg = first});
     go(CrawlCause::another_goes_first);
-    begin_support(tick, body.pace() * body.options.gait.start_duration);
+    begin_support(now, body.pace() * body.options.gait.start_duration);
     steps_.go_on_with(*first);
-    plan_com(tick, body);
+    plan_com(now, body);
     return {};
   }
-  tilt_shortfall_on_four_ = tick.last.tilt_shortfall;
+  tilt_shortfall_on_four_ = now.last.tilt_shortfall;
   go(CrawlCause::unloads);
   body.legs[steps_.next()].unload(lift_time_);
   return {};
 }
 
-GaitOutcome Crawl::advance_unload(const GaitTick& tick, Body& body) {
+GaitOutcome Crawl::go_on_unloading(Situation& now, Body& body) {
   const Leg next = steps_.next();
   const bool holds =
-      !(tick.last.tilt_shortfall > tilt_shortfall_on_four_ + kTiltGivenUp);  // nor if NaN
-  if (holds && tick.time < lift_time_) return {};
+      !(now.last.tilt_shortfall > tilt_shortfall_on_four_ + kTiltGivenUp);  // nor if NaN
+  if (holds && now.time < lift_time_) return {};
   const bool unloaded = body.legs[next].unloaded() || !body.options.force.ramps;
-  if (holds && unloaded && is_balanced_without(next, body, tick.dynamics)) {
-    lift_off(tick, body);
+  if (holds && unloaded && is_balanced_without(next, now)) {
+    lift_off(now, body);
     return {.begins_step = true};
   }
-  if (!holds || tick.time > lift_time_ + kLiftOffPatience) abort_lift_off(tick, body);
+  if (!holds || now.time > lift_time_ + kLiftOffPatience) react(abort_lift_off, now, body);
   return {};
 }
 
-GaitOutcome Crawl::advance_swing(const GaitTick& tick, Body& body) {
-  const Leg leg = steps_.next();
-  act(reach_beyond_edge(see(tick, body), leg), tick, body);
-  if (tick.time >= late_time_) {
-    body.events.add(see(tick, body).event(PlanEvent::late, leg));
-    late_time_ = kInfinity;
+GaitOutcome Crawl::go_on_swinging(Situation& now, Body& body) {
+  react(reach_beyond_edge, now, body);
+  if (now.time >= late_time_) {
+    body.events.add(now.event(PlanEvent::late, steps_.next()));
+    late_time_ = kNever;
   }
-  if (tick.time >= deadline_ + kGrace) {
-    deadline_ = tick.time + kWaitDuration;
-    plan_com(tick, body);
+  if (now.time >= deadline_ + kGrace) {
+    deadline_ = now.time + kWaitDuration;
+    plan_com(now, body);
   }
   return {};
 }
 
-void Crawl::lift_off(const GaitTick& tick, Body& body) {
+void Crawl::lift_off(const Situation& now, Body& body) {
   const Leg k = steps_.next();
-  body.events.add(see(tick, body).event(PlanEvent::lift_off, k));
   go(CrawlCause::lifts_off);
-  const LiftOff begun = plan_lift_off(k, tick, body, steps_.cycle_duration(body.pace()));
-  body.swing = begun.memory;
-  body.legs[k].lift(tick.time, begun.target);
-  const bool on_time = tick.time - lift_time_ < kOnTime;
-  expect_touchdown(tick.time, steps_.swing_duration(body.pace(), k));
-  if (!on_time) plan_com(tick, body);
+  begin_swing(k, now, body, steps_.cycle_duration(body.pace()));
+  const bool on_time = now.time - lift_time_ < kOnTime;
+  expect_touchdown(now, steps_.swing_duration(body.pace(), k));
+  if (!on_time) plan_com(now, body);
 }
 
-void Crawl::abort_lift_off(const GaitTick& tick, Body& body) {
-  Action action{
-      .reloads = steps_.next(), .support = body.options.gait.switch_duration, .replans = true};
-  action.events.add(see(tick, body).event(PlanEvent::lift_off_aborted, steps_.next()));
-  act(action, tick, body);
+// The phases ahead: what is left of this one, then support and swing in turn over the horizon, with
+// the footholds that are expected by then.
+void Crawl::plan_com(const Situation& now, Body& body) {
+  ComHorizon ahead(now, recovers_);
+  const bool swings = state_ == CrawlState::swing;
+  if (swings) ahead.add(std::max(deadline_ - now.time, body.period), true);
+  for (const Leg k : kLegs) {
+    const bool is_next = swings && k == steps_.next();
+    if (!ahead.is_down(k)) ahead.land(k, is_next ? body.legs[k].target().goal : now.foot(k));
+  }
+  if (recovers_) return ahead.come_to_rest(body, kRecovery, true);
+  if (!now.user.walk || has_lost(body)) return ahead.come_to_rest(body);
+  const double pace = body.pace(), cycle = steps_.cycle_duration(pace);
+  for (int step = swings ? 1 : 0; step < body.options.com.horizon_steps; ++step) {
+    const Leg k = steps_.next(step);
+    const double support = step == 0 ? std::max(lift_time_ - now.time, body.period)
+                                     : steps_.support_duration(pace, step);
+    ahead.add_support_until_lift_off(k, support);
+    ahead.add(steps_.swing_duration(pace, k), true);
+    ahead.land(k, body.footholds.foothold(k, ahead.feet(), body.plane, now.yaw, now.user, cycle));
+  }
+  ahead.add(steps_.support_duration(pace, body.options.com.horizon_steps), false);
+  ahead.plan(body, rotation_about_z(now.yaw).topLeftCorner<2, 2>() * now.user.velocity);
 }
 
 }  // namespace surefoot

@@ -1,9 +1,8 @@
 #pragma once
 
 #include "surefoot/gaits/crawl/crawl_table.hpp"
-#include "surefoot/gaits/crawl/step_sequence.hpp"
+#include "surefoot/gaits/crawl/steps.hpp"
 #include "surefoot/gaits/gait.hpp"
-#include "surefoot/gaits/reactions/situation.hpp"
 
 namespace surefoot {
 
@@ -12,31 +11,27 @@ namespace surefoot {
 class Crawl final : public Gait {
  public:
   /// Throws Error unless the gait's order has each leg once.
-  explicit Crawl(const PlannerOptions& options);
+  explicit Crawl(const PlannerOptions& options) : steps_(options.gait, options.probe) {}
 
-  void begin(const GaitTick& tick, Body& body,
-             const std::optional<Action>& first) noexcept override;
-  void observe(const GaitTick& tick, Body& body) noexcept override;
-  GaitOutcome advance(const GaitTick& tick, Body& body) noexcept override;
+  void begin(Situation& now, Body& body, const std::optional<Action>& first) override;
   [[nodiscard]] bool waits(const Body& body) const override;
-
-  [[nodiscard]] CrawlState state() const { return state_; }
   [[nodiscard]] double cycle_duration(double pace) const { return steps_.cycle_duration(pace); }
 
  private:
+  [[nodiscard]] GaitStatus status(const Body& body) const override;
+  void follow(const Action& action, const Situation& now, Body& body) override;
+  void plan_com(const Situation& now, Body& body) override;
+  GaitOutcome go_on(Situation& now, Body& body) override;
+
   void go(CrawlCause cause);
-  void act(const std::optional<Action>& action, const GaitTick& tick, Body& body);
-  void change_state(const Action& action, const GaitTick& tick, Body& body);
-  [[nodiscard]] Situation see(const GaitTick& tick, const Body& body) const;
-  void begin_support(const GaitTick& tick, double duration);
-  void expect_touchdown(double time, double duration);
-  void react_to_push(const GaitTick& tick, Body& body);
-  GaitOutcome advance_shift(const GaitTick& tick, Body& body);
-  GaitOutcome advance_unload(const GaitTick& tick, Body& body);
-  GaitOutcome advance_swing(const GaitTick& tick, Body& body);
-  void lift_off(const GaitTick& tick, Body& body);
-  void abort_lift_off(const GaitTick& tick, Body& body);
-  void plan_com(const GaitTick& tick, Body& body);
+  void change_state(const Action& action, const Situation& now, Body& body);
+  void begin_support(const Situation& now, double duration);
+  void expect_touchdown(const Situation& now, double duration);
+  void react_to_push(Situation& now, Body& body);
+  GaitOutcome go_on_shifting(const Situation& now, Body& body);
+  GaitOutcome go_on_unloading(Situation& now, Body& body);
+  GaitOutcome go_on_swinging(Situation& now, Body& body);
+  void lift_off(const Situation& now, Body& body);
   /// A foot that should stand looks for ground.
   [[nodiscard]] bool has_lost(const Body& body) const;
 

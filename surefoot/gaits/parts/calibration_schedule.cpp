@@ -1,5 +1,6 @@
 #include "surefoot/gaits/parts/calibration_schedule.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace surefoot {
@@ -9,6 +10,8 @@ constexpr double kPatience = 10.0;     // until it is told that a calibration wa
                                        // repeated one is given up [s]
 constexpr int kMostRepeats = 2;        // of a calibration that is disturbed
 constexpr double kLongestGap = 0.011;  // between two ticks; a longer one disturbs, too [s]
+constexpr double kStill = 0.02;        // [m/s] and [rad/s]
+constexpr double kRestDuration = 1.0;  // [s]
 
 }  // namespace
 
@@ -68,6 +71,16 @@ PlanEvent CalibrationSchedule::take_waiting() {
   if (!is_wanted_ || is_going_on() || time_ < tells_wait_at_) return PlanEvent::none;
   tells_wait_at_ = time_ + kPatience;
   return PlanEvent::calibration_waits;
+}
+
+void RestWatch::update(const RobotState& state, bool stands) {
+  if (!stands) stands_from_ = state.time;
+  if (!(state.v_WB.norm() < kStill)) rests_from_ = state.time;
+}
+
+bool RestWatch::is_at_rest(const RobotState& state) const {
+  return state.time > std::max(stands_from_, rests_from_) + kRestDuration &&
+         state.w_WB_B.norm() < kStill;
 }
 
 }  // namespace surefoot

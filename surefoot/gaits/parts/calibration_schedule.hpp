@@ -2,6 +2,7 @@
 
 #include "surefoot/gaits/parts/calibration_motion.hpp"
 #include "surefoot/signals/plan_event.hpp"
+#include "surefoot/signals/robot_state.hpp"
 
 namespace surefoot {
 
@@ -55,6 +56,18 @@ class CalibrationSchedule {
   bool may_give_up_ = false;            // to repeat it, as nobody has asked for one
   int repeats_ = 0;                     // of one that was disturbed
   PlanEvent end_ = PlanEvent::none;     // that is still to be told
+};
+
+/// Since when a robot has stood on all feet without going anywhere.
+class RestWatch {
+ public:
+  /// One tick. `stands`: the gait lets all feet stand, and they do.
+  void update(const RobotState& state, bool stands);
+  /// For 1 s, and it does not turn.
+  [[nodiscard]] bool is_at_rest(const RobotState& state) const;
+
+ private:
+  double stands_from_ = 0.0, rests_from_ = 0.0;  // [s]
 };
 
 }  // namespace surefoot

@@ -20,7 +20,6 @@ bool has_room(const PerLeg<Vec2>& feet, Leg leg) {
 }  // namespace
 
 CaptureStep find_capture_step(const CaptureProblem& problem, Leg leg, const PushOptions& options) {
-  const PerLeg<double> all{1.0, 1.0, 1.0, 1.0};
   const Vec2 from = problem.feet[index(leg)];
   CaptureStep best{.goal = from};
   PerLeg<Vec2> feet = problem.feet;
@@ -30,7 +29,7 @@ CaptureStep find_capture_step(const CaptureProblem& problem, Leg leg, const Push
       const double angle = problem.heading + 2.0 * kPi * j / kDirections;
       const Vec2 asked = from + length * Vec2(std::cos(angle), std::sin(angle));
       feet[index(leg)] = nearest_within(asked, problem.hip, problem.reach);
-      const double margin = SupportRegion(feet, all).margin(problem.capture_point);
+      const double margin = SupportRegion(feet, per_leg(1.0)).margin(problem.capture_point);
       if (has_room(feet, leg) && margin > best.margin) best = {feet[index(leg)], margin};
     }
     if (best.margin >= options.capture_margin) break;

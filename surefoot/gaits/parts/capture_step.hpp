@@ -1,7 +1,7 @@
 #pragma once
 
+#include "surefoot/gaits/parts/leg_limits.hpp"
 #include "surefoot/gaits/parts/support_region.hpp"
-#include "surefoot/gaits/planner_options.hpp"
 
 namespace surefoot {
 
@@ -13,7 +13,7 @@ struct CaptureStep {
 
 /// What a step to catch the robot has to reckon with, x and y in W [m].
 struct CaptureProblem {
-  PerLeg<Vec2> feet{Vec2::Zero(), Vec2::Zero(), Vec2::Zero(), Vec2::Zero()};
+  PerLeg<Vec2> feet;
   Vec2 capture_point{0.0, 0.0};  ///< when the foot lands
   Vec2 hip{0.0, 0.0};            ///< of the leg, when the foot lands
   double reach = 0.0;            ///< of the foot from the hip, horizontally

@@ -1,12 +1,10 @@
 #include "surefoot/gaits/parts/com_planner.hpp"
 
-#include "surefoot/gaits/parts/force_ramp.hpp"
-#include "surefoot/math/numbers.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <tuple>
+#include <utility>
 
 namespace surefoot {
 namespace {
@@ -28,105 +26,105 @@ constexpr std::array<double, kGaussPoints> kGaussNodes{0.0694318442029737, 0.330
 constexpr std::array<double, kGaussPoints> kGaussWeights{0.1739274225687269, 0.3260725774312731,
                                                          0.3260725774312731, 0.1739274225687269};
 
+/// Coarse: what hardly moves a row of the plan isn't worth bending a spline for.
+constexpr RankTolerance kRank{.solve = 1e-8, .keep = 1e-12};
+
 int samples_of(const SupportPhase& phase, double interval) {
   const double samples = std::ceil(phase.duration / interval);
   return static_cast<int>(std::clamp(samples, 1.0 * kMinSamples, 1.0 * kMaxSamples));
 }
 
-}  // namespace
-
-ComPlanner::ComPlanner(const ComPlannerOptions& options, const ForceOptions& force,
-                       double robot_weight)
-    : options_(options), force_(force), weight_(robot_weight) {
-  knots_.fill({Vec2::Zero(), Vec2::Zero(), Vec2::Zero()});
-  for (int phases = 1; phases <= kMaxPhases; ++phases) {
-    problems_.push_back(std::make_shared<Problem>(make_hierarchy(phases)));
-  }
+Vec2 center_of(const PerLeg<Vec2>& feet) {
+  Vec2 center = Vec2::Zero();
+  for (const Vec2& foot : feet) center += 0.25 * foot;
+  return center;
 }
 
-Hierarchy ComPlanner::make_hierarchy(int phases) {
+Hierarchy make_hierarchy(std::size_t num_phases) {
+  const int phases = static_cast<int>(num_phases), samples = phases * kMaxSamples;
   Hierarchy hierarchy(kUnknownsPerKnot * phases);
-  const int region_rows = phases * kMaxSamples * SupportRegion::kMaxEdges;
-  const int friction_rows = phases * kMaxSamples * kFrictionRows;
-  const int reach_rows = phases * kMaxSamples * static_cast<int>(kNumLegs);
-  hierarchy.add_level("zmp in the support region", region_rows + friction_rows + reach_rows);
+  const int region_rows = samples * SupportRegion::kMaxEdges;
+  hierarchy.add_level("zmp in the support region",
+                      region_rows + samples * (kFrictionRows + kNumLegs));
   hierarchy.add_level("capture point in the support region", region_rows);
   hierarchy.add_level("least acceleration", phases * kGaussPoints * 2 + kUnknownsPerKnot);
   return hierarchy;
 }
 
-void ComPlanner::add(const SupportPhase& phase) noexcept {
-  if (num_phases_ == kMaxPhases || !(phase.duration >= kShortestPhase)) return;
-  phases_[static_cast<std::size_t>(num_phases_++)] = phase;
+}  // namespace
+
+void ComProblem::add(const SupportPhase& phase) {
+  if (num_phases == kMaxPhases || !(phase.duration >= kShortestPhase)) return;
+  phases[num_phases++] = phase;
 }
 
-void ComPlanner::plan(double time, const Motion<Vec2>& begin, double height,
-                      const Vec2& end_velocity, bool comes_to_rest) noexcept {
-  if (num_phases_ == 0) return;
-  const std::tuple before(begin_time_, height_, planned_, knots_, durations_, load_.force,
-                          load_.moment);
-  guess_knots(time, begin);
-  begin_time_ = time;
-  height_ = height;
-  load_ = next_load_;
-  planned_ = num_phases_;
-  Problem& problem = *problems_[static_cast<std::size_t>(planned_ - 1)];
-  for (std::size_t l = 0; l < problem.hierarchy.num_levels(); ++l)
-    problem.hierarchy.level(l).clear();
-  for (int phase = 0; phase < planned_; ++phase) {
-    durations_[static_cast<std::size_t>(phase)] = phases_[static_cast<std::size_t>(phase)].duration;
-    write_region_rows(problem.hierarchy, phase);
-    write_smoothness_rows(problem.hierarchy.level(2), phase);
+ComPlanner::Problem::Problem(std::size_t phases)
+    : hierarchy(make_hierarchy(phases)), solver(hierarchy, {.rank = kRank, .warm_start = false}) {}
+
+ComPlanner::ComPlanner(const ComPlannerOptions& options, const ForceOptions& force)
+    : options_(options), force_(force) {
+  knots_.fill({Vec2::Zero(), Vec2::Zero(), Vec2::Zero()});
+  for (std::size_t phases = 1; phases <= kMaxPhases; ++phases)
+    problems_.push_back(std::make_shared<Problem>(phases));
+}
+
+const ComPlanner::Problem& ComPlanner::last_problem() const {
+  return *problems_[std::max<std::size_t>(problem_.num_phases, 1) - 1];
+}
+
+void ComPlanner::plan(const ComProblem& problem) noexcept {
+  if (problem.num_phases == 0) return;
+  const auto before = std::pair(problem_, knots_);
+  guess_knots(problem);
+  problem_ = problem;
+  auto& [hierarchy, solver] = *problems_[problem.num_phases - 1];
+  for (std::size_t l = 0; l < hierarchy.num_levels(); ++l) hierarchy.level(l).clear();
+  for (std::size_t phase = 0; phase < problem.num_phases; ++phase) {
+    write_region_rows(hierarchy, phase);
+    write_smoothness_rows(hierarchy.level(2), phase);
   }
-  write_terminal_rows(problem.hierarchy.level(2), end_velocity,
-                      comes_to_rest ? kRestWeight : options_.terminal_weight);
-  const Solution& solution = problem.solver.solve(problem.hierarchy);
+  write_terminal_rows(hierarchy.level(2));
+  const Solution& solution = solver.solve(hierarchy);
   if (solution.status == SolveStatus::invalid_input) {  // then the guess may be NaN as well
-    std::tie(begin_time_, height_, planned_, knots_, durations_, load_.force, load_.moment) =
-        before;
+    std::tie(problem_, knots_) = before;
     return;
   }
-  for (int k = 1; k <= planned_; ++k) {
-    const auto x = solution.x.segment<kUnknownsPerKnot>(kUnknownsPerKnot * (k - 1));
-    Motion<Vec2>& knot = knots_[static_cast<std::size_t>(k)];
+  for (std::size_t k = 1; k <= problem.num_phases; ++k) {
+    const auto first = static_cast<Eigen::Index>(kUnknownsPerKnot * (k - 1));
+    const auto x = solution.x.segment<kUnknownsPerKnot>(first);
+    Motion<Vec2>& knot = knots_[k];
     knot = {knot.p + Vec2(x[0], x[3]), knot.v + Vec2(x[1], x[4]), knot.a + Vec2(x[2], x[5])};
   }
   measure_slack();
 }
 
 // The unknowns are the deviations from a guess, so that the solver starts where the last plan was.
-void ComPlanner::guess_knots(double time, const Motion<Vec2>& begin) noexcept {
+void ComPlanner::guess_knots(const ComProblem& problem) noexcept {
   const double old_end = end_time();
   std::array<Motion<Vec2>, kMaxPhases + 1> guess;
-  guess[0] = begin;
-  double t = time;
-  for (std::size_t k = 0; k < static_cast<std::size_t>(num_phases_); ++k) {
-    t += phases_[k].duration;
-    if (planned_ > 0 && t <= old_end) {
+  guess[0] = problem.begin;
+  double t = problem.time;
+  for (std::size_t k = 0; k < problem.num_phases; ++k) {
+    t += problem.phases[k].duration;
+    if (problem_.num_phases > 0 && t <= old_end) {
       const ComPlan old = at(t);
       guess[k + 1] = {old.p, old.v, old.a};
     } else {
-      Vec2 center = Vec2::Zero();
-      for (const Vec2& foot : phases_[k].feet) center += 0.25 * foot;
-      guess[k + 1] = {center, Vec2::Zero(), Vec2::Zero()};
+      guess[k + 1] = {center_of(problem.phases[k].feet), Vec2::Zero(), Vec2::Zero()};
     }
   }
   knots_ = guess;
 }
 
 double ComPlanner::pendulum(const HalfPlane& edge) const noexcept {
-  return std::max(kLeastHeight, height_ - edge.height) / kGravity;
+  return std::max(kLeastHeight, problem_.height - edge.height) / kGravity;
 }
 
-Vec2 ComPlanner::load_shift(double height) const noexcept {
-  return height * load_.force + load_.moment;
-}
-
-void ComPlanner::write_region_rows(Hierarchy& hierarchy, int phase) const noexcept {
-  const SupportPhase& support = phases_[static_cast<std::size_t>(phase)];
+void ComPlanner::write_region_rows(Hierarchy& hierarchy, std::size_t phase) const noexcept {
+  const SupportPhase& support = problem_.phases[phase];
   const int samples = samples_of(support, options_.sample_interval);
   const double zmp_margin = std::min(options_.zmp_margin, support.zmp_margin_max);
-  const bool loaded = load_.force.norm() > 0.0;
+  const bool loaded = problem_.load.force.norm() > 0.0;
   for (int i = 1; i <= samples; ++i) {
     const double t = support.duration * i / samples;
     const SupportRegion region = region_at(support, t);
@@ -142,60 +140,50 @@ void ComPlanner::write_region_rows(Hierarchy& hierarchy, int phase) const noexce
   }
 }
 
-void ComPlanner::write_inside_rows(Level& level, int phase, double t, const SupportRegion& region,
-                                   double margin, Point point) const noexcept {
-  const double T = phases_[static_cast<std::size_t>(phase)].duration;
+void ComPlanner::write_inside_rows(Level& level, std::size_t phase, double t,
+                                   const SupportRegion& region, double margin,
+                                   Point point) const noexcept {
+  const double T = problem_.phases[phase].duration;
   for (int e = 0; e < region.num_edges(); ++e) {
-    Rows rows = level.add(1, 0);
     const HalfPlane& edge = region.edge(e);
     const double h = pendulum(edge);
     const HermiteWeights w =
         point == Point::zmp
             ? HermiteWeights(hermite_position(t, T) - h * hermite_acceleration(t, T))
             : HermiteWeights(hermite_position(t, T) + std::sqrt(h) * hermite_velocity(t, T));
-    double known = edge.normal.dot(load_shift(kGravity * h));
-    for (int axis = 0; axis < 2; ++axis)
-      known += add_terms(rows, 0, phase, axis, w, edge.normal[axis]);
-    rows.lower[0] = -kInfinity;
-    rows.upper[0] = edge.offset - margin - known;
+    const double known = edge.normal.dot(problem_.load.shift(kGravity * h));
+    add_row(level, phase, w, edge.normal, known, edge.offset - margin);
   }
 }
 
-void ComPlanner::write_friction_rows(Level& level, int phase, double t) const noexcept {
-  const double T = phases_[static_cast<std::size_t>(phase)].duration;
-  const HermiteWeights w = height_ / kGravity * hermite_acceleration(t, T);
-  const double most = kFrictionShare * friction_ * height_;
-  for (const Vec2& side : friction_axes_) {
+void ComPlanner::write_friction_rows(Level& level, std::size_t phase, double t) const noexcept {
+  const double T = problem_.phases[phase].duration, height = problem_.height;
+  const HermiteWeights w = height / kGravity * hermite_acceleration(t, T);
+  const double most = kFrictionShare * problem_.friction * height;
+  const Vec2 along(std::cos(problem_.heading), std::sin(problem_.heading));
+  for (const Vec2& side : {along, Vec2(-along.y(), along.x())}) {
     for (const double sign : {1.0, -1.0}) {
-      Rows rows = level.add(1, 0);
-      double known = 0.0;
-      for (int axis = 0; axis < 2; ++axis)
-        known += add_terms(rows, 0, phase, axis, w, sign * side[axis]);
-      rows.lower[0] = -kInfinity;
-      rows.upper[0] = most - known + sign * height_ * side.dot(load_.force);
+      add_row(level, phase, w, sign * side, 0.0, most) +=
+          sign * height * side.dot(problem_.load.force);
     }
   }
 }
 
-void ComPlanner::write_reach_rows(Level& level, int phase, double t) const noexcept {
-  const SupportPhase& support = phases_[static_cast<std::size_t>(phase)];
+void ComPlanner::write_reach_rows(Level& level, std::size_t phase, double t) const noexcept {
+  const SupportPhase& support = problem_.phases[phase];
   const HermiteWeights w = hermite_position(t, support.duration);
   const Vec2 com = evaluate(phase, t).p;
   for (std::size_t leg = 0; leg < kNumLegs; ++leg) {
     const Vec2 from_foot = com + support.hips[leg] - support.feet[leg];
     if (!support.down[leg] || from_foot.norm() < kNearReach * support.reach[leg]) continue;
     const Vec2 direction = from_foot.normalized();
-    Rows rows = level.add(1, 0);
-    double known = direction.dot(support.hips[leg] - support.feet[leg]);
-    for (int axis = 0; axis < 2; ++axis)
-      known += add_terms(rows, 0, phase, axis, w, direction[axis]);
-    rows.lower[0] = -kInfinity;
-    rows.upper[0] = support.reach[leg] - known;
+    const double known = direction.dot(support.hips[leg] - support.feet[leg]);
+    add_row(level, phase, w, direction, known, support.reach[leg]);
   }
 }
 
-void ComPlanner::write_smoothness_rows(Level& level, int phase) const noexcept {
-  const double T = phases_[static_cast<std::size_t>(phase)].duration;
+void ComPlanner::write_smoothness_rows(Level& level, std::size_t phase) const noexcept {
+  const double T = problem_.phases[phase].duration;
   for (std::size_t i = 0; i < kGaussPoints; ++i) {
     const HermiteWeights w =
         std::sqrt(kGaussWeights[i] * T) * hermite_acceleration(kGaussNodes[i] * T, T);
@@ -205,77 +193,84 @@ void ComPlanner::write_smoothness_rows(Level& level, int phase) const noexcept {
   }
 }
 
-void ComPlanner::write_terminal_rows(Level& level, const Vec2& end_velocity,
-                                     double least_weight) const noexcept {
-  const double loaded = std::min(1.0, load_shift(height_).norm() / kFullLoad);
-  const double weight = std::max(least_weight, loaded * kLoadedWeight);
-  const SupportPhase& last = phases_[static_cast<std::size_t>(planned_ - 1)];
-  Vec2 center = Vec2::Zero();
-  for (const Vec2& foot : last.feet) center += 0.25 * foot;
-  center -= load_shift(height_);
-  const Motion<Vec2>& guess = knots_[static_cast<std::size_t>(planned_)];
+void ComPlanner::write_terminal_rows(Level& level) const noexcept {
+  const Vec2 shift = problem_.load.shift(problem_.height);
+  const double least = problem_.comes_to_rest ? kRestWeight : options_.terminal_weight;
+  const double weight = std::max(least, std::min(1.0, shift.norm() / kFullLoad) * kLoadedWeight);
+  const std::size_t last = problem_.num_phases - 1;
+  const Vec2 center = center_of(problem_.phases[last].feet) - shift;
+  const Motion<Vec2>& guess = knots_[last + 1];
   Rows rows = level.add(kUnknownsPerKnot, 0);
-  const Eigen::Index first = kUnknownsPerKnot * (planned_ - 1);
+  const auto first = static_cast<Eigen::Index>(kUnknownsPerKnot * last);
   for (int axis = 0; axis < 2; ++axis) {
     for (Eigen::Index i = 3 * axis; i < 3 * axis + 3; ++i) rows.A(i, first + i) = weight;
     rows.set_equal(3 * axis, weight * (center[axis] - guess.p[axis]));
-    rows.set_equal(3 * axis + 1, weight * (end_velocity[axis] - guess.v[axis]));
+    rows.set_equal(3 * axis + 1, weight * (problem_.end_velocity[axis] - guess.v[axis]));
     rows.set_equal(3 * axis + 2, -weight * guess.a[axis]);
   }
 }
 
-double ComPlanner::add_terms(Rows& rows, Eigen::Index i, int phase, int axis,
+double& ComPlanner::add_row(Level& level, std::size_t phase, const HermiteWeights& w,
+                            const Vec2& direction, double known, double most) const noexcept {
+  Rows rows = level.add(1, 0);
+  for (int axis = 0; axis < 2; ++axis) known += add_terms(rows, 0, phase, axis, w, direction[axis]);
+  rows.lower[0] = -kInfinity;
+  return rows.upper[0] = most - known;
+}
+
+double ComPlanner::add_terms(Rows& rows, Eigen::Index i, std::size_t phase, int axis,
                              const HermiteWeights& w, double scale) const noexcept {
-  const Eigen::Index end = kUnknownsPerKnot * phase + 3 * axis;
+  const Eigen::Index end = kUnknownsPerKnot * static_cast<Eigen::Index>(phase) + 3 * axis;
   rows.A.row(i).segment<3>(end) += scale * w.tail<3>();
   if (phase > 0) rows.A.row(i).segment<3>(end - kUnknownsPerKnot) += scale * w.head<3>();
-  const Motion<Vec2>& from = knots_[static_cast<std::size_t>(phase)];
-  const Motion<Vec2>& to = knots_[static_cast<std::size_t>(phase) + 1];
+  const Motion<Vec2>&from = knots_[phase], &to = knots_[phase + 1];
   return scale * (w[0] * from.p[axis] + w[1] * from.v[axis] + w[2] * from.a[axis] +
                   w[3] * to.p[axis] + w[4] * to.v[axis] + w[5] * to.a[axis]);
 }
 
-double ComPlanner::share(const SupportPhase& phase, std::size_t leg, double t) const {
+double ComPlanner::share(const SupportPhase& phase, std::size_t leg, double t,
+                         double weight) const {
   if (!phase.down[leg]) return 0.0;
   const double most = ramped_force_max(force_, phase.loaded_for[leg] + t, phase.lifts_in[leg] - t);
-  return std::min(options_.leg_share, most / weight_);
+  return std::min(options_.leg_share, most / weight);
 }
 
 SupportRegion ComPlanner::region_at(const SupportPhase& phase, double t) const noexcept {
   PerLeg<double> shares{};
-  for (std::size_t leg = 0; leg < kNumLegs; ++leg) shares[leg] = share(phase, leg, t);
+  for (std::size_t leg = 0; leg < kNumLegs; ++leg)
+    shares[leg] = share(phase, leg, t, problem_.weight);
   return SupportRegion(phase.feet, shares, phase.heights);
 }
 
-Motion<Vec2> ComPlanner::evaluate(int phase, double t) const noexcept {
-  const auto k = static_cast<std::size_t>(phase);
-  return hermite(knots_[k], knots_[k + 1], t, durations_[k]);
+Motion<Vec2> ComPlanner::evaluate(std::size_t phase, double t) const noexcept {
+  return hermite(knots_[phase], knots_[phase + 1], t, problem_.phases[phase].duration);
 }
 
 ComPlan ComPlanner::at(double time) const noexcept {
-  double t = time - begin_time_;
-  int phase = 0;
-  while (phase < planned_ - 1 && t > durations_[static_cast<std::size_t>(phase)]) {
-    t -= durations_[static_cast<std::size_t>(phase++)];
-  }
-  if (planned_ == 0 || t > durations_[static_cast<std::size_t>(phase)]) {
-    const Vec2& rest = knots_[static_cast<std::size_t>(planned_)].p;
-    return {rest, Vec2::Zero(), Vec2::Zero(), rest + load_shift(height_)};
+  const auto& phases = problem_.phases;
+  const std::size_t planned = problem_.num_phases;
+  const Vec2 shift = problem_.load.shift(problem_.height);
+  double t = time - problem_.time;
+  std::size_t phase = 0;
+  while (phase + 1 < planned && t > phases[phase].duration) t -= phases[phase++].duration;
+  if (planned == 0 || t > phases[phase].duration) {
+    const Vec2& rest = knots_[planned].p;
+    return {rest, Vec2::Zero(), Vec2::Zero(), rest + shift};
   }
   const Motion<Vec2> m = evaluate(phase, t);
-  return {m.p, m.v, m.a, m.p - height_ / kGravity * m.a + load_shift(height_)};
+  return {m.p, m.v, m.a, m.p - problem_.height / kGravity * m.a + shift};
 }
 
 double ComPlanner::end_time() const {
-  double t = begin_time_;
-  for (int k = 0; k < planned_; ++k) t += durations_[static_cast<std::size_t>(k)];
+  double t = problem_.time;
+  for (std::size_t k = 0; k < problem_.num_phases; ++k) t += problem_.phases[k].duration;
   return t;
 }
 
 void ComPlanner::measure_slack() noexcept {
   zmp_slack_ = 0.0;
-  for (int phase = 0; phase < planned_; ++phase) {
-    const SupportPhase& support = phases_[static_cast<std::size_t>(phase)];
+  for (std::size_t phase = 0; phase < problem_.num_phases; ++phase) {
+    const SupportPhase& support = problem_.phases[phase];
     const int samples = samples_of(support, options_.sample_interval);
     for (int i = 1; i <= samples; ++i) {
       const double t = support.duration * i / samples;
@@ -284,7 +279,7 @@ void ComPlanner::measure_slack() noexcept {
       for (int e = 0; e < region.num_edges(); ++e) {
         const HalfPlane& edge = region.edge(e);
         const double h = pendulum(edge);
-        const Vec2 zmp = m.p - h * m.a + load_shift(kGravity * h);
+        const Vec2 zmp = m.p - h * m.a + problem_.load.shift(kGravity * h);
         zmp_slack_ = std::max(zmp_slack_, edge.normal.dot(zmp) - edge.offset);
       }
     }

@@ -1,11 +1,9 @@
 #include "surefoot/gaits/parts/foothold_planner.hpp"
 
-#include "surefoot/gaits/parts/turn_limits.hpp"
 #include "surefoot/math/rotation.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace surefoot {
 namespace {
@@ -18,33 +16,45 @@ constexpr double kLowestStair = 0.06;    // what rises by more in a stride may b
 constexpr double kEvenly = 0.015;        // a slope's print from the line through two others [m]
 constexpr double kLeastStride = 0.05;    // that says something of the ground's slope [m]
 constexpr double kLeastProgress = 0.03;  // a footprint must lie this far ahead of the foot [m]
-constexpr double kLead = 0.3;            // of a heading that turns before the feet, in cycles …
-constexpr double kLeastLead = 0.2;       // … but up to this at any rate [rad]
 
-constexpr double kSway = 0.12;  // of the hips, sideways, as far as a turn makes them [m]
-
-// From the middle of the hind feet to that of the front feet, whatever the strides on either side.
-double heading_of(const PerLeg<Vec3>& footholds) {
-  Vec2 forward = Vec2::Zero();
-  for (const Leg leg : kLegs)
-    forward += (is_front(leg) ? 0.5 : -0.5) * footholds[index(leg)].head<2>();
-  return std::atan2(forward.y(), forward.x());
+/// Do three prints, one behind the other, lie on one slope? Evenly, not steeper than slopes are and
+/// by less than stairs: a print on every tread rises evenly, too.
+bool is_slope(const Vec3& first, const Vec3& second, const Vec3& third) {
+  const Vec3 stride = second - first, next = third - second;
+  const double slope = stride.z() / stride.head<2>().norm(), run = next.head<2>().norm();
+  const bool gentle = std::max(std::abs(slope) * run, std::abs(next.z())) < kSteepest * run;
+  return gentle && std::abs(next.z()) < kLowestStair && std::abs(next.z() - slope * run) < kEvenly;
 }
 
-// Twice the way from a place at `offset` from the hip to the circle of radius `reach` about the
-// hip, forward or backward, whichever is shorter; 0 outside it.
-double longest_stride(const Vec2& offset, const Vec2& direction, double reach) {
-  const double along = offset.dot(direction);
-  const double square = along * along - offset.squaredNorm() + reach * reach;
-  return 2.0 * std::max(0.0, std::sqrt(std::max(0.0, square)) - std::abs(along));
+/// The prints before and behind a nominal foothold, along a heading, and one a stride before; null:
+/// there is none.
+struct Around {
+  const Vec3 *beyond, *before, *earlier;
+};
+template <typename Prints>
+Around prints_around(const Prints& prints, const Vec3& nominal, const Vec2& heading,
+                     double half_width) {
+  const Vec2 aside(-heading.y(), heading.x());
+  const auto ahead = [&](const Vec3& print) { return heading.dot((print - nominal).head<2>()); };
+  const auto nearest = [&](double sign, const auto& fits) {
+    const Vec3* found = nullptr;
+    for (std::size_t i = 0; i < prints.size(); ++i) {
+      const Vec3& print = prints.newest(i);
+      if (std::abs(aside.dot((print - nominal).head<2>())) > half_width) continue;  // another way's
+      if (!fits(ahead(print))) continue;
+      if (found == nullptr || sign * ahead(print) < sign * ahead(*found)) found = &print;
+    }
+    return found;
+  };
+  const auto last_up_to = [&](double limit) {
+    return nearest(-1.0, [&](double way) { return way <= limit; });
+  };
+  const Vec3* beyond = nearest(1.0, [](double way) { return way > 0.0; });
+  const Vec3* before = last_up_to(0.0);
+  return {beyond, before, before == nullptr ? nullptr : last_up_to(ahead(*before) - kLeastStride)};
 }
 
 }  // namespace
-
-Vec2 nominal_offset(const StanceOptions& stance, Leg leg) {
-  return {is_front(leg) ? stance.half_length : -stance.half_length,
-          is_left(leg) ? stance.half_width : -stance.half_width};
-}
 
 Vec3 FootholdPlanner::foothold(Leg leg, const PerLeg<Vec3>& footholds, const TerrainPlane& plane,
                                double yaw, const UserCommand& user, double cycle_duration) const {
@@ -64,8 +74,7 @@ Vec3 FootholdPlanner::foothold(Leg leg, const PerLeg<Vec3>& footholds, const Ter
   nominal.z() = expected_height(leg, nominal.head<2>(), footholds, plane);
   const Vec2 heading = R.col(0) * (user.velocity.x() < 0.0 ? -1.0 : 1.0);
   const bool follows = !is_front(leg) && options_.hind_use_front_prints;
-  const Vec3 wanted =
-      follows ? on_prints(prints_[is_left(leg) ? 0 : 1], nominal, from, heading) : nominal;
+  const Vec3 wanted = follows ? on_prints(prints(leg), nominal, from, heading) : nominal;
   return beside_voids(leg, wanted, footholds, plane, heading);
 }
 
@@ -74,7 +83,7 @@ double FootholdPlanner::expected_height(Leg leg, const Vec2& place, const PerLeg
   const double height = plane.height(place);
   if (!is_front(leg) || !options_.bounded_by_feet) return height;
   const double way = (place - footholds[index(leg)].head<2>()).norm();
-  const double beyond = way * last_slope(prints_[is_left(leg) ? 0 : 1]);
+  const double beyond = way * last_slope(prints(leg));
   double highest = footholds[index(leg)].z();
   for (const Vec3& foothold : footholds) highest = std::max(highest, foothold.z());
   return std::min(height, highest + beyond);
@@ -87,7 +96,7 @@ double FootholdPlanner::last_slope(const Prints& prints) const {
     if (length < kLeastStride) continue;
     return rise > kSteepest * length + options_.same_height ? 0.0 : rise / length;
   }
-  return std::numeric_limits<double>::infinity();
+  return kInfinity;
 }
 
 // A front foot does not run away from the hind foot that is to follow in its prints.
@@ -98,77 +107,16 @@ Vec2 FootholdPlanner::not_stretched(Leg leg, const Vec2& goal, const PerLeg<Vec3
   return goal - std::max(0.0, ahead - 2.0 * stance_.half_length - options_.stretch_max) * heading;
 }
 
-double FootholdPlanner::feasible_share(const UserCommand& user, const PerLeg<Vec2>& hips,
-                                       const StrideLimits& limits, double cycle_duration) const {
-  double share = 1.0;
-  for (const Leg leg : kLegs) {
-    const Vec2 step = stride(leg, user, cycle_duration);
-    const Vec2 from_hip = nominal_offset(stance_, leg) - hips[index(leg)];
-    const double within_reach = longest_stride(from_hip, step.normalized(), limits.reach);
-    const double longest =
-        std::min({options_.max_step, options_.max_stride, limits.length, within_reach});
-    const double aside = std::min({longest, options_.max_side_step, options_.max_side_stride});
-    const double excess = std::hypot(step.x() / longest, step.y() / aside);
-    if (excess > 1.0) share = std::min(share, 1.0 / excess);
-  }
-  return share;
-}
-
-Vec2 FootholdPlanner::stride(Leg leg, const UserCommand& user, double cycle_duration) const {
-  const Vec2 foot = nominal_offset(stance_, leg);
-  const Vec2 turning = user.yaw_rate * Vec2(-foot.y(), foot.x());
-  return cycle_duration * (user.velocity + turning);
-}
-
-double FootholdPlanner::tallest(const UserCommand& user, const PerLeg<Vec2>& hips, double length,
-                                double cycle_duration) const {
-  double height = length;
-  for (const Leg leg : kLegs) {
-    const Vec2 half = 0.5 * stride(leg, user, cycle_duration);
-    const Vec2 from_hip = nominal_offset(stance_, leg) - hips[index(leg)];
-    const Vec2 most = from_hip.cwiseAbs() + half.cwiseAbs() + Vec2(0.0, kSway);
-    const double furthest = most.norm();
-    height = std::min(height, std::sqrt(std::max(0.0, length * length - furthest * furthest)));
-  }
-  return height;
-}
-
-double FootholdPlanner::turning_share(double yaw_rate, const PerLeg<Vec3>& footholds,
-                                      const PerLeg<bool>& down, double yaw,
-                                      double cycle_duration) const {
-  const double side = yaw_rate < 0.0 ? -1.0 : 1.0;
-  const double ahead = side * std::remainder(yaw - heading_of(footholds), 2.0 * kPi);
-  const double most_ahead = std::max(kLeastLead, kLead * cycle_duration * std::abs(yaw_rate));
-  const double behind = left_behind(side, footholds, down, yaw);
-  const double most_behind = kMostBehind * options_.max_side_step;
-  return std::clamp(
-      std::min(2.0 * (1.0 - ahead / most_ahead), kBrake * (1.0 - behind / most_behind)), 0.0, 1.0);
-}
-
-// Sideways, in heading axes: there a leg is the least agile, and meets the one beside it.
-double FootholdPlanner::left_behind(double side, const PerLeg<Vec3>& footholds,
-                                    const PerLeg<bool>& down, double yaw) const {
-  Vec2 center = Vec2::Zero();
-  for (const Vec3& foothold : footholds) center += foothold.head<2>() / kNumLegs;
-  const Vec2 left = rotation_about_z(yaw).col(1).head<2>();
-  double furthest = 0.0;
-  for (const Leg leg : kLegs) {
-    const Vec2 from_center = footholds[index(leg)].head<2>() - center;
-    const double aside = left.dot(from_center) - nominal_offset(stance_, leg).y();
-    const double behind = side * (is_front(leg) ? -aside : aside);
-    if (down[index(leg)]) furthest = std::max(furthest, behind);
-  }
-  return furthest;
-}
-
 void FootholdPlanner::avoid(const Vec3& p_WF) {
-  voids_[num_voids_++ % kVoidsKept] = {p_WF.head<2>(), touchdowns_ + kAvoidedFor};
+  voids_.add({p_WF.head<2>(), touchdowns_ + kAvoidedFor});
 }
 
 bool FootholdPlanner::is_void(const Vec2& place) const {
-  return std::ranges::any_of(voids_, [&](const Void& known) {
-    return touchdowns_ < known.until && (place - known.place).norm() < options_.void_radius;
-  });
+  for (std::size_t i = 0; i < voids_.size(); ++i) {
+    const auto& [centre, until] = voids_.newest(i);
+    if (touchdowns_ < until && (place - centre).norm() < options_.void_radius) return true;
+  }
+  return false;
 }
 
 // Half the way there may still be the ground that the foot stands on; then over it, then beside it.
@@ -199,30 +147,16 @@ Vec3 FootholdPlanner::beside_voids(Leg leg, const Vec3& place, const PerLeg<Vec3
 
 void FootholdPlanner::remember(Leg leg, const Vec3& p_WF) {
   ++touchdowns_;
-  if (!is_front(leg)) return;
-  prints_[is_left(leg) ? 0 : 1].add(p_WF);
+  if (is_front(leg)) prints(leg).add(p_WF);
 }
 
 void FootholdPlanner::forget() {
   prints_ = {};
   voids_ = {};
-  num_voids_ = 0;
 }
 
 void FootholdPlanner::forget_last(Leg leg) {
-  if (!is_front(leg)) return;
-  prints_[is_left(leg) ? 0 : 1].drop_last();
-}
-
-void FootholdPlanner::Prints::add(const Vec3& p_WF) {
-  points[added++ % kPrintsKept] = p_WF;
-  kept = std::min(kept + 1, kPrintsKept);
-}
-
-void FootholdPlanner::Prints::drop_last() {
-  if (kept == 0) return;
-  --added;
-  --kept;
+  if (is_front(leg)) prints(leg).drop_newest();
 }
 
 // The front foot's prints tell what lies under the hind foot's way. Where the print before the
@@ -232,31 +166,10 @@ void FootholdPlanner::Prints::drop_last() {
 // goes where it likes, over the higher of the two.
 Vec3 FootholdPlanner::on_prints(const Prints& prints, const Vec3& nominal, const Vec3& from,
                                 const Vec2& heading) const {
-  const Vec2 aside(-heading.y(), heading.x());
-  const auto ahead = [&](const Vec3& print) { return heading.dot((print - nominal).head<2>()); };
-  const auto beside = [&](const Vec3& print) {  // of another way, before a turn
-    return std::abs(aside.dot((print - nominal).head<2>())) > stance_.half_width;
-  };
-  const auto last_before = [&](double limit) {
-    const Vec3* last = nullptr;
-    for (std::size_t i = 0; i < prints.size(); ++i) {
-      const Vec3& print = prints.newest(i);
-      if (!beside(print) && ahead(print) <= limit &&
-          (last == nullptr || ahead(print) > ahead(*last)))
-        last = &print;
-    }
-    return last;
-  };
-  const Vec3* beyond = nullptr;
-  for (std::size_t i = 0; i < prints.size(); ++i) {
-    const Vec3& print = prints.newest(i);
-    if (!beside(print) && ahead(print) > 0.0 &&
-        (beyond == nullptr || ahead(print) < ahead(*beyond)))
-      beyond = &print;
-  }
+  const auto [beyond, before, earlier] =
+      prints_around(prints, nominal, heading, stance_.half_width);
   if (beyond == nullptr) return nominal;
-  const Vec3* before = last_before(0.0);
-  const Vec3* earlier = before == nullptr ? nullptr : last_before(ahead(*before) - kLeastStride);
+  const auto ahead = [&](const Vec3& print) { return heading.dot((print - nominal).head<2>()); };
   const double rise = before == nullptr ? 0.0 : beyond->z() - before->z();
   const bool slope = earlier != nullptr && is_slope(*earlier, *before, *beyond);
   const bool edge = std::abs(rise) > options_.same_height && !slope;
@@ -272,15 +185,6 @@ Vec3 FootholdPlanner::on_prints(const Prints& prints, const Vec3& nominal, const
   Vec3 between = nominal;
   between.z() = before == nullptr ? beyond->z() : std::max(before->z(), beyond->z());
   return between;
-}
-
-// Evenly, not steeper than slopes are and by less than stairs: a print on every tread rises evenly,
-// too.
-bool FootholdPlanner::is_slope(const Vec3& first, const Vec3& second, const Vec3& third) const {
-  const Vec3 stride = second - first, next = third - second;
-  const double slope = stride.z() / stride.head<2>().norm(), run = next.head<2>().norm();
-  const bool gentle = std::max(std::abs(slope) * run, std::abs(next.z())) < kSteepest * run;
-  return gentle && std::abs(next.z()) < kLowestStair && std::abs(next.z() - slope * run) < kEvenly;
 }
 
 // As far as the leg can.

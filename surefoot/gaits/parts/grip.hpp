@@ -1,9 +1,7 @@
 #pragma once
 
-#include "surefoot/gaits/planner_options.hpp"
+#include "surefoot/gaits/parts/leg_limits.hpp"
 #include "surefoot/signals/robot_state.hpp"
-
-#include <algorithm>
 
 namespace surefoot {
 
@@ -16,8 +14,8 @@ namespace surefoot {
 class Grip {
  public:
   Grip(const GripOptions& options, double friction, double period)
-      : options_(options), configured_(friction), period_(period) {
-    friction_.fill(friction);
+      : options_(options), period_(period) {
+    expect(friction);
   }
 
   /// Every foot is believed to find this from now on, until it slides.
@@ -39,13 +37,12 @@ class Grip {
   [[nodiscard]] double caution() const;
 
  private:
-  void adapt(Leg leg, const RobotState& state, const Vec3& normal_W);
+  void adapt(double& friction, const Vec3& force, const Vec3& normal_W) const;
 
   GripOptions options_;
-  double configured_, period_;
+  double configured_ = 0.0, period_;
   PerLeg<double> friction_{};
-  PerLeg<bool> slid_{};
-  PerLeg<bool> began_{};
+  PerLeg<bool> slid_{}, began_{};
 };
 
 }  // namespace surefoot

@@ -1,7 +1,5 @@
 #include "surefoot/gaits/parts/leg_motion.hpp"
 
-#include "surefoot/gaits/parts/force_ramp.hpp"
-
 #include <algorithm>
 #include <cmath>
 
@@ -32,7 +30,7 @@ constexpr double kSearchTurn = 0.04;   // … as long as this at least [s]
 void LegMotion::plant(double time, const Vec3& p_WF, bool loaded) {
   phase_ = LegPhase::stance;
   begin_ = loaded ? time - kLongAgo : time;
-  lift_off_time_ = std::numeric_limits<double>::infinity();
+  lift_off_time_ = kNever;
   stood_ = foothold_;
   foothold_ = landed_ = p_WF;
   light_for_ = 0.0;
@@ -75,7 +73,8 @@ void LegMotion::search(double time, const Vec3& p_WF, const Vec3& v_WF, const Ve
 }
 
 LegEvent LegMotion::observe(double time, const LegObservation& seen) {
-  hip_ = seen.hip;
+  hip_ = seen.hip.p;
+  hip_velocity_ = seen.hip.v;
   normal_force_ = seen.normal.dot(seen.force);
   force_per_torque_ = seen.force_per_torque;
   if (!down()) return observe_swing(time, seen);
@@ -158,7 +157,7 @@ bool LegMotion::is_caught(double time, const LegObservation& seen) {
 // its reference, but its velocity has changed at once, where drives and a robot that is not as
 // modelled change it little by little. What pushes a foot back more than up is a wall.
 bool LegMotion::touches(double time, const LegObservation& seen) {
-  const Motion<Vec3>& foot = seen.foot;
+  const PointKinematics& foot = seen.foot;
   const Motion<Vec3> asked = reference(time);
   const Vec3& normal = curve_.target().normal;
   const double force = normal_force_ / doubt();
@@ -178,22 +177,21 @@ bool LegMotion::touches(double time, const LegObservation& seen) {
   const bool pressed = force > touchdown_.touchdown_force && !strays && !flies_on;
   const bool certain = force > kCertain * touchdown_.touchdown_force;
   const bool wall = reflex_.enabled && -way(asked).dot(seen.force) > normal_force_;
-  if (wall) firm_ticks_ = 0;
-  if (wall) return false;
-  firm_ticks_ = pressed || stalled || bounced ? firm_ticks_ + 1 : 0;
-  return certain || firm_ticks_ >= kFirmTicks;
+  const bool firm = !wall && (pressed || stalled || bounced);
+  firm_ticks_ = firm ? firm_ticks_ + 1 : 0;
+  return !wall && (certain || firm_ticks_ >= kFirmTicks);
 }
 
 // The reference waits for a foot that stays behind, and at the end of the leg's reach.
 LegEvent LegMotion::observe_search(double time, const Vec3& p_WF) {
   const SwingTarget& target = curve_.target();
   const double behind = target.normal.dot(p_WF - reference(time).p);
-  const double reach_left = swing_.reach_max - (p_WF - hip_.p).norm();
+  const double reach_left = swing_.reach_max - (p_WF - hip_).norm();
   search_.update(behind, reach_left, period_);
-  begin_ += (1.0 - search_.pace()) * period_;
+  begin_ += (1.0 - search_.pace) * period_;
   const double depth = target.normal.dot(target.goal - curve_.at(since(time)).p);
   const bool deeper = target.normal.dot(foothold_ - p_WF) > SearchPace::kReferenceLead;
-  const bool low = deeper && target.normal.dot(hip_.p - foothold_) < swing_.hip_height_min;
+  const bool low = deeper && target.normal.dot(hip_ - foothold_) < swing_.hip_height_min;
   const bool unreachable = search_.is_stuck() || depth > swing_.search_depth_max || low;
   return unreachable ? LegEvent::unreachable : LegEvent::none;
 }
@@ -222,15 +220,15 @@ FootPlan LegMotion::plan(double time) const {
 // the force along it.
 Motion<Vec3> LegMotion::reference(double time) const {
   Motion<Vec3> result = curve_.at(since(time));
-  result.v *= search_.pace();
-  if (curve_.target().straight) result.a *= search_.pace();
-  const Vec3 r = result.p - hip_.p;
+  result.v *= search_.pace;
+  if (curve_.target().straight) result.a *= search_.pace;
+  const Vec3 r = result.p - hip_;
   const double length = r.norm(), reach = swing_.reach_max;
   if (length <= reach) return result;
   const Vec3 e = r / length;
   const Mat3 on_sphere = reach / length * (Mat3::Identity() - e * e.transpose());
-  result.p = hip_.p + reach * e;
-  result.v = hip_.v + on_sphere * (result.v - hip_.v);
+  result.p = hip_ + reach * e;
+  result.v = hip_velocity_ + on_sphere * (result.v - hip_velocity_);
   result.a = on_sphere * result.a;
   return result;
 }

@@ -1,12 +1,10 @@
 #pragma once
 
 #include "surefoot/gaits/parts/impact_detector.hpp"
-#include "surefoot/gaits/parts/search_pace.hpp"
+#include "surefoot/gaits/parts/leg_limits.hpp"
 #include "surefoot/gaits/parts/swing_curve.hpp"
-#include "surefoot/gaits/planner_options.hpp"
+#include "surefoot/model/dynamics.hpp"
 #include "surefoot/signals/motion_plan.hpp"
-
-#include <limits>
 
 namespace surefoot {
 
@@ -15,23 +13,43 @@ enum class LegEvent { none, touchdown, caught, unreachable, lost, flew };
 
 /// A leg as it is believed to be, in W.
 struct LegObservation {
-  Motion<Vec3> hip, foot;         ///< accelerations are not used
-  Vec3 force;                     ///< estimated, of the ground on the foot [N]
-  Vec3 normal;                    ///< of the terrain
+  const PointKinematics &hip, &foot;
+  const Vec3& force;              ///< estimated, of the ground on the foot [N]
+  const Vec3& normal;             ///< of the terrain
   double force_per_torque = 0.0;  ///< error of the normal force by one of the joint torques [1/m]
+};
+
+/// How fast a foot that searches goes on down: it waits where the foot stays behind its reference,
+/// and at the end of the leg's reach.
+struct SearchPace {
+  static constexpr double kReferenceLead = 0.02;  // the search waits for a foot further behind [m]
+
+  /// One tick of `period` [s]; the foot is so far behind its reference, the leg reaches so much
+  /// further [m].
+  void update(double behind, double reach_left, double period) {
+    constexpr double kSlowZone = 0.03;  // it slows down this far before the end of the reach [m]
+    constexpr double kWaiting = 0.1;    // a pace below this is none
+    pace = behind > kReferenceLead ? 0.0 : std::clamp(reach_left / kSlowZone, 0.0, 1.0);
+    stuck_for = std::max(0.0, stuck_for + (pace < kWaiting ? period : -period));
+  }
+  /// Has it waited for so long that there is no ground within reach?
+  [[nodiscard]] bool is_stuck() const { return stuck_for > 0.3; }
+
+  double pace = 1.0;       ///< 1: at touchdown speed, 0: the search waits
+  double stuck_for = 0.0;  ///< how long it has waited [s]
 };
 
 /// Phase, reference and force limits of one leg, and the tests that end its phases.
 class LegMotion {
  public:
-  LegMotion(const SwingOptions& swing, const TouchdownOptions& touchdown, const ForceOptions& force,
-            double period, const ReflexOptions& reflex = {})
-      : swing_(swing),
-        touchdown_(touchdown),
-        force_(force),
-        reflex_(reflex),
+  /// `period` of the control loop [s].
+  LegMotion(const PlannerOptions& options, double period)
+      : swing_(options.swing),
+        touchdown_(options.contact),
+        force_(options.force),
+        reflex_(options.reflex),
         period_(period),
-        impact_(touchdown, period) {}
+        impact_(options.contact, period) {}
 
   /// Stands at p from `time` on; `loaded` from long before (no ramp).
   void plant(double time, const Vec3& p_WF, bool loaded = false);
@@ -83,20 +101,41 @@ class LegMotion {
   ReflexOptions reflex_;
   double period_;
   LegPhase phase_ = LegPhase::stance;
-  double begin_ = 0.0;
-  double lift_off_time_ = std::numeric_limits<double>::infinity();
+  double begin_ = 0.0, lift_off_time_ = kNever;  // [s]
   Vec3 foothold_ = Vec3::Zero();
   Vec3 stood_ = Vec3::Zero();   // where it stood before it came down there, in W [m]
   Vec3 landed_ = Vec3::Zero();  // where the foot came down, or was loaded again, in W [m]
   SwingCurve curve_;
-  Motion<Vec3> hip_{Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
-  double normal_force_ = 0.0;
-  double force_per_torque_ = 0.0;
+  Vec3 hip_ = Vec3::Zero(), hip_velocity_ = Vec3::Zero();  // in W [m], [m/s]
+  double normal_force_ = 0.0, force_per_torque_ = 0.0;
   double light_for_ = 0.0;  // how long a loaded stance foot has carried nothing [s]
   SearchPace search_;
   ImpactDetector impact_;
   double held_for_ = 0.0;  // how long something has been in the foot's way [s]
   int firm_ticks_ = 0;     // ticks in a row with a firm contact
+};
+
+/// The motion of all legs.
+class Legs {
+ public:
+  Legs(const PlannerOptions& options, double period) : legs_(per_leg(LegMotion(options, period))) {}
+
+  [[nodiscard]] LegMotion& operator[](Leg leg) { return legs_[index(leg)]; }
+  [[nodiscard]] const LegMotion& operator[](Leg leg) const { return legs_[index(leg)]; }
+  [[nodiscard]] PerLeg<bool> down() const {
+    PerLeg<bool> result{};
+    for (const Leg k : kLegs) result[index(k)] = (*this)[k].down();
+    return result;
+  }
+  [[nodiscard]] bool all_down() const { return std::ranges::all_of(legs_, &LegMotion::down); }
+  [[nodiscard]] PerLeg<Vec3> footholds() const {
+    PerLeg<Vec3> result;
+    for (const Leg k : kLegs) result[index(k)] = (*this)[k].foothold();
+    return result;
+  }
+
+ private:
+  PerLeg<LegMotion> legs_;
 };
 
 }  // namespace surefoot

@@ -4,14 +4,9 @@
 #include <cmath>
 
 namespace surefoot {
-namespace {
 
-constexpr double kLeastWeight = 0.5;  // that the ground must carry, as a share of the robot's
-
-}  // namespace
-
-void PushBalance::update(const RobotState& state, const Dynamics& dynamics,
-                         double height) noexcept {
+void PushBalance::update(const RobotState& state, const Dynamics& dynamics, double height) {
+  constexpr double kLeastWeight = 0.5;  // that the ground must carry, as a share of the robot's
   height_ = height;
   weight_ = kGravity * dynamics.mass;
   force_.setZero();
@@ -24,19 +19,9 @@ void PushBalance::update(const RobotState& state, const Dynamics& dynamics,
     load_.moment = Vec2(state.external_moment.y(), -state.external_moment.x()) / carried;
   }
   settled_force_ += std::min(1.0, period_ / options_.settling_time) * (force_ - settled_force_);
-  shift_ = height_ * load_.force + load_.moment;
+  shift_ = load_.shift(height_);
   capture_point_ =
       dynamics.com.p.head<2>() + std::sqrt(height_ / kGravity) * dynamics.com.v.head<2>() + shift_;
-}
-
-bool PushBalance::wants_plan(double time) const {
-  const double step = height_ * options_.replan_step / weight_;
-  return (shift_ - planned_shift_).norm() > step && time - planned_at_ > options_.replan_interval;
-}
-
-void PushBalance::planned(double time) {
-  planned_at_ = time;
-  planned_shift_ = shift_;
 }
 
 Vec2 PushBalance::excess(const SupportRegion& region) const {
@@ -47,10 +32,6 @@ Vec2 PushBalance::excess(const SupportRegion& region) const {
     if (out > result.norm()) result = out * edge.normal;
   }
   return result;
-}
-
-double PushBalance::growth(double duration) const {
-  return std::exp(std::sqrt(kGravity / height_) * std::max(0.0, duration));
 }
 
 }  // namespace surefoot

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "surefoot/gaits/parts/com_planner.hpp"
-#include "surefoot/gaits/planner_options.hpp"
+#include "surefoot/gaits/parts/leg_limits.hpp"
 #include "surefoot/model/dynamics.hpp"
 #include "surefoot/signals/robot_state.hpp"
 
@@ -17,13 +17,11 @@ class PushBalance {
   PushBalance(const PushOptions& options, double period) : options_(options), period_(period) {}
 
   /// One tick. `height` is that of the COM over the ground [m].
-  void update(const RobotState& state, const Dynamics& dynamics, double height) noexcept;
+  void update(const RobotState& state, const Dynamics& dynamics, double height);
 
-  /// What the COM plan has to bear.
   [[nodiscard]] const ComLoad& load() const { return load_; }
   /// d, how far the load moves the ZMP [m].
   [[nodiscard]] const Vec2& shift() const { return shift_; }
-  /// Is there a force at all?
   [[nodiscard]] bool is_pushed() const { return force_.norm() > 0.0; }
   /// Has the force stayed about what it is?
   [[nodiscard]] bool is_steady() const {
@@ -35,13 +33,19 @@ class PushBalance {
     return is_pushed() ? 1.0 + shift_.norm() / options_.slow_shift : 1.0;
   }
   /// Has the load moved so far from that of the plan that it needs a new one?
-  [[nodiscard]] bool wants_plan(double time) const;
+  [[nodiscard]] bool wants_plan(double time) const {
+    const double step = height_ * options_.replan_step / weight_;
+    return (shift_ - planned_shift_).norm() > step && time - planned_at_ > options_.replan_interval;
+  }
   /// Is the plan old enough for a new one, with a robot that is pushed?
   [[nodiscard]] bool may_plan(double time) const {
     return is_pushed() && time - planned_at_ > options_.replan_interval;
   }
   /// A plan was made with this tick's load.
-  void planned(double time);
+  void planned(double time) {
+    planned_at_ = time;
+    planned_shift_ = shift_;
+  }
 
   /// Where the ZMP has to be for the COM to come to rest over it, c + √(h/g) ċ + d, with the shift
   /// d of the load, x and y in W [m].
@@ -55,7 +59,9 @@ class PushBalance {
     return capture_point_ + (growth(duration) - 1.0) * excess(region);
   }
   /// The factor by which an excess grows in a time, e^(√(g/h) t).
-  [[nodiscard]] double growth(double duration) const;
+  [[nodiscard]] double growth(double duration) const {
+    return std::exp(std::sqrt(kGravity / height_) * std::max(0.0, duration));
+  }
 
  private:
   PushOptions options_;

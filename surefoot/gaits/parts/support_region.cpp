@@ -1,8 +1,9 @@
 #include "surefoot/gaits/parts/support_region.hpp"
 
+#include "surefoot/math/numbers.hpp"
+
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 
 namespace surefoot {
@@ -117,8 +118,7 @@ double SupportRegion::support(const Vec2& normal) const {
 }
 
 double SupportRegion::margin(const Vec2& p) const {
-  if (num_edges_ == 0) return -std::numeric_limits<double>::infinity();
-  double smallest = std::numeric_limits<double>::infinity();
+  double smallest = num_edges_ == 0 ? -kInfinity : kInfinity;
   for (int i = 0; i < num_edges_; ++i) {
     smallest = std::min(smallest, edge(i).offset - edge(i).normal.dot(p));
   }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "surefoot/signals/leg.hpp"
+#include "surefoot/signals/per_leg.hpp"
 
 #include <array>
 
@@ -47,9 +47,8 @@ class SupportRegion {
   [[nodiscard]] Vec2 inward() const;
   [[nodiscard]] double support(const Vec2& normal) const;
 
-  PerLeg<Vec2> feet_{Vec2::Zero(), Vec2::Zero(), Vec2::Zero(), Vec2::Zero()};
-  PerLeg<double> share_{};
-  PerLeg<double> heights_{};
+  PerLeg<Vec2> feet_ = per_leg(Vec2(0.0, 0.0));
+  PerLeg<double> share_{}, heights_{};
   std::array<HalfPlane, kMaxEdges> edges_{};
   int num_edges_ = 0;
 };

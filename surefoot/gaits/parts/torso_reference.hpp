@@ -25,13 +25,12 @@ class TorsoReference {
   /// One period on. `com` gives where over the plane the torso is and how fast it goes; `turn` is
   /// added to roll, pitch and yaw.
   void update(const TerrainPlane& plane, double yaw, double yaw_rate, const ComPlan& com,
-              double height, const Motion<Vec3>& turn = no_turn());
+              double height, const Motion<Vec3>& turn = {Vec3::Zero(), Vec3::Zero(), Vec3::Zero()});
 
   [[nodiscard]] const TorsoPlan& plan() const { return plan_; }
 
  private:
   void write_orientation(const Vec3& angles, const Vec3& rates, const Vec3& accelerations);
-  static Motion<Vec3> no_turn() { return {Vec3::Zero(), Vec3::Zero(), Vec3::Zero()}; }
 
   TorsoOptions options_;
   double period_;

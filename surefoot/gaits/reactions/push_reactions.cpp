@@ -1,11 +1,7 @@
 #include "surefoot/gaits/reactions/push_reactions.hpp"
 
 #include "surefoot/gaits/parts/capture_step.hpp"
-#include "surefoot/gaits/parts/reach.hpp"
-#include "surefoot/gaits/reactions/balance_margin.hpp"
 
-#include <cmath>
-#include <tuple>
 #include <utility>
 
 namespace surefoot {
@@ -17,30 +13,46 @@ constexpr double kAtRest = 0.06;      // a COM that is slower has been caught [m
 constexpr double kLonger = 1.1;       // a hasty swing takes so many times as long …
 constexpr double kLongest = 2.0;      // … and again, up to about so many times, for its drives
 
-/// Can the drives move a foot like that?
-bool is_agile(const SwingTarget& target, const SwingOptions& options) {
-  return SwingCurve(target, options).peak_acceleration() < kAgility;
+/// Of all feet where they are, as if all of them stood, but for one.
+SupportRegion region_of_feet(const Situation& now, std::optional<Leg> without = {}) {
+  PerLeg<Vec2> feet;
+  for (const Leg k : kLegs) feet[index(k)] = now.foot(k).head<2>();
+  PerLeg<double> share = per_leg(1.0);
+  if (without) share[index(*without)] = 0.0;
+  return SupportRegion(feet, share);
+}
+
+/// Of the capture point in the region of all feet [m].
+double balance_margin(const Situation& now) {
+  return region_of_feet(now).margin(now.body.balance.capture_point());
 }
 
 /// Where a foot that lands after a time catches the robot.
 CaptureStep capture_step(const Situation& now, Leg k, double duration) {
-  const auto& [tick, body, gait] = now;
-  const SupportRegion others = region_without(k, tick.dynamics);
+  const Body& body = now.body;
   CaptureProblem problem;
-  problem.heading = tick.yaw;
+  problem.heading = now.yaw;
   for (const Leg other : kLegs) problem.feet[index(other)] = now.foot(other).head<2>();
   if (!body.legs[k].down())  // its speed takes it on: the least turn is from where it would rest
-    problem.feet[index(k)] += 0.5 * duration * tick.before.feet[index(k)].v_WF.head<2>();
-  problem.capture_point = body.balance.capture_point_after(others, duration);
-  problem.hip = (tick.dynamics.hip[index(k)].p + duration * tick.dynamics.com.v).head<2>();
+    problem.feet[index(k)] += 0.5 * duration * now.before.feet[index(k)].v_WF.head<2>();
+  problem.capture_point = body.balance.capture_point_after(region_of_feet(now, k), duration);
+  problem.hip = (now.dynamics.hip[index(k)].p + duration * now.dynamics.com.v).head<2>();
   problem.reach = horizontal_reach(body.options.swing, body.options.stance.height);
   return find_capture_step(problem, k, body.options.push);
+}
+
+/// Makes a hasty swing longer until the drives can move a foot like that. `aim` sets its goal.
+template <typename Aim>
+void slow_down(SwingTarget& target, const SwingOptions& options, const Aim& aim) {
+  const double longest = kLongest * target.duration;
+  const auto is_agile = [&] { return SwingCurve(target, options).peak_acceleration() < kAgility; };
+  for (aim(); !is_agile() && target.duration < longest; aim()) target.duration *= kLonger;
 }
 
 /// Of a leg and the robot that it is to catch: where it is pushed to, and how hard.
 GaitEvent push_event(const Situation& now, PlanEvent kind, Leg k) {
   GaitEvent event = now.event(kind, k);
-  event.force = now.tick.state.external_force.head<2>().norm();
+  event.force = now.state.external_force.head<2>().norm();
   return event;
 }
 
@@ -48,10 +60,10 @@ GaitEvent push_event(const Situation& now, PlanEvent kind, Leg k) {
 bool tips_before_landing(const Situation& now, Leg swings) {
   const PushOptions& push = now.body.options.push;
   if (now.body.legs[swings].target().straight) return false;  // it is on its way down
-  const double left = now.gait.lands_at - now.tick.time;
+  const double left = now.gait.lands_at - now.time;
   if (left < push.foot_down_duration) return false;  // it lands as soon as it can
   const PushBalance& balance = now.body.balance;
-  const Vec2 out = balance.excess(region_without(swings, now.tick.dynamics));
+  const Vec2 out = balance.excess(region_of_feet(now, swings));
   return out.norm() * balance.growth(left) > push.foot_down_excess;
 }
 
@@ -60,43 +72,45 @@ bool tips_before_landing(const Situation& now, Leg swings) {
 std::optional<std::pair<Leg, CaptureStep>> best_step(const Situation& now) {
   std::pair<Leg, CaptureStep> best{Leg::LF, {}};
   for (const Leg k : kLegs) {
-    if (now.body.legs[k].since(now.tick.time) < now.body.options.force.ramp_up) return {};
+    if (now.body.legs[k].since(now.time) < now.body.options.force.ramp_up) return {};
     const CaptureStep found = capture_step(now, k, now.body.options.push.step_duration);
     if (found.margin > best.second.margin) best = {k, found};
   }
   return best;
 }
 
+/// The shortest way to the ground that catches the robot. No event.
+Action put_foot_down(const Situation& now, Leg k) {
+  const Body& body = now.body;
+  const FootPlan& plan = now.before.feet[index(k)];  // goes on from here: the foot has its speed
+  SwingTarget target{.start = plan.p_WF + body.period * plan.v_WF,
+                     .normal = body.plane.normal,
+                     .duration = body.options.push.foot_down_duration,
+                     .straight = true,
+                     .velocity = plan.v_WF};
+  slow_down(target, body.options.swing, [&] {
+    target.goal.head<2>() = capture_step(now, k, target.duration).goal;
+    target.goal.z() = body.plane.height(target.goal.head<2>());
+  });
+  Action action{.memory = body.swing, .swing = SwingOrder{k, target}, .recovers = true};
+  action.memory->probes = false;
+  action.memory->lands_anywhere = true;
+  return action;
+}
+
 }  // namespace
+
+bool is_balanced_without(Leg leg, const Situation& now) {
+  const PushBalance& balance = now.body.balance;
+  const double margin = region_of_feet(now, leg).margin(balance.capture_point());
+  return margin > now.body.options.push.lift_off_margin && balance.is_steady();
+}
 
 std::optional<Action> land_if_tipping(const Situation& now) {
   if (!now.gait.swings || now.body.legs[*now.gait.swings].phase() != LegPhase::swing) return {};
   if (!tips_before_landing(now, *now.gait.swings)) return {};
   Action action = put_foot_down(now, *now.gait.swings);
   action.events.add(push_event(now, PlanEvent::push_foot_down, *now.gait.swings));
-  return action;
-}
-
-Action put_foot_down(const Situation& now, Leg k) {
-  const auto& [tick, body, gait] = now;
-  Action action{.memory = body.swing, .recovers = true};
-  action.memory->probes = false;
-  action.memory->lands_anywhere = true;
-  const FootPlan& plan = tick.before.feet[index(k)];  // goes on from here: the foot has its speed
-  SwingTarget target{.start = plan.p_WF + body.period * plan.v_WF,
-                     .normal = body.plane.normal,
-                     .duration = body.options.push.foot_down_duration,
-                     .straight = true,
-                     .velocity = plan.v_WF};
-  const auto aim = [&] {
-    target.goal.head<2>() = capture_step(now, k, target.duration).goal;
-    target.goal.z() = body.plane.height(target.goal.head<2>());
-  };
-  const double longest = kLongest * target.duration;
-  const SwingOptions& swing = body.options.swing;
-  for (aim(); !is_agile(target, swing) && target.duration < longest; aim())
-    target.duration *= kLonger;
-  action.swing = {.leg = k, .target = target};
   return action;
 }
 
@@ -111,42 +125,42 @@ std::optional<Action> reload_if_pushed(const Situation& now) {
 }
 
 std::optional<Action> step_to_recover(const Situation& now) {
-  const auto& [tick, body, gait] = now;
+  const Body& body = now.body;
   const PushOptions& push = body.options.push;
   const PushBalance& balance = body.balance;
   if (!push.steps || !balance.is_pushed() || !body.legs.all_down()) return {};
-  const double margin = balance_margin(body, tick.dynamics);
+  const double margin = balance_margin(now);
   if (margin > push.step_margin) return {};
   const auto best = best_step(now);
   if (!best) return {};
   const auto& [k, step] = *best;
   const double without = margin < 0.0 ? balance.growth(push.step_duration) * margin : margin;
   if (step.margin < without + kWorthAStep) return {};
-  Action action{.memory = body.swing.begun(), .steps_out_of_turn = true, .recovers = true};
+  SwingTarget target{now.foot(k), Vec3::Zero(), body.plane.normal, push.step_duration,
+                     push.step_apex};
+  target.goal << step.goal, body.plane.height(step.goal);
+  slow_down(target, body.options.swing, [] {});
+  Action action{.memory = body.swing.begun(),
+                .swing = SwingOrder{k, target},
+                .steps_out_of_turn = true,
+                .recovers = true};
   action.memory->lands_anywhere = true;
   action.events.add(push_event(now, PlanEvent::push_step, k));
-  if (gait.unloads && gait.unloads != k) action.reloads = gait.unloads;
-  Vec3 goal;
-  goal << step.goal, body.plane.height(step.goal);
-  SwingTarget target{now.foot(k), goal, body.plane.normal, push.step_duration, push.step_apex};
-  const double longest = kLongest * target.duration;
-  while (!is_agile(target, body.options.swing) && target.duration < longest)
-    target.duration *= kLonger;
-  action.swing = {.leg = k, .target = target};
+  if (now.gait.unloads && now.gait.unloads != k) action.reloads = now.gait.unloads;
   return action;
 }
 
 std::optional<Action> go_on_if_calm(const Situation& now) {
-  const auto& [tick, body, gait] = now;
+  const Body& body = now.body;
   const bool is_calm = body.legs.all_down() && body.balance.is_steady() &&
-                       tick.dynamics.com.v.head<2>().norm() < kAtRest &&
-                       balance_margin(body, tick.dynamics) > body.options.push.calm_margin;
+                       now.dynamics.com.v.head<2>().norm() < kAtRest &&
+                       balance_margin(now) > body.options.push.calm_margin;
   if (!is_calm) return {};
   return Action{.support = body.options.gait.switch_duration, .recovers = false, .replans = true};
 }
 
 // A foot that slid stands elsewhere, and while it slides the others must do without it.
-Action on_slip(const Situation& now) {
+std::optional<Action> on_slip(const Situation& now) {
   Action action;
   if (now.body.grip.began() && now.gait.unloads) {
     action.reloads = now.gait.unloads;
@@ -154,8 +168,7 @@ Action on_slip(const Situation& now) {
   } else if (now.body.grip.began() && now.gait.swings) {
     const Leg k = *now.gait.swings;
     const bool flies = now.body.legs[k].phase() == LegPhase::swing;
-    if (flies && !is_balanced_without(k, now.body, now.tick.dynamics))
-      action = put_foot_down(now, k);
+    if (flies && !is_balanced_without(k, now)) action = put_foot_down(now, k);
   }
   for (const Leg k : kLegs) {
     if (now.body.grip.began(k)) action.events.add(now.event(PlanEvent::slip, k));

@@ -1,11 +1,11 @@
 #pragma once
 
-#include "surefoot/gaits/reactions/action.hpp"
 #include "surefoot/gaits/reactions/situation.hpp"
 
-#include <optional>
-
 namespace surefoot {
+
+/// Does the robot keep its balance when this leg lifts off?
+[[nodiscard]] bool is_balanced_without(Leg leg, const Situation& now);
 
 /// Pushed in a swing so that the balance is lost before the foot lands by itself: it comes down at
 /// once.
@@ -17,10 +17,8 @@ namespace surefoot {
 [[nodiscard]] std::optional<Action> step_to_recover(const Situation& now);
 /// A robot that has come to rest, well inside its feet, under a force that stays, goes on.
 [[nodiscard]] std::optional<Action> go_on_if_calm(const Situation& now);
-/// Feet have begun to slide: a leg that was to lift off carries again, one in the air comes down
-/// where the others can't do without it.
-[[nodiscard]] Action on_slip(const Situation& now);
-/// The shortest way to the ground that catches the robot. No event.
-[[nodiscard]] Action put_foot_down(const Situation& now, Leg leg);
+/// Feet have begun or ceased to slide: a leg that was to lift off carries again, one in the air
+/// comes down where the others can't do without it.
+[[nodiscard]] std::optional<Action> on_slip(const Situation& now);
 
 }  // namespace surefoot

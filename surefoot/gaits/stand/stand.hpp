@@ -1,7 +1,6 @@
 #pragma once
 
 #include "surefoot/gaits/gait.hpp"
-#include "surefoot/gaits/reactions/situation.hpp"
 
 namespace surefoot {
 
@@ -9,15 +8,12 @@ namespace surefoot {
 /// walk, or when a push asks for a step.
 class Stand final : public Gait {
  public:
-  void begin(const GaitTick& tick, Body& body,
-             const std::optional<Action>& first) noexcept override;
-  void observe(const GaitTick& tick, Body& body) noexcept override;
-  GaitOutcome advance(const GaitTick& tick, Body& body) noexcept override;
+  void begin(Situation& now, Body& body, const std::optional<Action>& first) override;
   [[nodiscard]] bool waits(const Body&) const override { return true; }
 
  private:
-  static void act(const std::optional<Action>& action, const GaitTick& tick, Body& body);
-  static void plan_com(const GaitTick& tick, Body& body);
+  void plan_com(const Situation& now, Body& body) override;
+  GaitOutcome go_on(Situation& now, Body& body) override;
 };
 
 }  // namespace surefoot

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "surefoot/gaits/planner_options.hpp"
+#include "surefoot/gaits/reactions/situation.hpp"
 
 namespace surefoot {
 
@@ -15,13 +15,17 @@ class StepSequence {
   [[nodiscard]] Leg next(int ahead = 0) const;
   void advance() { cursor_ = (cursor_ + 1) % kNumLegs; }
   /// The order goes on from this leg.
-  void go_on_with(Leg leg);
+  void go_on_with(Leg leg) {
+    while (next() != leg) advance();
+  }
   void set_backward(bool backward) { backward_ = backward; }
 
   /// With all feet down before that leg [s].
   [[nodiscard]] double support_duration(double pace, int ahead = 0) const;
   /// With both touches, where the leg probes [s].
-  [[nodiscard]] double swing_duration(double pace, Leg leg) const;
+  [[nodiscard]] double swing_duration(double pace, Leg leg) const {
+    return pace * gait_.swing_duration + (probes(probe_, leg) ? probe_.duration : 0.0);
+  }
   [[nodiscard]] double cycle_duration(double pace) const;
 
  private:
@@ -30,5 +34,14 @@ class StepSequence {
   int cursor_ = 0;  // place of the next leg in the order
   bool backward_ = false;
 };
+
+/// Where the other feet's triangle is too thin to swing the next leg: another leg that goes first,
+/// if one can and its step to its nominal place widens the triangle.
+[[nodiscard]] std::optional<Leg> leg_for_wider_support(const Situation& now,
+                                                       const StepSequence& steps);
+
+/// Lifts the leg off to its next foothold; one that probes first touches ahead of it.
+/// `cycle_duration` of the gait's steps [s].
+void begin_swing(Leg leg, const Situation& now, Body& body, double cycle_duration);
 
 }  // namespace surefoot

@@ -1,0 +1,106 @@
+#include "surefoot/gaits/crawl/steps.hpp"
+
+#include "surefoot/base/error.hpp"
+#include "surefoot/math/disc.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace surefoot {
+namespace {
+
+constexpr double kMinStep = 0.02;  // a step that is shorter has no direction [m]
+constexpr double kWider = 0.01;    // a support that is worth another leg's step, by [m]
+
+/// The gait goes from leg to leg until it comes to the one that is looked for.
+const GaitOptions& checked(const GaitOptions& gait) {
+  for (const Leg k : kLegs) {
+    const auto count = std::ranges::count(gait.order, k);
+    if (count == 1) continue;
+    throw Error("gait.order has " + std::string(kLegNames[index(k)]) + " " + std::to_string(count) +
+                " times; it must have each of LF, RF, LH, RH once");
+  }
+  return gait;
+}
+
+/// A foothold, not further from the hip than the leg reaches when the foot lands: nearly straight,
+/// a leg neither feels the ground nor stands on it. Above lower ground the hip comes down with the
+/// torso.
+Vec2 within_reach(Leg k, const Vec3& goal, double duration, const Situation& now) {
+  const Vec2 shift = now.body.com.at(now.time + duration).p - now.dynamics.com.p.head<2>();
+  const Vec3& hip = now.dynamics.hip[index(k)].p;
+  const double height = std::min(hip.z() - goal.z(), now.body.options.stance.height);
+  return nearest_within(goal.head<2>(), hip.head<2>() + shift,
+                        horizontal_reach(now.body.options.swing, height));
+}
+
+}  // namespace
+
+StepSequence::StepSequence(const GaitOptions& gait, const ProbeOptions& probe)
+    : gait_(checked(gait)), probe_(probe) {}
+
+Leg StepSequence::next(int ahead) const {
+  const Leg k = gait_.order[static_cast<std::size_t>((cursor_ + ahead) % kNumLegs)];
+  return backward_ ? same_side(k) : k;
+}
+
+double StepSequence::support_duration(double pace, int ahead) const {
+  const bool same_side = is_left(next(ahead)) == is_left(next(ahead + kNumLegs - 1));
+  return pace * (same_side ? gait_.same_side_duration : gait_.switch_duration);
+}
+
+double StepSequence::cycle_duration(double pace) const {
+  double sum = 0.0;
+  for (int i = 0; i < kNumLegs; ++i)
+    sum += support_duration(pace, i) + swing_duration(pace, next(i));
+  return sum;
+}
+
+std::optional<Leg> leg_for_wider_support(const Situation& now, const StepSequence& steps) {
+  const Body& body = now.body;
+  const double enough = body.options.com.rest_margin;
+  const Leg next = steps.next();
+  const PerLeg<Vec3> feet = body.legs.footholds();
+  PerLeg<Vec2> places;
+  for (const Leg k : kLegs) places[index(k)] = feet[index(k)].head<2>();
+  double widest = inradius_without(next, places);
+  if (widest > enough) return {};
+  widest += kWider;
+  const double cycle = steps.cycle_duration(body.pace());
+  std::optional<Leg> first;
+  for (const Leg k : kLegs) {
+    if (k == next || inradius_without(k, places) < enough) continue;
+    PerLeg<Vec2> after = places;
+    after[index(k)] =
+        body.footholds.foothold(k, feet, body.plane, now.yaw, now.user, cycle).head<2>();
+    const double width = inradius_without(next, after);
+    if (width > widest) first = k;
+    widest = std::max(widest, width);
+  }
+  return first;
+}
+
+void begin_swing(Leg k, const Situation& now, Body& body, double cycle_duration) {
+  const PlannerOptions& options = body.options;
+  const PerLeg<Vec3> feet = body.legs.footholds();
+  SwingMemory& memory = body.swing;
+  memory = memory.begun();
+  memory.foothold = body.footholds.foothold(k, feet, body.plane, now.yaw, now.user, cycle_duration);
+  memory.probes = probes(options.probe, k);
+  Vec3 goal = memory.foothold;
+  if (memory.probes) {
+    const Vec2 heading(std::cos(now.yaw), std::sin(now.yaw));
+    const Vec2 step = (goal - now.foot(k)).head<2>();
+    memory.direction = step.norm() > kMinStep ? step.normalized() : heading;
+    goal.head<2>() += options.probe.ahead * memory.direction;
+    goal.z() = body.footholds.expected_height(k, goal.head<2>(), feet, body.plane);
+  }
+  const double duration = body.pace() * options.gait.swing_duration;
+  goal.head<2>() = within_reach(k, goal, duration, now);
+  const double apex = knows_ground(options, k) ? options.swing.apex_known : options.swing.apex;
+  body.events.add(now.event(PlanEvent::lift_off, k));
+  body.legs[k].lift(now.time, {now.foot(k), goal, body.plane.normal, duration, apex});
+}
+
+}  // namespace surefoot

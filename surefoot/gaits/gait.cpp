@@ -1,0 +1,90 @@
+#include "surefoot/gaits/gait.hpp"
+
+#include "surefoot/gaits/reactions/leg_reactions.hpp"
+#include "surefoot/gaits/reactions/push_reactions.hpp"
+#include "surefoot/model/leg_jacobian.hpp"
+
+namespace surefoot {
+namespace {
+
+constexpr double kOffPlan = 0.01;  // the COM from its plan: that one can't be followed [m]
+
+LegEvent look_at(Leg k, const Situation& now, Body& body) {
+  const PointKinematics& foot = now.dynamics.foot[index(k)];
+  const Vec3& normal = body.plane.normal;
+  // |n · (Jᵀ)⁻¹|: of the normal force by the leg's torques.
+  const double force_per_torque = (damped_inverse(leg_jacobian(foot, k)) * normal).norm();
+  return body.legs[k].observe(now.time, {now.dynamics.hip[index(k)], foot,
+                                         now.state.foot_force[index(k)], normal, force_per_torque});
+}
+
+/// What an action says about legs, ground and the swing, and its events.
+void carry_out(const Action& action, const Situation& now, Body& body) {
+  body.events.add(action.events);
+  if (action.memory) body.swing = *action.memory;
+  if (action.forgets_print) {
+    body.footholds.forget_last(*action.forgets_print);
+    body.fit_plane();
+  }
+  if (action.avoids) body.footholds.avoid(*action.avoids);
+  if (action.lands) {
+    body.legs[*action.lands].plant(now.time, now.foot(*action.lands));
+    body.footholds.remember(*action.lands, now.foot(*action.lands));
+    body.fit_plane();
+  }
+  if (action.reloads) body.legs[*action.reloads].reload(now.time);
+  for (const Leg k : kLegs) {
+    const Vec3& v_WF = now.dynamics.foot[index(k)].v;
+    if (action.searches[index(k)])
+      body.legs[k].search(now.time, now.foot(k), v_WF, body.plane.normal);
+  }
+  if (action.swing) body.legs[action.swing->leg].lift(now.time, action.swing->target);
+}
+
+/// One tick of the friction that the feet find. True if one began or ceased to slide: it stands
+/// elsewhere than it did.
+bool observe_grip(const Situation& now, Body& body) {
+  PerLeg<Vec3> normals = now.last.pyramid_normal;
+  for (Vec3& normal : normals) {
+    if (!normal.allFinite()) normal = body.plane.normal;
+  }
+  if (!body.grip.update(now.state, normals)) return false;
+  body.fit_plane();
+  return true;
+}
+
+}  // namespace
+
+void Gait::observe(Situation& now, Body& body) {
+  for (const Leg k : kLegs) {
+    const LegEvent event = look_at(k, now, body);
+    now.gait = status(body);
+    if (const auto action = react_to_leg(event, now, k)) act(*action, now, body);
+  }
+}
+
+GaitOutcome Gait::advance(Situation& now, Body& body) {
+  if (observe_grip(now, body)) react(on_slip, now, body);
+  body.balance.update(now.state, now.dynamics, body.com_height(now.dynamics));
+  return go_on(now, body);
+}
+
+void Gait::react(Reaction reaction, Situation& now, Body& body) {
+  now.gait = status(body);
+  if (const auto action = reaction(now)) act(*action, now, body);
+}
+
+void Gait::act(const Action& action, Situation& now, Body& body) {
+  carry_out(action, now, body);
+  follow(action, now, body);
+  if (action.swing && !action.swing->keeps_deadline) plan_com(now, body);
+  if (action.replans) plan_com(now, body);
+}
+
+bool Gait::wants_plan(const Situation& now) {
+  const PushBalance& balance = now.body.balance;
+  const bool off = (now.dynamics.com.p.head<2>() - now.before.com.p).norm() > kOffPlan;
+  return balance.wants_plan(now.time) || (off && balance.may_plan(now.time));
+}
+
+}  // namespace surefoot

@@ -1,0 +1,38 @@
+#pragma once
+
+#include "surefoot/gaits/planner_options.hpp"
+#include "surefoot/math/numbers.hpp"
+#include "surefoot/math/smoothstep.hpp"
+#include "surefoot/signals/per_leg.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace surefoot {
+
+/// A time that does not come [s].
+inline constexpr double kNever = kInfinity;
+
+/// Foot of the nominal stance relative to the stance's centre, in heading axes [m].
+[[nodiscard]] inline Vec2 nominal_offset(const StanceOptions& stance, Leg leg) {
+  return {is_front(leg) ? stance.half_length : -stance.half_length,
+          is_left(leg) ? stance.half_width : -stance.half_width};
+}
+
+/// How far a leg reaches along the ground with its hip at a height over it [m].
+[[nodiscard]] inline double horizontal_reach(const SwingOptions& swing, double height) {
+  return std::sqrt(std::max(0.0, swing.reach_max * swing.reach_max - height * height));
+}
+
+/// Upper limit of a foot's normal force about its phase changes, Eq. (30) [N]: rises after the
+/// touchdown, falls to 0 at the lift-off. `loaded_for`: since the touchdown, `lifts_in`: to the
+/// lift-off [s].
+[[nodiscard]] inline double ramped_force_max(const ForceOptions& force, double loaded_for,
+                                             double lifts_in) {
+  if (!force.ramps) return force.max;
+  const double up = smooth_ramp(loaded_for, force.ramp_up);
+  const double down = smooth_ramp(lifts_in, force.ramp_down);
+  return force.max * std::min(up, down);
+}
+
+}  // namespace surefoot
