@@ -95,13 +95,20 @@ void Given::require_order(const char* low_key, double low, const char* high_key,
 Group::Group(std::initializer_list<Field> rows) : fields(rows) {}
 
 Group Group::with(Rule what) && {
-  rule = std::move(what);
+  if (rule) {
+    rule = [first = std::move(rule), then = std::move(what)](const Given& given) {
+      first(given);
+      then(given);
+    };
+  } else {
+    rule = std::move(what);
+  }
   return std::move(*this);
 }
 
 Group Group::and_also(Group more) && {
   for (Field& field : more.fields) fields.push_back(std::move(field));
-  return std::move(*this);
+  return more.rule ? std::move(*this).with(std::move(more.rule)) : std::move(*this);
 }
 
 Choice place(int& value, std::vector<std::string> names, const char* what) {

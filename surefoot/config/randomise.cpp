@@ -36,16 +36,21 @@ struct Entry {
 
 /// Names of the numbers that a key takes, in their order; none for a key that takes one number.
 std::vector<std::string> elements_of(const std::string& key) {
-  const std::optional<Field> option = scenario_option(key);
-  const auto* numbers = option ? std::get_if<Numbers>(&option->value) : nullptr;
-  return numbers == nullptr ? std::vector<std::string>{} : numbers->names;
+  std::vector<std::string> names;
+  visit_scenario_option(key, [&](const Field& option) {
+    if (const auto* numbers = std::get_if<Numbers>(&option.value)) names = numbers->names;
+  });
+  return names;
 }
 
 /// Of delays in ticks, seeds, counts.
 bool is_whole_number(const std::string& key) {
-  const std::optional<Field> option = scenario_option(key);
-  return option && (std::holds_alternative<int*>(option->value) ||
-                    std::holds_alternative<std::uint64_t*>(option->value));
+  bool is_whole = false;
+  visit_scenario_option(key, [&](const Field& option) {
+    is_whole = std::holds_alternative<int*>(option.value) ||
+               std::holds_alternative<std::uint64_t*>(option.value);
+  });
+  return is_whole;
 }
 
 Range read_range(const ConfigNode& range, const std::string& path) {

@@ -2,6 +2,7 @@
 
 #include "surefoot/base/error.hpp"
 #include "surefoot/base/formatted.hpp"
+#include "surefoot/base/names_of.hpp"
 #include "surefoot/config/terrain_fields.hpp"
 #include "surefoot/simulation/check_options.hpp"
 #include "surefoot/simulation/plant_elements.hpp"
@@ -132,11 +133,9 @@ Group plant_fields(PlantOptions& o) {
   return {
       {"timestep", &o.timestep, kTimestep, "s", "of the physics"},
       {"terrain", terrain_fields(o.terrain), "the ground"},
-      {"foot_contact",
-       fields(o.contact).with([&o, order = fields(o.contact).rule](const Given& given) {
+      {"foot_contact", fields(o.contact).with([&o](const Given& given) {
          if (o.contact.solref_time < 2.0 * o.timestep)
            given.fail("solref_time", "must be at least two timesteps");
-         order(given);
        }),
        "MuJoCo's solref, solimp and impratio of the feet"},
       {"actuators", fields(o.actuators), "drives"},
@@ -160,8 +159,7 @@ void check_period(Scenario& scenario, const Given& given) {
   }
 }
 
-void check_scenario(Scenario& scenario, const Rule& of_controller, const Given& given) {
-  of_controller(given);
+void check_scenario(Scenario& scenario, const Given& given) {
   check_period(scenario, given);
   if (scenario.controller.contact_force.use_foot_sensor &&
       !scenario.plant.sensors.foot_force.present) {
@@ -201,7 +199,7 @@ Group run_fields(Scenario& scenario) {
       {"name", &scenario.name, "for lists and tables"},
       {"description", &scenario.description, "for lists and tables"},
       {"duration", &scenario.duration, kDuration, "s", "longest run"},
-      {"estimation", choice(scenario.estimation, {"truth", "sensors"}),
+      {"estimation", choice(scenario.estimation, names_of(kEstimations)),
        "truth: the simulator's state"},
       {"estimator", fields(scenario.estimator), "of estimation: sensors"},
       {"user", user, "commands from a time on, each complete"},
@@ -217,20 +215,23 @@ const Field* find(const std::vector<Field>& fields, const std::string& key) {
   return found == fields.end() ? nullptr : &*found;
 }
 
-std::optional<Field> option_at(const Group& group, const std::string& path) {
+bool visit_option(const Group& group, const std::string& path,
+                  const std::function<void(const Field&)>& use) {
   const std::size_t dot = std::min(path.find('.'), path.size());
   const Field* field = find(group.fields, path.substr(0, dot));
-  if (field == nullptr || dot == path.size())
-    return field == nullptr ? std::nullopt : std::optional(*field);
+  if (field == nullptr) return false;
+  if (dot == path.size()) {
+    use(*field);
+    return true;
+  }
   const std::string rest = path.substr(dot + 1);
-  if (const auto* below = std::get_if<Group>(&field->value)) return option_at(*below, rest);
+  if (const auto* below = std::get_if<Group>(&field->value)) return visit_option(*below, rest, use);
   const auto* entries = std::get_if<Entries>(&field->value);
   const std::size_t name_end = rest.find('.');
-  if (entries == nullptr || name_end == std::string::npos) return {};
-  for (const Entries::Shape& shape : entries->shapes) {
-    if (auto found = option_at(shape.add(), rest.substr(name_end + 1))) return found;
-  }
-  return {};
+  if (entries == nullptr || name_end == std::string::npos) return false;
+  return std::ranges::any_of(entries->shapes, [&](const Entries::Shape& shape) {
+    return visit_option(shape.add(), rest.substr(name_end + 1), use);
+  });
 }
 
 }  // namespace
@@ -246,20 +247,17 @@ Group fields(TimedCommand& o) {
 }
 
 Group scenario_fields(Scenario& scenario) {
-  Group controller = fields(scenario.controller);
   return run_fields(scenario)
       .and_also(named_fields(scenario))
-      .and_also(controller)
+      .and_also(fields(scenario.controller))
       .and_also(plant_fields(scenario.plant))
-      .with([&scenario, rule = controller.rule](const Given& given) {
-        check_scenario(scenario, rule, given);
-      });
+      .with([&scenario](const Given& given) { check_scenario(scenario, given); });
 }
 
-std::optional<Field> scenario_option(const std::string& path) {
+bool visit_scenario_option(const std::string& path, const std::function<void(const Field&)>& use) {
   static Scenario none;
   static const Group kAll = scenario_fields(none);
-  return option_at(kAll, path);
+  return visit_option(kAll, path, use);
 }
 
 }  // namespace surefoot

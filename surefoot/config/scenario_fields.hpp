@@ -3,7 +3,7 @@
 #include "surefoot/base/fields.hpp"
 #include "surefoot/config/scenario.hpp"
 
-#include <optional>
+#include <functional>
 #include <string>
 
 namespace surefoot {
@@ -14,8 +14,9 @@ namespace surefoot {
 /// All keys of a scenario file.
 [[nodiscard]] Group scenario_fields(Scenario& scenario);
 
-/// The option of a scenario at a dotted path, with any name for an entry that has one of its own:
-/// "disturbances.pushes.kick.time". Its value is that of no scenario.
-[[nodiscard]] std::optional<Field> scenario_option(const std::string& path);
+/// Calls `use` with the option of a scenario at a dotted path, with any name for an entry that has
+/// one of its own: "disturbances.pushes.kick.time". Its value is that of no scenario. False: there
+/// is none.
+bool visit_scenario_option(const std::string& path, const std::function<void(const Field&)>& use);
 
 }  // namespace surefoot

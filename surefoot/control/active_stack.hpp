@@ -4,7 +4,6 @@
 #include "surefoot/control/level_switcher.hpp"
 #include "surefoot/control/stack_fade.hpp"
 
-#include <array>
 #include <memory>
 
 namespace surefoot {

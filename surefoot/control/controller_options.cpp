@@ -1,5 +1,6 @@
 #include "surefoot/base/fields.hpp"
 #include "surefoot/base/formatted.hpp"
+#include "surefoot/base/names_of.hpp"
 #include "surefoot/control/controller.hpp"
 
 namespace surefoot {
@@ -14,7 +15,7 @@ constexpr NumberRange kFlops{.min = 0.0,
 
 Group fields(SolverOptions& o) {
   return {
-      {"method", choice(o.method, {"lexicographic", "cascade"}),
+      {"method", choice(o.method, names_of(kSolverMethods)),
        "from the rows active at the last tick; or the reference, which starts from nothing"},
       {"structure", &o.structure, "physics and contacts in closed form; not of cascade"},
       {"flops", &o.budget.flops, kFlops, "", "of a tick, then the search ends; not of cascade"}};

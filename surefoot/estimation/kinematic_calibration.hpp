@@ -4,6 +4,7 @@
 #include "surefoot/model/dynamics.hpp"
 #include "surefoot/model/leg_chain.hpp"
 #include "surefoot/signals/kinematic_errors.hpp"
+#include "surefoot/signals/per_leg.hpp"
 #include "surefoot/signals/sensor_reading.hpp"
 
 namespace surefoot {
@@ -79,7 +80,7 @@ class KinematicCalibration {
   int ticks_per_sample_;
   double foot_radius_;
   PerLeg<LegChain> chains_;
-  PerLeg<Vec3> rolled_{};
+  PerLeg<Vec3> rolled_ = per_leg<Vec3>(Vec3::Zero());
   Mat3 R_start_ = Mat3::Identity();
   Mat3 R_ = Mat3::Identity();   // of the base in W, from the gyroscope
   Vec3 gyro_ = Vec3::Zero();    // the last reading [rad/s]

@@ -16,7 +16,6 @@
 #include <deque>
 #include <exception>
 #include <filesystem>
-#include <map>
 #include <mutex>
 #include <thread>
 #include <vector>

@@ -64,14 +64,26 @@ TEST(Fields, have_a_unit_or_help_and_keys_that_differ) {
   EXPECT_EQ(list_options("planner.swing.apex").size(), 2U);
 }
 
+TEST(Fields, rules_of_groups_that_are_put_together_all_hold_in_order) {
+  std::string held;
+  const auto note = [&held](char name) { return [&held, name](const Given&) { held += name; }; };
+  check_fields("", Group{}.with(note('a')).with(note('b')).and_also(Group{}.with(note('c'))));
+  EXPECT_EQ(held, "abc");
+}
+
 TEST(Fields, are_found_by_the_path_that_a_range_or_set_has) {
-  const auto numbers = scenario_option("sensors.encoders.offset");
-  ASSERT_TRUE(numbers.has_value());
-  EXPECT_EQ(std::get<Numbers>(numbers->value).names.size(), 12U);
-  EXPECT_TRUE(scenario_option("disturbances.pushes.kick.direction").has_value());
-  EXPECT_TRUE(scenario_option("terrain.elements.ground.tread").has_value());
-  EXPECT_FALSE(scenario_option("terrain.elements.ground").has_value() &&
-               scenario_option("planner.swing.apx").has_value());
+  std::size_t numbers = 0;
+  EXPECT_TRUE(visit_scenario_option("sensors.encoders.offset", [&](const Field& field) {
+    numbers = std::get<Numbers>(field.value).names.size();
+  }));
+  EXPECT_EQ(numbers, 12U);
+  const auto exists = [](const char* path) {
+    return visit_scenario_option(path, [](const Field&) {});
+  };
+  EXPECT_TRUE(exists("disturbances.pushes.kick.direction"));
+  EXPECT_TRUE(exists("terrain.elements.ground.tread"));
+  EXPECT_FALSE(exists("terrain.elements.ground"));
+  EXPECT_FALSE(exists("planner.swing.apx"));
 }
 
 /// The schema of a key, through what may be null or a named entry.
