@@ -2,10 +2,10 @@
 
 #include "surefoot/model/robot_model.hpp"
 #include "tests/support/anymal_b.hpp"
-#include "tests/support/malloc_counter.hpp"
+#include "tests/support/forward_dynamics.hpp"
+#include "tests/support/linear_algebra.hpp"
 #include "tests/support/random_motion.hpp"
 
-#include <Eigen/LU>
 #include <gtest/gtest.h>
 
 namespace surefoot {
@@ -15,60 +15,11 @@ using test::all_contact_sets;
 using test::anymal_b;
 using test::plan_with_contacts;
 using test::Random;
+using test::random_torque;
+using test::stacked_jacobians;
 using test::straight_legged_state;
 
 const Vec3 kUp = Vec3::UnitZ();
-
-MatX stacked_jacobians(const Dynamics& dynamics, const MotionPlan& plan) {
-  MatX J_s(3 * plan.num_contacts(), kNumVelocities);
-  Eigen::Index row = 0;
-  for (const Leg leg : kLegs) {
-    if (!plan.contact(leg)) continue;
-    J_s.middleRows<3>(row) = dynamics.contact[index(leg)].J;
-    row += 3;
-  }
-  return J_s;
-}
-
-VecX stacked_drifts(const Dynamics& dynamics, const MotionPlan& plan) {
-  VecX drifts(3 * plan.num_contacts());
-  Eigen::Index row = 0;
-  for (const Leg leg : kLegs) {
-    if (!plan.contact(leg)) continue;
-    drifts.segment<3>(row) = dynamics.contact[index(leg)].Jdot_u;
-    row += 3;
-  }
-  return drifts;
-}
-
-struct ForwardDynamics {
-  VecX x;       ///< (u̇, τ)
-  VecX lambda;  ///< contact forces of least norm
-};
-
-/// M u̇ + h = Sᵀτ + J_sᵀλ with J_s u̇ + J̇_s u = 0, as one linear system.
-ForwardDynamics constrained_forward_dynamics(const Dynamics& dynamics, const MotionPlan& plan,
-                                             const JointVector& torque) {
-  const MatX J_s = stacked_jacobians(dynamics, plan);
-  const Eigen::Index n = J_s.rows();
-  MatX K = MatX::Zero(kNumVelocities + n, kNumVelocities + n);
-  K.topLeftCorner(kNumVelocities, kNumVelocities) = dynamics.M;
-  K.topRightCorner(kNumVelocities, n) = -J_s.transpose();
-  K.bottomLeftCorner(n, kNumVelocities) = J_s;
-  VecX b(kNumVelocities + n);
-  b << -dynamics.h, -stacked_drifts(dynamics, plan);
-  b.segment<kNumJoints>(6) += torque;
-  const VecX solution = K.completeOrthogonalDecomposition().solve(b);
-  ForwardDynamics result{VecX(kNumUnknowns), solution.tail(n)};
-  result.x << solution.head<kNumVelocities>(), torque;
-  return result;
-}
-
-JointVector random_torque(Random& random) {
-  JointVector torque;
-  for (double& value : torque) value = random.uniform(-40.0, 40.0);
-  return torque;
-}
 
 RobotDescription point_foot_robot() {
   RobotDescription robot = anymal_b();
@@ -86,8 +37,8 @@ TEST(SupportDynamics, gives_the_multipliers_of_the_constrained_forward_dynamics)
         model.update(random.standing_state(model.description().q_nominal), kUp);
     support.update(dynamics, plan);
     EXPECT_EQ(support.rank(), 3 * plan.num_contacts());
-    const ForwardDynamics expected =
-        constrained_forward_dynamics(dynamics, plan, random_torque(random));
+    const test::ForwardDynamics expected =
+        test::forward_dynamics(dynamics, plan, random_torque(random));
     const VecX lambda = support.Lambda() * expected.x + support.lambda_0();
     EXPECT_LT((lambda - expected.lambda).norm(), 1e-7 * (1.0 + expected.lambda.norm()));
   }
@@ -158,27 +109,12 @@ TEST(SupportDynamics, gives_the_forces_of_least_norm_where_they_are_not_unique) 
   for (int trial = 0; trial < 20; ++trial) {
     // Any forces, and accelerations that go with them.
     const VecX forces = VecX::NullaryExpr(12, [&] { return random.uniform(-100.0, 100.0); });
-    const JointVector torque = random_torque(random);
-    VecX right = J_s.transpose() * forces - dynamics.h;
-    right.segment<kNumJoints>(6) += torque;
-    VecX x(kNumUnknowns);
-    x << dynamics.M.lu().solve(right), torque;
-    const VecX least =
-        J_s.transpose().completeOrthogonalDecomposition().solve(J_s.transpose() * forces);
+    const VecX x = test::accelerated_by(dynamics, plan, random_torque(random), forces);
+    const VecX least = test::least_squares(J_s.transpose(), J_s.transpose() * forces);
     const VecX lambda = support.Lambda() * x + support.lambda_0();
     EXPECT_LT((lambda - least).norm(), 1e-6 * (1.0 + least.norm()));
     EXPECT_LT(lambda.norm(), forces.norm());
   }
-}
-
-TEST(SupportDynamics, does_not_allocate_whatever_touches_the_ground) {
-  RobotModel model(point_foot_robot());
-  SupportDynamics support;
-  const Dynamics& dynamics = model.update(straight_legged_state(), kUp);
-  const auto sets = all_contact_sets();
-  const test::MallocCounter counter;
-  for (const PerLeg<bool>& contacts : sets) support.update(dynamics, plan_with_contacts(contacts));
-  EXPECT_EQ(counter.count(), 0u);
 }
 
 }  // namespace
