@@ -6,10 +6,10 @@
 #include "surefoot/tasks/no_contact_motion.hpp"
 #include "surefoot/tasks/torque_limits.hpp"
 #include "surefoot/tasks/torque_minimisation.hpp"
+#include "tests/support/forward_dynamics.hpp"
+#include "tests/support/linear_algebra.hpp"
 #include "tests/tasks/scene.hpp"
 
-#include <Eigen/LU>
-#include <Eigen/QR>
 #include <gtest/gtest.h>
 
 #include <numbers>
@@ -20,39 +20,22 @@ namespace {
 using test::all_contact_sets;
 using test::plan_with_contacts;
 using test::Random;
+using test::random_torque;
 using test::Scene;
 using test::stacked;
 using test::straight_legged_state;
 using test::written;
 using test::WrittenRows;
 
-JointVector random_torque(Random& random) {
-  JointVector torque;
-  for (double& value : torque) value = random.uniform(-40.0, 40.0);
-  return torque;
+/// Of a robot that stands, nearly.
+TaskInput stand(Scene& scene, Random& random) {
+  return scene.update(random.standing_state(scene.model.description().q_nominal));
 }
+TaskInput stand(Scene& scene, Random&& random) { return stand(scene, random); }
 
-/// Accelerations and contact forces that go with torques, by solving for both together.
+/// Accelerations and torques, with the contact forces that go with them.
 VecX forward_dynamics(const TaskInput& input, const JointVector& torque) {
-  const int n = 3 * input.plan.num_contacts();
-  MatX K = MatX::Zero(kNumVelocities + n, kNumVelocities + n);
-  VecX b = VecX::Zero(kNumVelocities + n);
-  K.topLeftCorner(kNumVelocities, kNumVelocities) = input.dynamics.M;
-  b.head<kNumVelocities>() = -input.dynamics.h;
-  b.segment<kNumJoints>(6) += torque;
-  int row = kNumVelocities;
-  for (const Leg leg : kLegs) {
-    if (!input.plan.contact(leg)) continue;
-    const PointKinematics& contact = input.dynamics.contact[index(leg)];
-    K.block(0, row, kNumVelocities, 3) = -contact.J.transpose();
-    K.block(row, 0, 3, kNumVelocities) = contact.J;
-    b.segment<3>(row) = -contact.Jdot_u;
-    row += 3;
-  }
-  const VecX solution = K.fullPivLu().solve(b);
-  VecX x(kNumUnknowns);
-  x << solution.head<kNumVelocities>(), torque;
-  return x;
+  return test::forward_dynamics(input.dynamics, input.plan, torque).x;
 }
 
 const EquationsOfMotion kEquationsOfMotion;
@@ -63,28 +46,15 @@ TEST(EquationsOfMotion, and_no_contact_motion_together_are_the_constrained_forwa
   const NoContactMotion no_contact_motion({.kd = 0.0});
   for (const PerLeg<bool>& contacts : all_contact_sets()) {
     scene.plan = plan_with_contacts(contacts);
-    const TaskInput input =
-        scene.update(random.standing_state(scene.model.description().q_nominal));
+    const TaskInput input = stand(scene, random);
     const WrittenRows rows = stacked({&kEquationsOfMotion, &no_contact_motion}, input);
     ASSERT_EQ(rows.count(), kNumVelocities);
     // With torques given, both tasks leave one acceleration: that of forward dynamics.
     const VecX x = forward_dynamics(input, random_torque(random));
     const VecX residual = rows.A * x - rows.lower;
     EXPECT_LT(residual.norm(), 1e-8 * (1.0 + rows.lower.norm()));
-    EXPECT_EQ(rows.A.leftCols<kNumVelocities>().fullPivLu().rank(), kNumVelocities);
-  }
-}
-
-TEST(EquationsOfMotion, and_no_contact_motion_leave_twelve_degrees_of_freedom) {
-  Scene scene;
-  Random random(21);
-  const NoContactMotion no_contact_motion({});
-  for (const PerLeg<bool>& contacts : all_contact_sets()) {
-    scene.plan = plan_with_contacts(contacts);
-    const TaskInput input =
-        scene.update(random.standing_state(scene.model.description().q_nominal));
-    const WrittenRows rows = stacked({&kEquationsOfMotion, &no_contact_motion}, input);
-    EXPECT_EQ(kNumUnknowns - rows.A.colPivHouseholderQr().rank(), 12);
+    EXPECT_EQ(test::rank(rows.A.leftCols<kNumVelocities>()), kNumVelocities);
+    EXPECT_EQ(test::rank(rows.A), kNumVelocities) << "twelve degrees of freedom are left";
   }
 }
 
@@ -102,14 +72,8 @@ TEST(EquationsOfMotion, hold_with_straight_legs_where_the_contacts_lose_rank) {
   // Whatever the contact forces are, the accelerations that they make obey the rows.
   Random random(22);
   for (int trial = 0; trial < 10; ++trial) {
-    const JointVector torque = random_torque(random);
-    GeneralizedVector force = -dynamics.h;
-    force.tail<kNumJoints>() += torque;
-    for (const Leg leg : kLegs) {
-      force += dynamics.contact[index(leg)].J.transpose() * random.vector(100.0);
-    }
-    VecX x(kNumUnknowns);
-    x << dynamics.M.lu().solve(force), torque;
+    const VecX forces = VecX::NullaryExpr(12, [&] { return random.uniform(-100.0, 100.0); });
+    const VecX x = test::accelerated_by(dynamics, plan, random_torque(random), forces);
     EXPECT_LT((rows.A * x - rows.lower).norm(), 1e-7 * rows.lower.norm());
   }
 }
@@ -118,7 +82,7 @@ TEST(NoContactMotion, damps_the_velocity_of_the_contact_points) {
   Scene scene;
   Random random(23);
   scene.plan = plan_with_contacts({true, false, true, true});
-  const TaskInput input = scene.update(random.standing_state(scene.model.description().q_nominal));
+  const TaskInput input = stand(scene, random);
   const WrittenRows still = written(NoContactMotion({.kd = 0.0}), input);
   const WrittenRows damped = written(NoContactMotion({.kd = 7.0}), input);
   EXPECT_EQ(still.ids, (std::vector<int>{0, 1, 2, 6, 7, 8, 9, 10, 11}));
@@ -142,8 +106,7 @@ TEST(FrictionCone, agrees_with_a_direct_check_of_the_contact_forces) {
       scene.plan = plan_with_contacts(contacts);
       for (FootPlan& foot : scene.plan.feet) foot.friction = random.uniform(0.2, 0.8);
       scene.plan.R_WC = random.small_rotation(0.06).toRotationMatrix();
-      const TaskInput input =
-          scene.update(random.standing_state(scene.model.description().q_nominal));
+      const TaskInput input = stand(scene, random);
       const WrittenRows rows = written(task, input);
       const VecX x = forward_dynamics(input, random_torque(random));
       const VecX value = rows.A * x;
@@ -181,8 +144,7 @@ TEST(FrictionCone, says_what_share_of_the_pyramid_that_it_writes_a_force_uses) {
         scene.plan.R_WC = Eigen::AngleAxisd(lean, Vec3(0.6, -0.8, 0.0)) *
                           rotation_about_z(random.uniform(-3.0, 3.0));
         for (FootPlan& foot : scene.plan.feet) foot.friction = random.uniform(0.1, 0.8);
-        const TaskInput input =
-            scene.update(random.standing_state(scene.model.description().q_nominal));
+        const TaskInput input = stand(scene, random);
         const WrittenRows rows = written(task, input);
         const VecX x = forward_dynamics(input, random_torque(random));
         const VecX beyond = rows.A * x - rows.upper;
@@ -204,8 +166,7 @@ WrittenRows leaning_pyramids(Scene& scene, double lean, double mu) {
   for (FootPlan& foot : scene.plan.feet) foot.friction = mu;
   scene.plan.R_WC = Eigen::AngleAxisd(lean, Vec3(0.6, -0.8, 0.0)).toRotationMatrix();
   Random random(25);
-  return written(FrictionCone({}),
-                 scene.update(random.standing_state(scene.model.description().q_nominal)));
+  return written(FrictionCone({}), stand(scene, random));
 }
 
 // A foot that slid has less assumed friction than the slope is steep: about the slope's normal no
@@ -217,8 +178,7 @@ TEST(FrictionCone, lets_feet_carry_on_ground_that_is_steeper_than_their_friction
       const WrittenRows rows = leaning_pyramids(scene, lean, mu);
       VecX upward(3 * kNumLegs);
       for (Eigen::Index k = 0; k < kNumLegs; ++k) upward.segment<3>(3 * k) = Vec3(0.0, 0.0, 50.0);
-      const VecX x =
-          scene.support.Lambda().colPivHouseholderQr().solve(upward - scene.support.lambda_0());
+      const VecX x = test::least_squares(scene.support.Lambda(), upward - scene.support.lambda_0());
       for (Eigen::Index row = 0; row < rows.count(); ++row) {
         EXPECT_LT((rows.A * x)[row], rows.upper[row]) << lean << " rad, " << mu;
       }
@@ -242,7 +202,7 @@ TEST(FrictionCone, is_about_the_normal_where_a_foot_can_stand_on_it) {
 TEST(FrictionCone, lies_inside_the_round_cone_or_around_it) {
   Scene scene;
   Random random(25);
-  const TaskInput input = scene.update(random.standing_state(scene.model.description().q_nominal));
+  const TaskInput input = stand(scene, random);
   const WrittenRows inner = written(FrictionCone({FrictionCone::Pyramid::inner}), input);
   const WrittenRows outer = written(FrictionCone({FrictionCone::Pyramid::outer}), input);
   const double mu = scene.plan.feet[0].friction;
@@ -255,7 +215,7 @@ TEST(FrictionCone, lies_inside_the_round_cone_or_around_it) {
       const double angle = random.uniform(0.0, 2.0 * kPi);
       forces.segment<3>(3 * i) = 50.0 * Vec3(mu * std::cos(angle), mu * std::sin(angle), 1.0);
     }
-    const VecX x = Lambda.completeOrthogonalDecomposition().solve(forces - lambda_0);
+    const VecX x = test::least_squares(Lambda, forces - lambda_0);
     EXPECT_TRUE(((outer.A * x).array() <= outer.upper.array() + 1e-6).all());
     for (int i = 0; i < 4; ++i) {
       const auto leg_rows = (inner.A * x - inner.upper).segment<4>(5 * i);
@@ -267,8 +227,7 @@ TEST(FrictionCone, lies_inside_the_round_cone_or_around_it) {
 TEST(FrictionCone, never_asks_for_more_normal_force_than_it_allows) {
   Scene scene;
   scene.plan.feet[1].force_max = 4.0;  // unloading, below force_min
-  const TaskInput input =
-      scene.update(Random(26).standing_state(scene.model.description().q_nominal));
+  const TaskInput input = stand(scene, Random(26));
   const WrittenRows rows = written(FrictionCone({}), input);
   EXPECT_NEAR(rows.upper[9] - rows.lower[9], 0.0, 1e-12);
   EXPECT_NEAR(rows.upper[4] - rows.lower[4], 240.0, 1e-9);
@@ -295,8 +254,7 @@ TEST(ContactForceMinimisation, has_the_weighted_contact_forces_as_its_violation)
   for (const PerLeg<bool>& contacts : all_contact_sets()) {
     scene.plan = plan_with_contacts(contacts);
     scene.plan.R_WC = random.small_rotation(0.3).toRotationMatrix();
-    const TaskInput input =
-        scene.update(random.standing_state(scene.model.description().q_nominal));
+    const TaskInput input = stand(scene, random);
     const WrittenRows rows = written(task, input);
     ASSERT_EQ(rows.count(), 3 * scene.plan.num_contacts());
     const VecX x = forward_dynamics(input, random_torque(random));
@@ -319,15 +277,13 @@ TEST(ContactForceMinimisation, and_the_friction_cone_see_forces_by_the_same_map)
   const FrictionCone friction({});
   for (const PerLeg<bool>& contacts : all_contact_sets()) {
     scene.plan = plan_with_contacts(contacts);
-    const TaskInput input =
-        scene.update(random.standing_state(scene.model.description().q_nominal));
+    const TaskInput input = stand(scene, random);
     const WrittenRows least = written(minimisation, input), cone = written(friction, input);
     for (int leg = 0; leg < scene.plan.num_contacts(); ++leg) {
       // Λ and λ₀ of the leg, from the rows of one task, give those of the other.
       const MatX force = least.A.middleRows(3 * leg, 3);
       const MatX rows = cone.A.middleRows(FrictionCone::kRowsPerLeg * leg, 4);
-      const MatX by_force =
-          force.transpose().completeOrthogonalDecomposition().solve(rows.transpose()).transpose();
+      const MatX by_force = test::least_squares(force.transpose(), rows.transpose()).transpose();
       EXPECT_LT((by_force * force - rows).norm(), 1e-12 * rows.norm());
       const VecX bound = cone.upper.segment(FrictionCone::kRowsPerLeg * leg, 4);
       EXPECT_LT((by_force * least.upper.segment(3 * leg, 3) - bound).norm(),

@@ -6,11 +6,9 @@
 #include "surefoot/solver/cascade_solver.hpp"
 #include "surefoot/tasks/equations_of_motion.hpp"
 #include "surefoot/tasks/no_contact_motion.hpp"
-#include "tests/support/malloc_counter.hpp"
+#include "tests/support/linear_algebra.hpp"
 #include "tests/tasks/scene.hpp"
 
-#include <Eigen/QR>
-#include <Eigen/SVD>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -20,6 +18,7 @@ namespace surefoot {
 namespace {
 
 using test::all_contact_sets;
+using test::condition;
 using test::plan_with_contacts;
 using test::Random;
 using test::Scene;
@@ -60,11 +59,6 @@ void expect_solves(const WrittenRows& rows, const Substitution& s) {
     const VecX change = (rows.A * direction).cwiseQuotient(rows.A.rowwise().norm());
     EXPECT_LT(change.cwiseAbs().maxCoeff(), 1e-12 * direction.norm()) << i;
   }
-}
-
-double condition(const MatX& matrix) {
-  const VecX singular = matrix.jacobiSvd().singularValues();
-  return singular[0] / singular[singular.size() - 1];
 }
 
 TEST(PhysicsSubstitution, HasAllSolutionsOfBothLevelsAndNoOthers) {
@@ -126,20 +120,6 @@ TEST(PhysicsSubstitution, RefusesWhatIsNotANumber) {
   Dynamics unknown = input.dynamics;
   unknown.h.setConstant(kNaN);
   EXPECT_EQ(example.substitution.update(unknown, input.support, VecX::Zero(12)), nullptr);
-}
-
-TEST(PhysicsSubstitution, AllocatesNothing) {
-  Example example;
-  Random random(53);
-  for (const PerLeg<bool>& contacts : all_contact_sets()) {
-    example.scene.plan = plan_with_contacts(contacts);
-    const TaskInput input =
-        example.scene.update(random.standing_state(example.scene.model.description().q_nominal));
-    const VecX contact = VecX::Zero(input.support.rank());
-    const test::MallocCounter counter;
-    EXPECT_NE(example.substitution.update(input.dynamics, input.support, contact), nullptr);
-    EXPECT_EQ(counter.count(), 0u);
-  }
 }
 
 /// A plan that the robot's limits allow: it goes on as it moves, over the middle of its feet.
