@@ -2,7 +2,7 @@
 
 #include "surefoot/base/error.hpp"
 #include "surefoot/math/numbers.hpp"
-#include "tests/support/random_hierarchy.hpp"
+#include "tests/support/seeds.hpp"
 
 #include <gtest/gtest.h>
 
@@ -70,9 +70,7 @@ std::vector<Eigen::Index> as_written(const Level& level) {
 
 TEST(HierarchyJson, WhatIsWrittenReadsBackToTheSameRowsBoundsAndIds) {
   int two_sided = 0;
-  for (int seed = 0; seed < 50; ++seed) {
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    RandomMatrices random(static_cast<std::uint64_t>(seed));
+  for (SeededRandom& random : Seeds(50)) {
     Hierarchy original(5);
     for (const LevelData& level : random_levels(random, {.unknowns = 5, .levels = 4})) {
       const std::size_t k = original.add_level("any", level.A.rows());
@@ -132,14 +130,11 @@ TEST(HierarchyJson, ARowWithoutAnyBoundIsOneThatIsSwitchedOff) {
   }
 }
 
-TEST(HierarchyJson, BoundsThatCrossAreNamed) {
+TEST(HierarchyJson, WhatIsWrongIsNamedWithTheLevel) {
   expect_error(R"({"levels":[{"name":"wish","D":[[1]],"lower":[2],"f":[1]}]})",
                "level 1 (wish): row 1 of D has lower 2.0 above f 1.0; expected lower ≤ f");
   expect_error(R"({"levels":[{"D":[[1]],"lower":[],"f":[1]}]})",
                "lower has 0 elements, D has 1 row");
-}
-
-TEST(HierarchyJson, BoundsThatAreMissingOrHaveNoRowsAreNamed) {
   expect_error(R"({"levels":[{"D":[[1],[2]]}]})",
                "level 1: D has 2 rows and no f; expected f with one element for each row");
   expect_error(R"({"levels":[{"A":[[1]]}]})", "level 1: A has 1 row and no b");
@@ -147,6 +142,53 @@ TEST(HierarchyJson, BoundsThatAreMissingOrHaveNoRowsAreNamed) {
                "level 1: b has 2 elements and there is no A; expected A with a row for each");
   expect_error(R"({"levels":[{"A":[[1]],"b":[1],"lower":[0]}]})",
                "lower has 1 element and there is no D");
+  expect_error(
+      R"({"levels":[{},{"D":[[1]],"lowr":[0],"f":[1]}]})",
+      "level 2: unknown key \"lowr\"; did you mean \"lower\"? valid are: name, unit, A, b, "
+      "D, f, lower, A_names, D_names, A_ids, D_ids");
+  expect_error(R"({"levels":[{"A":[[1]],"b":[1],"weights":[2]}]})",
+               "level 1: unknown key \"weights\"; did you mean \"A_weights\"? valid are: name");
+  expect_error(R"({"level":[{"A":[[1]],"b":[1]}]})",
+               "unknown key \"level\"; did you mean \"levels\"? valid are: levels");
+  expect_error(R"({"levels":[{"name":3,"A":[[1]],"b":[1]}]})",
+               "level 1: name is 3; expected a text");
+  expect_error(R"({"levels":[{"unit":["N"],"A":[[1]],"b":[1]}]})",
+               "level 1: unit is [\"N\"]; expected a text");
+  expect_error(R"({"levels":[{"D":[[1]],"f":[1],"D_ids":[1.5]}]})", "level 1: D_ids is [1.5]");
+  expect_error(R"({"levels":[{"A":[[1]],"b":[1],"A_ids":[1,2]}]})", "array of 1 integer");
+  expect_error(R"({"levels":[{"A":[[1]],"b":[1],"A_ids":[5000000000]}]})", "A_ids is [5000000000]");
+  expect_error(
+      R"({"levels":[{"A":[[1]],"b":[1],"A_ids":[2147483648]}]})",
+      "A_ids is [2147483648]; expected an array of 1 integer from -2147483648 to 2147483647, "
+      "one for each row of A");
+  expect_error("levels: 3", "not JSON");
+  expect_error(R"({"levels":[{"A":[[1]],"b":[1]}])", "not JSON");
+  expect_error(R"({"levels":[{"A":[[1,2],[3,1e200]],"b":[1,2]}]})",
+               "level 1: A: row 2: element 2 is 1e+200, too large");
+  expect_error(R"({"levels":[{"D":[[1]],"f":[-1e150]}]})", "level 1: f: element 1 is -1e+150");
+  expect_error("[]", "\"levels\"");
+  expect_error("{}", "\"levels\"");
+  expect_error(R"({"levels":3})", "\"levels\"");
+  expect_error(R"({"levels":[]})", "levels is empty, so there are no unknowns");
+  expect_error(R"({"levels":[{"A":[],"b":[],"D":[],"f":[]}]})",
+               "level 1: has no row in A or D, so there are no unknowns");
+  expect_error(R"({"levels":[{},{}]})", "levels 1 to 2: have no row in A or D");
+  expect_error(R"({"levels":[{"A":[[1,2],[3]],"b":[1,2]}]})", "level 1: A: row 2: has 1 element;");
+  expect_error(R"({"levels":[{"A":[[1,2],[]],"b":[1,2]}]})", "level 1: A: row 2: is empty");
+  expect_error(R"({"levels":[{"A":[[1,2]],"b":[1]},{"D":[[1,2,3]],"f":[1]}]})",
+               "level 2: D: row 1: has 3 elements; the rows before it have 2");
+  expect_error(R"({"levels":[{"A":[[1,2]],"b":[1,2]}]})", "level 1: b has 2 elements, A has 1 row");
+  expect_error(R"({"levels":[{"A":[[1,2]],"b":[1],"D":[[3,4]],"f":[]}]})",
+               "level 1: f has 0 elements, D has 1 row");
+  expect_error(R"({"levels":[{"A":[[1,"two"]],"b":[1]}]})",
+               "level 1: A: row 1: element 2 is \"two\"");
+  expect_error(R"({"levels":[{"A":[[1,2]],"b":[null]}]})", "level 1: b: element 1 is null");
+  expect_error(R"({"levels":[{"A":[1,2],"b":[1]}]})", "level 1: A: row 1: is 1; expected an array");
+  expect_error(R"({"levels":[{"A":{},"b":[1]}]})", "level 1: A is {}; expected an array");
+  expect_error(R"({"levels":[7]})", "level 1: is 7; expected an object");
+  expect_error(R"({"levels":[{"A":[[1]],"b":[1],"A_names":["a","b"]}]})",
+               "level 1: A_names is [\"a\",\"b\"]; expected an array of 1 text");
+  expect_error(R"({"levels":[{"A":[[1]],"b":[1],"A_names":[3]}]})", "A_names");
 }
 
 TEST(HierarchyJson, RowsOfAWithBoundsAreToldHowTheyAreWritten) {
@@ -158,30 +200,12 @@ TEST(HierarchyJson, RowsOfAWithBoundsAreToldHowTheyAreWritten) {
   }
 }
 
-TEST(HierarchyJson, AKeyThatThereIsNotIsNamedWithTheOneThatWasMeant) {
-  expect_error(
-      R"({"levels":[{},{"D":[[1]],"lowr":[0],"f":[1]}]})",
-      "level 2: unknown key \"lowr\"; did you mean \"lower\"? valid are: name, unit, A, b, "
-      "D, f, lower, A_names, D_names, A_ids, D_ids");
-  expect_error(R"({"levels":[{"A":[[1]],"b":[1],"weights":[2]}]})",
-               "level 1: unknown key \"weights\"; did you mean \"A_weights\"? valid are: name");
-  expect_error(R"({"level":[{"A":[[1]],"b":[1]}]})",
-               "unknown key \"level\"; did you mean \"levels\"? valid are: levels");
-}
-
 TEST(HierarchyJson, AKeyThatIsGivenTwiceIsNamed) {
   expect_error(R"({"levels":[{},{"A":[[1]],"b":[1],"b":[2]}]})",
                "stack.jsonl:3: level 2: the key \"b\" is given twice; expected once");
   expect_error(R"({"levels":[],"levels":[{"A":[[1]],"b":[1]}]})",
                "stack.jsonl:3: the key \"levels\" is given twice");
   EXPECT_EQ(parse(R"({"levels":[{"A":[[1]],"b":[1]},{"A":[[1]],"b":[1]}]})").num_levels(), 2u);
-}
-
-TEST(HierarchyJson, NamesAndUnitsThatAreNoTextsAreNamed) {
-  expect_error(R"({"levels":[{"name":3,"A":[[1]],"b":[1]}]})",
-               "level 1: name is 3; expected a text");
-  expect_error(R"({"levels":[{"unit":["N"],"A":[[1]],"b":[1]}]})",
-               "level 1: unit is [\"N\"]; expected a text");
 }
 
 TEST(HierarchyJson, IdsThatALevelHasTwiceAreNamed) {
@@ -203,16 +227,6 @@ TEST(HierarchyJson, RowsWithoutIdsAreCountedPastThoseThatOthersHave) {
   EXPECT_EQ(level.id(0), 2);
   EXPECT_EQ(level.id(1), 3);
   EXPECT_EQ(level.id(2), 1);
-}
-
-TEST(HierarchyJson, IdsThatAreNoneAreNamed) {
-  expect_error(R"({"levels":[{"D":[[1]],"f":[1],"D_ids":[1.5]}]})", "level 1: D_ids is [1.5]");
-  expect_error(R"({"levels":[{"A":[[1]],"b":[1],"A_ids":[1,2]}]})", "array of 1 integer");
-  expect_error(R"({"levels":[{"A":[[1]],"b":[1],"A_ids":[5000000000]}]})", "A_ids is [5000000000]");
-  expect_error(
-      R"({"levels":[{"A":[[1]],"b":[1],"A_ids":[2147483648]}]})",
-      "A_ids is [2147483648]; expected an array of 1 integer from -2147483648 to 2147483647, "
-      "one for each row of A");
 }
 
 TEST(HierarchyJson, LevelsKeepTheirNames) {
@@ -237,11 +251,6 @@ TEST(HierarchyJson, LevelsKeepTheirUnits) {
   EXPECT_EQ(parse_hierarchy(line, "line").units, (std::vector<std::string>{"N·m", ""}));
 }
 
-TEST(HierarchyJson, ALineThatIsNotJsonIsNamed) {
-  expect_error("levels: 3", "not JSON");
-  expect_error(R"({"levels":[{"A":[[1]],"b":[1]}])", "not JSON");
-}
-
 TEST(HierarchyJson, NumbersThatAreNotFiniteAreNamedWithLevelAndRow) {
   expect_error(R"({"levels":[{"A":[[1]],"b":[NaN]}]})", "level 1: b: element 1 is \"NaN\"");
   expect_error(R"({"levels":[{},{"A":[[1,2],[3,-Infinity]],"b":[1,2]}]})",
@@ -254,12 +263,6 @@ TEST(HierarchyJson, NumbersThatAreNotFiniteAreNamedWithLevelAndRow) {
   expect_error(R"({"levels":[{"A":[[1e999]],"b":[1]}]})",
                "level 1: A: row 1: element 1 is 1e999, too large");
   EXPECT_EQ(parse(R"({"levels":[{"name":"NaN \" NaN","A":[[1]],"b":[2]}]})").num_levels(), 1u);
-}
-
-TEST(HierarchyJson, NumbersTooLargeToComputeWithAreNamedWithLevelAndRow) {
-  expect_error(R"({"levels":[{"A":[[1,2],[3,1e200]],"b":[1,2]}]})",
-               "level 1: A: row 2: element 2 is 1e+200, too large");
-  expect_error(R"({"levels":[{"D":[[1]],"f":[-1e150]}]})", "level 1: f: element 1 is -1e+150");
 }
 
 TEST(HierarchyJson, NumbersUpTo1e100AreReadAndAreBounds) {
@@ -305,44 +308,6 @@ TEST(HierarchyJson, ALineNestedTooDeepIsNamed) {
   expect_error("{\"levels\":" + deep + std::string(100000, ']') + "}", "nested deeper than 64");
 }
 
-TEST(HierarchyJson, ALineWithoutLevelsIsNamed) {
-  expect_error("[]", "\"levels\"");
-  expect_error("{}", "\"levels\"");
-  expect_error(R"({"levels":3})", "\"levels\"");
-}
-
-TEST(HierarchyJson, AHierarchyWithoutUnknownsIsNamed) {
-  expect_error(R"({"levels":[]})", "levels is empty, so there are no unknowns");
-  expect_error(R"({"levels":[{"A":[],"b":[],"D":[],"f":[]}]})",
-               "level 1: has no row in A or D, so there are no unknowns");
-  expect_error(R"({"levels":[{},{}]})", "levels 1 to 2: have no row in A or D");
-}
-
-TEST(HierarchyJson, RaggedRowsAreNamed) {
-  expect_error(R"({"levels":[{"A":[[1,2],[3]],"b":[1,2]}]})", "level 1: A: row 2: has 1 element;");
-  expect_error(R"({"levels":[{"A":[[1,2],[]],"b":[1,2]}]})", "level 1: A: row 2: is empty");
-}
-
-TEST(HierarchyJson, LevelsOfOtherUnknownsAreNamed) {
-  expect_error(R"({"levels":[{"A":[[1,2]],"b":[1]},{"D":[[1,2,3]],"f":[1]}]})",
-               "level 2: D: row 1: has 3 elements; the rows before it have 2");
-}
-
-TEST(HierarchyJson, RightHandSidesOfTheWrongLengthAreNamed) {
-  expect_error(R"({"levels":[{"A":[[1,2]],"b":[1,2]}]})", "level 1: b has 2 elements, A has 1 row");
-  expect_error(R"({"levels":[{"A":[[1,2]],"b":[1],"D":[[3,4]],"f":[]}]})",
-               "level 1: f has 0 elements, D has 1 row");
-}
-
-TEST(HierarchyJson, WhatIsNoNumberIsNamed) {
-  expect_error(R"({"levels":[{"A":[[1,"two"]],"b":[1]}]})",
-               "level 1: A: row 1: element 2 is \"two\"");
-  expect_error(R"({"levels":[{"A":[[1,2]],"b":[null]}]})", "level 1: b: element 1 is null");
-  expect_error(R"({"levels":[{"A":[1,2],"b":[1]}]})", "level 1: A: row 1: is 1; expected an array");
-  expect_error(R"({"levels":[{"A":{},"b":[1]}]})", "level 1: A is {}; expected an array");
-  expect_error(R"({"levels":[7]})", "level 1: is 7; expected an object");
-}
-
 TEST(HierarchyJson, RowsHaveTheNamesOfTheFileOrTheirPlace) {
   const auto named = parse_hierarchy(
       R"({"levels":[{"A":[[1]],"b":[1],"A_names":["height"],"D":[[1],[2]],"f":[1,1]}]})", "f:1");
@@ -359,12 +324,6 @@ TEST(HierarchyJson, NamesAreWrittenAndReadBack) {
   const auto name = [](std::size_t, Eigen::Index) { return std::string("force"); };
   const auto read = parse_hierarchy(format_hierarchy(hierarchy, name), "f:1");
   EXPECT_EQ(read.row_names, (std::vector<std::vector<std::string>>{{"force"}}));
-}
-
-TEST(HierarchyJson, NamesThatDoNotFitTheRowsAreNamed) {
-  expect_error(R"({"levels":[{"A":[[1]],"b":[1],"A_names":["a","b"]}]})",
-               "level 1: A_names is [\"a\",\"b\"]; expected an array of 1 text");
-  expect_error(R"({"levels":[{"A":[[1]],"b":[1],"A_names":[3]}]})", "A_names");
 }
 
 TEST(HierarchyJson, NumbersThatNoDoubleHoldsAreTooSmallOrTooLarge) {

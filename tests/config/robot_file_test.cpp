@@ -5,6 +5,8 @@
 #include "tests/config/messages.hpp"
 #include "tests/logging/temporary_folder.hpp"
 
+#include <vector>
+
 namespace surefoot {
 namespace {
 
@@ -55,49 +57,81 @@ TEST_F(RobotFile, with_a_urdf_beside_it_is_read) {
   EXPECT_EQ(load_robot(folder_ / "robot.yaml").urdf_path, folder_ / "robot.urdf");
 }
 
-TEST_F(RobotFile, with_an_unknown_frame_names_the_line_and_the_nearest) {
-  change(text_, "foot: LF_FOOT", "foot: LF_FOT");
+/// What is changed in the robot's file or in its URDF, and what is said of it.
+struct BadFile {
+  bool is_urdf;
+  const char *text, *becomes;
+  std::vector<const char*> told;
+};
+
+class BadRobotFile : public RobotFile, public testing::WithParamInterface<BadFile> {};
+
+TEST_P(BadRobotFile, says_where_and_what_is_wrong) {
+  const BadFile& bad = GetParam();
+  if (bad.is_urdf) use_own_urdf();
+  change(bad.is_urdf ? urdf_ : text_, bad.text, bad.becomes);
   const std::string message = complaint();
-  EXPECT_TRUE(holds(message, "robot.yaml:6: legs.LF.foot: unknown frame \"LF_FOT\""));
-  EXPECT_TRUE(holds(message, "did you mean \"LF_FOOT\"?"));
-  EXPECT_TRUE(holds(message, "RH_SHANK"));
+  for (const char* part : bad.told) EXPECT_TRUE(holds(message, part));
 }
 
-TEST_F(RobotFile, with_an_unknown_joint_names_it) {
-  change(text_, "RH_KFE", "RH_KNEE");
-  EXPECT_TRUE(holds(complaint(), "unknown joint \"RH_KNEE\""));
-}
+constexpr bool kFile = false, kUrdf = true;
+constexpr const char* kThigh = "<mass value=\"1.634976467\"";
+
+INSTANTIATE_TEST_SUITE_P(
+    Each, BadRobotFile,
+    testing::Values(
+        BadFile{kFile,
+                "foot: LF_FOOT",
+                "foot: LF_FOT",
+                {"robot.yaml:6: legs.LF.foot: unknown frame \"LF_FOT\"",
+                 "did you mean \"LF_FOOT\"?", "RH_SHANK"}},
+        BadFile{kFile, "RH_KFE", "RH_KNEE", {"unknown joint \"RH_KNEE\""}},
+        BadFile{kFile, "anymal.urdf", "anymal_x.urdf", {"robot.yaml:3: urdf", "anymal_x.urdf"}},
+        BadFile{kUrdf, "</robot>", "", {"robot.urdf:"}},
+        BadFile{
+            kUrdf, kThigh, "<mass value=\"-1.634976467\"", {"robot.urdf:", "mass", "-1.634976467"}},
+        BadFile{kUrdf,
+                kThigh,
+                "<mass value=\"0\"",
+                {"robot.yaml:3: urdf: ", "robot.urdf:194: link \"LF_THIGH\" moves", "no mass"}},
+        BadFile{kFile, "limits:", "limit:", {"did you mean \"limits\"?"}},
+        BadFile{kFile, "torque: 40.0", "torque: {HAA: 40, KFE: 40}", {"limits.torque"}},
+        BadFile{kFile, "torque: 40.0", "torque: [40, 40]", {"limits.torque"}},
+        BadFile{kFile, "torque: 40.0", "torque: [40, -1, 40]", {"limits.torque"}},
+        BadFile{kFile, "position_max: [1.2", "position_max: [-1.3", {"limits.position_max"}},
+        BadFile{kFile,
+                "[RF_HAA, RF_HFE",
+                "[LF_HAA, RF_HFE",
+                {"robot.yaml:7: legs.RF.joints: joint \"LF_HAA\" stands at two places, also in "
+                 "legs.LF.joints"}},
+        BadFile{kUrdf,
+                "<joint name=\"LF_HAA\" type=\"revolute\"",
+                "<joint name=\"LF_HAA\" type=\"spherical\"",
+                {"robot.yaml:6: legs.LF.joints: joint \"LF_HAA\" is spherical", "robot.urdf:154"}},
+        BadFile{
+            kUrdf,
+            "<joint name=\"LF_HFE\" type=\"revolute\">",
+            "<joint name=\"LF_HFE\" type=\"revolute\"><mimic joint=\"LF_HAA\"/>",
+            {"robot.yaml:6: legs.LF.joints: joint \"LF_HFE\" mimics \"LF_HAA\"", "robot.urdf:"}},
+        BadFile{kFile,
+                "foot: LF_FOOT",
+                "foot: RF_FOOT",
+                {"robot.yaml:5: legs: frame \"RF_FOOT\" is not on"}},
+        BadFile{
+            kFile, "0.4, -0.8]", "0.0, -0.8]", {"posture.nominal: HFE and KFE must bend the knee"}},
+        BadFile{
+            kFile, "0.4, -0.8]", "0.4, 0.8]", {"posture.nominal: HFE and KFE must bend the knee"}},
+        BadFile{
+            kFile, "0.4, -0.8]", "0.4, 0.0]", {"posture.nominal: HFE and KFE must bend the knee"}},
+        BadFile{kFile,
+                "position_max: [1.2, 2.6",
+                "position_max: [1.2, 0.3",
+                {"posture.nominal: HFE at 0.4 rad lies outside limits.position_min and "
+                 "position_max, -2.6 to 0.3 rad"}}));
 
 TEST_F(RobotFile, with_a_missing_leg_names_it) {
   text_.erase(text_.find("  RH:"), text_.find("foot:\n") - text_.find("  RH:"));
   EXPECT_TRUE(holds(complaint(), "legs.RH"));
-}
-
-TEST_F(RobotFile, with_a_missing_urdf_names_both_files) {
-  change(text_, "anymal.urdf", "anymal_x.urdf");
-  const std::string message = complaint();
-  EXPECT_TRUE(holds(message, "robot.yaml:3: urdf"));
-  EXPECT_TRUE(holds(message, "anymal_x.urdf"));
-}
-
-TEST_F(RobotFile, with_a_broken_urdf_names_its_line) {
-  use_own_urdf();
-  urdf_.resize(urdf_.size() / 2);
-  EXPECT_TRUE(holds(complaint(), "robot.urdf:"));
-}
-
-TEST_F(RobotFile, with_a_negative_mass_names_link_and_line) {
-  use_own_urdf();
-  change(urdf_, "<mass value=\"1.634976467\"", "<mass value=\"-1.634976467\"");
-  const std::string message = complaint();
-  EXPECT_TRUE(holds(message, "robot.urdf:"));
-  EXPECT_TRUE(holds(message, "mass"));
-  EXPECT_TRUE(holds(message, "-1.634976467"));
-}
-
-TEST_F(RobotFile, with_a_misspelt_key_says_so) {
-  change(text_, "limits:", "limit:");
-  EXPECT_TRUE(holds(complaint(), "did you mean \"limits\"?"));
 }
 
 TEST_F(RobotFile, may_have_drives_that_differ_along_a_leg) {
@@ -109,51 +143,11 @@ TEST_F(RobotFile, may_have_drives_that_differ_along_a_leg) {
   EXPECT_EQ(robot.velocity_limit, Vec3(12.0, 11.0, 9.0).replicate(4, 1));
 }
 
-TEST_F(RobotFile, whose_drives_are_told_in_part_says_so) {
-  for (const char* limits :
-       {"torque: {HAA: 40, KFE: 40}", "torque: [40, 40]", "torque: [40, -1, 40]"}) {
-    const std::string before = text_;
-    change(text_, "torque: 40.0", limits);
-    EXPECT_TRUE(holds(complaint(), "limits.torque")) << limits;
-    text_ = before;
-  }
-}
-
-TEST_F(RobotFile, with_limits_upside_down_says_so) {
-  change(text_, "position_max: [1.2", "position_max: [-1.3");
-  EXPECT_TRUE(holds(complaint(), "limits.position_max"));
-}
-
-TEST_F(RobotFile, whose_moving_link_has_no_mass_names_the_urdfs_line) {
-  use_own_urdf();
-  change(urdf_, "<mass value=\"1.634976467\"", "<mass value=\"0\"");
-  const std::string message = complaint();
-  EXPECT_TRUE(holds(message, "robot.yaml:3: urdf: "));
-  EXPECT_TRUE(holds(message, "robot.urdf:194: link \"LF_THIGH\" moves"));
-  EXPECT_TRUE(holds(message, "no mass"));
-}
-
 TEST_F(RobotFile, with_an_inertia_that_no_body_can_have_names_the_urdfs_line) {
   use_own_urdf();
   const std::size_t thigh = urdf_.find("<link name=\"LF_THIGH\"");
   urdf_.replace(urdf_.find("ixx=\"", thigh), 5, "ixx=\"-");
   EXPECT_TRUE(holds(complaint(), "robot.urdf:194: link \"LF_THIGH\": its inertia"));
-}
-
-TEST_F(RobotFile, that_names_a_joint_for_two_places_gives_the_second_ones_line) {
-  change(text_, "[RF_HAA, RF_HFE", "[LF_HAA, RF_HFE");
-  EXPECT_TRUE(holds(complaint(),
-                    "robot.yaml:7: legs.RF.joints: joint \"LF_HAA\" stands at two places, also in "
-                    "legs.LF.joints"));
-}
-
-TEST_F(RobotFile, whose_joint_is_no_hinge_gives_both_lines) {
-  use_own_urdf();
-  change(urdf_, "<joint name=\"LF_HAA\" type=\"revolute\"",
-         "<joint name=\"LF_HAA\" type=\"spherical\"");
-  const std::string message = complaint();
-  EXPECT_TRUE(holds(message, "robot.yaml:6: legs.LF.joints: joint \"LF_HAA\" is spherical"));
-  EXPECT_TRUE(holds(message, "robot.urdf:154"));
 }
 
 TEST_F(RobotFile, with_legs_that_were_exchanged_says_so) {
@@ -165,42 +159,12 @@ TEST_F(RobotFile, with_legs_that_were_exchanged_says_so) {
   EXPECT_TRUE(holds(message, "y > 0; are two legs exchanged"));
 }
 
-TEST_F(RobotFile, with_a_foot_on_another_leg_names_the_robot_file) {
-  change(text_, "foot: LF_FOOT", "foot: RF_FOOT");
-  EXPECT_TRUE(holds(complaint(), "robot.yaml:5: legs: frame \"RF_FOOT\" is not on"));
-}
-
-TEST_F(RobotFile, whose_nominal_posture_bends_no_knee_says_so) {
-  for (const char* straight : {"0.0, -0.8]", "0.4, 0.8]", "0.4, 0.0]"}) {
-    const std::string before = text_;
-    change(text_, "0.4, -0.8]", straight);
-    EXPECT_TRUE(holds(complaint(), "posture.nominal: HFE and KFE must bend the knee")) << straight;
-    text_ = before;
-  }
-}
-
-TEST_F(RobotFile, whose_nominal_posture_is_outside_the_limits_names_the_joint) {
-  change(text_, "position_max: [1.2, 2.6", "position_max: [1.2, 0.3");
-  EXPECT_TRUE(holds(complaint(),
-                    "posture.nominal: HFE at 0.4 rad lies outside "
-                    "limits.position_min and position_max, -2.6 to 0.3 rad"));
-}
-
 TEST_F(RobotFile, whose_knees_bend_backward_alone_has_hind_legs_like_the_front_ones) {
   change(text_, "2.6, 2.9]", "2.6, -0.1]");
   test::write_file(folder_ / "robot.yaml", text_);
   const RobotDescription robot = load_robot(folder_ / "robot.yaml");
   for (const Leg leg : kLegs)
     EXPECT_EQ(robot.q_nominal.segment<3>(first_joint(leg)), Vec3(0.0, 0.4, -0.8));
-}
-
-TEST_F(RobotFile, whose_joint_mimics_another_gives_both_lines) {
-  use_own_urdf();
-  change(urdf_, "<joint name=\"LF_HFE\" type=\"revolute\">",
-         "<joint name=\"LF_HFE\" type=\"revolute\"><mimic joint=\"LF_HAA\"/>");
-  const std::string message = complaint();
-  EXPECT_TRUE(holds(message, "robot.yaml:6: legs.LF.joints: joint \"LF_HFE\" mimics \"LF_HAA\""));
-  EXPECT_TRUE(holds(message, "robot.urdf:"));
 }
 
 TEST_F(RobotFile, may_lie_in_a_package_of_ones_own) {

@@ -77,14 +77,7 @@ TEST_F(ScenarioFile, takes_a_criterion_away_by_naming_nothing) {
   EXPECT_TRUE(read("criteria:\n  fell:\n").criteria.empty());
 }
 
-TEST_F(ScenarioFile, that_asks_for_a_goal_which_it_has_not_says_so) {
-  EXPECT_TRUE(holds(complaint("criteria: {goal_reached: true}\n"),
-                    "trial.yaml:2: criteria.goal_reached: the scenario has no goal"));
-}
-
-TEST_F(ScenarioFile, a_criterion_that_no_value_meets_is_refused) {
-  EXPECT_TRUE(holds(complaint("criteria: {speed_mps: {min: 2, max: 1}}\n"),
-                    "trial.yaml:2: criteria.speed_mps.max: 1 must not be below min, which is 2"));
+TEST_F(ScenarioFile, may_ask_for_one_value) {
   EXPECT_EQ(criteria_of(read("criteria: {speed_mps: {min: 2, max: 2}}\n")),
             (std::vector<std::string>{"fell", "speed_mps"}));
 }
@@ -97,16 +90,45 @@ TEST_F(ScenarioFile, shows_no_figures_of_the_paper_beside_another_experiment) {
   }
 }
 
-TEST_F(ScenarioFile, with_a_misspelt_key_names_line_path_and_the_nearest) {
-  EXPECT_TRUE(holds(complaint("planner:\n  swing:\n    apx: 0.1\n"),
-                    "trial.yaml:4: planner.swing.apx: unknown key; did you mean \"apex\"?"));
-  EXPECT_TRUE(holds(complaint("duratoin: 3\n"),
-                    "trial.yaml:2: duratoin: unknown key; did you mean \"duration\"?"));
-}
-
-TEST_F(ScenarioFile, with_a_negative_duration_says_what_would_be_valid) {
-  EXPECT_TRUE(
-      holds(complaint("duration: -1\n"), "trial.yaml:2: duration: \"-1\" is not a number above 0"));
+TEST_F(ScenarioFile, that_is_wrong_says_where_and_what_would_be_valid) {
+  struct Case {
+    const char *text, *told;
+  };
+  for (const Case& one : std::vector<Case>{
+           {"planner:\n  swing:\n    apx: 0.1\n",
+            "trial.yaml:4: planner.swing.apx: unknown key; did you mean \"apex\"?"},
+           {"duratoin: 3\n", "trial.yaml:2: duratoin: unknown key; did you mean \"duration\"?"},
+           {"duration: -1\n", "trial.yaml:2: duration: \"-1\" is not a number above 0"},
+           {"terrain:\n  friction: .nan\n", "trial.yaml:3: terrain.friction: \".nan\""},
+           {"stack: wallk\n",
+            "trial.yaml:2: stack: unknown stack \"wallk\"; did you mean \"walk\"? valid are:"},
+           {"robot: hexapod\n", "trial.yaml:2: robot: unknown robot \"hexapod\""},
+           {"criteria: {goal_reached: true}\n",
+            "trial.yaml:2: criteria.goal_reached: the scenario has no goal"},
+           {"criteria: {speed_mps: {min: 2, max: 1}}\n",
+            "trial.yaml:2: criteria.speed_mps.max: 1 must not be below min, which is 2"},
+           {"criteria:\n  com_eror_max_m: {max: 1}\n",
+            "trial.yaml:3: criteria.com_eror_max_m: unknown metric"},
+           {"criteria: {com_eror_max_m: {max: 1}}\n", "did you mean \"com_error_max_m\"?"},
+           {"paper: {tick: fast}\n", "paper.tick: unknown metric"},
+           {"criteria: {fell: {max: 1}}\n", "criteria.fell"},
+           {"criteria: {com_error_max_m: {mx: 1}}\n", "did you mean \"max\"?"},
+           {"user:\n  - {time: 2, walk: true}\n  - {time: 1}\n", "trial.yaml:4: user.time"},
+           {"randomise:\n  terrain.fricton: [0, 1]\n", "terrain.fricton: unknown key"},
+           {"randomise:\n  terrain.friction: [1, 0]\n", "trial.yaml:3: randomise.terrain.friction"},
+           {"randomise:\n  terrain.friction: 1\n", "[min, max]"},
+           {"planner: {stance: {height: 0.9}}\n", "planner.stance"},
+           {"planner: {gait: {order: [LF, LF, RF, RH]}}\n", "leg LF comes twice"},
+           {"tasks: {torque_limits: {speed_line: nine}}\n", "nine"},
+           {"solver: {method: simplex}\n", "trial.yaml:2: solver.method"},
+           {"contact_force: {use_foot_sensor: true}\n",
+            "trial.yaml:2: contact_force.use_foot_sensor"},
+           {"guard: {repeats: 0}\n", "guard.repeats"},
+           {"guard: {consistency: {imu: {window: 0}}}\n", "guard.consistency.imu.window"},
+           {"guard: {consistency: {torque: {}}}\n", "guard.consistency.torque: unknown key"},
+           {"guard: {max_giro: 1}\n", "guard.max_giro: unknown key"}}) {
+    EXPECT_TRUE(holds(complaint(one.text), one.told));
+  }
 }
 
 TEST_F(ScenarioFile, has_levels_that_come_and_go) {
@@ -146,19 +168,6 @@ TEST_F(ScenarioFile, with_a_switch_of_levels_that_makes_no_sense_names_line_and_
                     "trial.yaml:5: stack_switches: the level switch at 2 s begins before"));
 }
 
-TEST_F(ScenarioFile, with_nan_names_the_key) {
-  EXPECT_TRUE(
-      holds(complaint("terrain:\n  friction: .nan\n"), "trial.yaml:3: terrain.friction: \".nan\""));
-}
-
-TEST_F(ScenarioFile, with_an_unknown_stack_or_robot_lists_those_that_exist) {
-  EXPECT_TRUE(
-      holds(complaint("stack: wallk\n"),
-            "trial.yaml:2: stack: unknown stack \"wallk\"; did you mean \"walk\"? valid are:"));
-  EXPECT_TRUE(
-      holds(complaint("robot: hexapod\n"), "trial.yaml:2: robot: unknown robot \"hexapod\""));
-}
-
 TEST_F(ScenarioFile, of_a_robot_that_its_joints_can_not_bear_says_so) {
   std::ifstream file(data_directory() / "robots/anymal_b.yaml");
   std::string robot(std::istreambuf_iterator<char>(file), {});
@@ -194,18 +203,6 @@ TEST_F(ScenarioFile, whose_bases_lead_to_each_other_ends_in_an_error) {
   EXPECT_TRUE(holds(message_of([&] { (void)load_scenario({folder_ / "a.yaml", 0, {}}); }), "base"));
 }
 
-TEST_F(ScenarioFile, with_a_criterion_on_an_unknown_metric_lists_the_metrics) {
-  const std::string message = complaint("criteria:\n  com_eror_max_m: {max: 1}\n");
-  EXPECT_TRUE(holds(message, "trial.yaml:3: criteria.com_eror_max_m: unknown metric"));
-  EXPECT_TRUE(holds(message, "did you mean \"com_error_max_m\"?"));
-  EXPECT_TRUE(holds(complaint("paper: {tick: fast}\n"), "paper.tick: unknown metric"));
-}
-
-TEST_F(ScenarioFile, with_a_criterion_of_the_wrong_kind_says_what_would_be_valid) {
-  EXPECT_TRUE(holds(complaint("criteria: {fell: {max: 1}}\n"), "criteria.fell"));
-  EXPECT_TRUE(holds(complaint("criteria: {com_error_max_m: {mx: 1}}\n"), "did you mean \"max\"?"));
-}
-
 TEST_F(ScenarioFile, gives_the_operators_command_of_the_time) {
   const Scenario scenario = read(
       "user:\n  - {time: 1, walk: true, velocity: [0.1, -0.02]}\n  - {time: 2.5, yaw_rate: 0.1}\n");
@@ -217,11 +214,6 @@ TEST_F(ScenarioFile, gives_the_operators_command_of_the_time) {
   EXPECT_FALSE(scenario.user(99.0).walk);
 }
 
-TEST_F(ScenarioFile, whose_commands_go_back_in_time_is_an_error) {
-  EXPECT_TRUE(holds(complaint("user:\n  - {time: 2, walk: true}\n  - {time: 1}\n"),
-                    "trial.yaml:4: user.time"));
-}
-
 TEST_F(ScenarioFile, takes_assignments_of_the_command_line_over_everything) {
   const Scenario scenario =
       read("duration: 3\n", 0, {"duration=4", "actuators.model=sea", "tasks.com_xy.kp=150"});
@@ -230,20 +222,51 @@ TEST_F(ScenarioFile, takes_assignments_of_the_command_line_over_everything) {
   EXPECT_EQ(scenario.controller.stack.levels[4].tasks[0].numbers.at("kp"), 150.0);
 }
 
-TEST_F(ScenarioFile, names_the_assignment_that_is_wrong) {
-  EXPECT_TRUE(holds(complaint("", {"planner.swing.apx=0.1"}),
-                    "--set planner.swing.apx=0.1: planner.swing.apx: unknown key"));
-  EXPECT_TRUE(holds(complaint("", {"duration=nan"}), "--set duration=nan: duration"));
-}
-
-TEST_F(ScenarioFile, refuses_to_bridge_sensors_for_longer_than_they_can_be_made_up_for) {
-  EXPECT_TRUE(holds(complaint("", {"safety.bridge_time=0.1"}),
-                    "safety.bridge_time: 0.1 s must not be above guard.patience, 0.02 s"));
-  EXPECT_TRUE(holds(complaint("", {"guard.patience=0.1"}), "at most 0.02 s"));
-  EXPECT_TRUE(holds(complaint("", {"guard.patience=0.01", "safety.bridge_time=0.015"}),
-                    "safety.bridge_time: 0.015 s must not be above"));
-  EXPECT_TRUE(holds(complaint("", {"guard.patience=0.01"}),
-                    "guard.patience: 0.01 s must not be below safety.bridge_time, 0.02 s"));
+TEST_F(ScenarioFile, refuses_options_that_make_no_sense_by_themselves_or_together) {
+  struct Case {
+    std::vector<std::string> assignments;
+    const char* told;
+  };
+  const std::string count =
+      "terrain.elements={stairs: {shape: steps, height: 0.1, count: 2000000000}}";
+  const std::vector<Case> cases{
+      {{"safety.bridge_time=0.1"},
+       "safety.bridge_time: 0.1 s must not be above guard.patience, 0.02 s"},
+      {{"guard.patience=0.1"}, "at most 0.02 s"},
+      {{"guard.patience=0.01", "safety.bridge_time=0.015"},
+       "safety.bridge_time: 0.015 s must not be above"},
+      {{"guard.patience=0.01"}, "guard.patience: 0.01 s must not be below safety.bridge_time"},
+      {{"duration=1e12"}, "is not a number above 0, at most 1e6 s"},
+      {{"timestep=1e-9"}, "is not a number of at least 1e-5 s"},
+      {{count}, "terrain.elements.stairs.count: \"2000000000\" is more than 1000"},
+      {{"planner.swing.hip_height_min=0.5"},
+       "planner.swing: hip_height_min is 0.5 m; it must be below stance.height"},
+      {{"planner.gait.switch_duration=0.05"},
+       "switch_duration is 0.05 s; it must last as long as force.ramp_up and force.ramp_down, "
+       "0.13 s"},
+      {{"planner.gait.same_side_duration=0"},
+       "planner.gait: same_side_duration is 0 s; it must last as long as"},
+      {{"planner.calibration.duration=0.1"},
+       "planner.calibration.duration: 0.1 s is too short for a turn by these angles; expected at "
+       "least 1.22 s, or 0 for none"},
+      {{"planner.calibration.duration=1", "planner.calibration.pitch=0.3"},
+       "expected at least 1.73 s, or 0 for none"},
+      {{"planner.torso.frequency=2000"}, "from 0.1 to 100 rad/s"},
+      {{"planner.torso.max_tilt=1.6"}, "from 0 to 1.5 rad"},
+      {{"external_force.time_constant=0.0005"}, "from 0.01 to 10 s"},
+      {{"external_force.load_time_constant=0.0005"}, "from 0.01 to 10 s"},
+      {{"guard.consistency.torques.time_constant=0.0005"}, "from 0.01 to 10 s"},
+      {{"slip.end_speed=0.1"}, "slip.end_speed: is 0.1 m/s; it must not be above begin_speed"},
+      {{"period=0.1"}, "above 0 and at most 0.01 s"},
+      {{"planner.swing.apx=0.1"}, "--set planner.swing.apx=0.1: planner.swing.apx: unknown key"},
+      {{"duration=nan"}, "--set duration=nan: duration"}};
+  for (const Case& one : cases) EXPECT_TRUE(holds(complaint("", one.assignments), one.told));
+  for (const std::vector<std::string>& valid : std::vector<std::vector<std::string>>{
+           {"planner.gait.switch_duration=0.13"},
+           {"planner.gait.switch_duration=0.05", "planner.force.ramps=false"},
+           {"planner.calibration.duration=0"},
+           {"planner.calibration.duration=1.3"}})
+    EXPECT_NO_THROW((void)read("", 0, valid)) << valid[0];
 }
 
 TEST_F(ScenarioFile, notes_what_begins_after_the_end) {
@@ -286,81 +309,18 @@ TEST_F(ScenarioFile, takes_none_for_nothing_and_for_a_choice_of_that_name) {
   EXPECT_TRUE(std::isnan(read("goal: {feet_beyond_x: 1}\n", 0, {"goal=none"}).goal.feet_beyond_x));
   EXPECT_EQ(read("", 1, {"randomise.initial.yaw=none"}).drawn.size(), 1u);
   EXPECT_NO_THROW((void)read("tasks: {torque_limits: {speed_line: none}}\n"));
-  EXPECT_TRUE(holds(complaint("tasks: {torque_limits: {speed_line: nine}}\n"), "nine"));
 }
 
-TEST_F(ScenarioFile, that_could_not_end_or_would_fill_the_memory_is_refused) {
-  EXPECT_TRUE(holds(complaint("", {"duration=1e12"}), "is not a number above 0, at most 1e6 s"));
-  EXPECT_TRUE(holds(complaint("", {"timestep=1e-9"}), "is not a number of at least 1e-5 s"));
-  EXPECT_TRUE(holds(
-      complaint("terrain: {elements: {stairs: {shape: steps, height: 0.1, count: 2000000000}}}\n"),
-      "terrain.elements.stairs.count: \"2000000000\" is more than 1000"));
-}
-
-TEST_F(ScenarioFile, refuses_a_stance_as_low_as_a_search_may_take_the_hips) {
-  EXPECT_TRUE(holds(complaint("", {"planner.swing.hip_height_min=0.5"}),
-                    "planner.swing: hip_height_min is 0.5 m; it must be below stance.height"));
-}
-
-TEST_F(ScenarioFile, refuses_a_switch_of_sides_shorter_than_its_ramps) {
-  EXPECT_TRUE(holds(complaint("", {"planner.gait.switch_duration=0.05"}),
-                    "switch_duration is 0.05 s; it must last as long as force.ramp_up and "
-                    "force.ramp_down, 0.13 s"));
-  EXPECT_NO_THROW((void)read("", 0, {"planner.gait.switch_duration=0.13"}));
-  EXPECT_NO_THROW(
-      (void)read("", 0, {"planner.gait.switch_duration=0.05", "planner.force.ramps=false"}));
-}
-
-TEST_F(ScenarioFile, refuses_a_switch_on_one_side_shorter_than_its_ramps) {
-  EXPECT_TRUE(holds(complaint("", {"planner.gait.same_side_duration=0"}),
-                    "planner.gait: same_side_duration is 0 s; it must last as long as"));
-}
-
-TEST_F(ScenarioFile, refuses_a_calibration_too_short_for_its_turn) {
-  EXPECT_TRUE(holds(complaint("", {"planner.calibration.duration=0.1"}),
-                    "planner.calibration.duration: 0.1 s is too short for a turn by these angles; "
-                    "expected at least 1.22 s, or 0 for none"));
-  EXPECT_TRUE(
-      holds(complaint("", {"planner.calibration.duration=1", "planner.calibration.pitch=0.3"}),
-            "expected at least 1.73 s, or 0 for none"));
-  for (const char* duration : {"0", "1.3", "6"})
-    EXPECT_NO_THROW((void)read("", 0, {std::string("planner.calibration.duration=") + duration}));
-}
-
-TEST_F(ScenarioFile, refuses_filters_that_are_too_quick_for_any_control_period) {
-  EXPECT_TRUE(holds(complaint("", {"planner.torso.frequency=2000"}), "from 0.1 to 100 rad/s"));
-  EXPECT_TRUE(holds(complaint("", {"planner.torso.max_tilt=1.6"}), "from 0 to 1.5 rad"));
-  for (const std::string key : {"external_force.time_constant", "external_force.load_time_constant",
-                                "guard.consistency.torques.time_constant"}) {
-    EXPECT_TRUE(holds(complaint("", {key + "=0.0005"}), "from 0.01 to 10 s")) << key;
-  }
-}
-
-TEST_F(ScenarioFile, refuses_a_slip_that_would_end_before_it_began) {
-  EXPECT_TRUE(holds(complaint("", {"slip.end_speed=0.1"}),
-                    "slip.end_speed: is 0.1 m/s; it must not be above begin_speed"));
-}
-
-TEST_F(ScenarioFile, refuses_a_control_period_that_no_walk_bears) {
-  EXPECT_TRUE(holds(complaint("", {"period=0.1"}), "above 0 and at most 0.01 s"));
-}
-
-TEST_F(ScenarioFile, draws_nothing_for_seed_zero) {
-  const Scenario scenario = read(kRandomFriction, 0);
-  EXPECT_TRUE(scenario.drawn.empty());
-  EXPECT_EQ(scenario.plant.terrain.friction, 0.8);
-}
-
-TEST_F(ScenarioFile, draws_the_same_values_for_the_same_seed_and_others_for_another) {
+TEST_F(ScenarioFile, draws_nothing_for_seed_zero_and_the_same_values_for_the_same_other_seed) {
+  const Scenario nominal = read(kRandomFriction, 0);
+  EXPECT_TRUE(nominal.drawn.empty());
+  EXPECT_EQ(nominal.plant.terrain.friction, 0.8);
   const double first = read(kRandomFriction, 1).plant.terrain.friction;
   EXPECT_EQ(read(kRandomFriction, 1).plant.terrain.friction, first);
   EXPECT_NE(read(kRandomFriction, 2).plant.terrain.friction, first);
   EXPECT_EQ(read(kRandomFriction, 1).drawn.at(0).value, first);
-}
-
-TEST_F(ScenarioFile, draws_a_path_independently_of_what_else_is_drawn) {
   const std::string more = std::string(kRandomFriction) + "  initial.x: [0, 1]\n";
-  EXPECT_EQ(read(more, 3).plant.terrain.friction, read(kRandomFriction, 3).plant.terrain.friction);
+  EXPECT_EQ(read(more, 1).plant.terrain.friction, first) << "whatever else is drawn";
 }
 
 TEST_F(ScenarioFile, pairs_the_seeds_of_the_step_down_variants) {
@@ -377,14 +337,6 @@ TEST_F(ScenarioFile, lets_an_assignment_win_over_a_draw) {
   const Scenario scenario = read(kRandomFriction, 1, {"terrain.friction=0.77"});
   EXPECT_EQ(scenario.plant.terrain.friction, 0.77);
   EXPECT_TRUE(scenario.drawn.empty());
-}
-
-TEST_F(ScenarioFile, checks_a_random_path_also_in_the_nominal_run) {
-  EXPECT_TRUE(
-      holds(complaint("randomise:\n  terrain.fricton: [0, 1]\n"), "terrain.fricton: unknown key"));
-  EXPECT_TRUE(holds(complaint("randomise:\n  terrain.friction: [1, 0]\n"),
-                    "trial.yaml:3: randomise.terrain.friction"));
-  EXPECT_TRUE(holds(complaint("randomise:\n  terrain.friction: 1\n"), "[min, max]"));
 }
 
 TEST_F(ScenarioFile, is_refused_with_any_seed_where_an_end_of_a_range_is_beyond_its_keys_limits) {
@@ -471,10 +423,6 @@ TEST_F(ScenarioFile, with_a_bound_beyond_reach_is_told_where_the_number_stands) 
   EXPECT_TRUE(holds(own, "trial.yaml:5: tasks: limb_extension_limits: max is 5.2")) << own;
 }
 
-TEST_F(ScenarioFile, whose_stance_is_out_of_reach_says_so) {
-  EXPECT_TRUE(holds(complaint("planner: {stance: {height: 0.9}}\n"), "planner.stance"));
-}
-
 TEST_F(ScenarioFile, that_is_no_yaml_file_is_not_called_unknown) {
   test::write_file(folder_ / "bad.txt", "hello");
   const auto complaint_of = [](const std::string& name) {
@@ -492,39 +440,23 @@ TEST_F(ScenarioFile, chooses_the_solver) {
   EXPECT_EQ(read("solver: {method: cascade}\n").controller.solver.method, SolverMethod::cascade);
   EXPECT_TRUE(read("").controller.solver.structure);
   EXPECT_FALSE(read("solver: {structure: false}\n").controller.solver.structure);
-  EXPECT_TRUE(holds(complaint("solver: {method: simplex}\n"), "trial.yaml:2: solver.method"));
 }
 
 TEST_F(ScenarioFile, says_which_samples_are_believed) {
-  const Scenario scenario = read("guard: {max_gyro_step: 1.5, repeats: 5}\n");
+  const Scenario scenario = read(
+      "guard: {max_gyro_step: 1.5, max_imu_delay: 0.02, consistency: {imu: {rate_margin: 0.2}, "
+      "frozen: {motion: 1}, torques: {max_force: 900}}}\n");
   EXPECT_EQ(scenario.controller.guard.max_gyro_step, 1.5);
-  EXPECT_EQ(scenario.controller.guard.repeats, 5);
+  EXPECT_EQ(scenario.controller.guard.max_imu_delay, 0.02);
   EXPECT_EQ(scenario.controller.guard.patience, ReadingGuardOptions{}.patience);
-  EXPECT_TRUE(holds(complaint("guard: {repeats: 0}\n"), "guard.repeats"));
-  const Scenario lenient = read(
-      "guard: {max_imu_delay: 0.02, consistency: {imu: {rate_margin: 0.2}, frozen: {motion: 1}, "
-      "torques: {max_force: 900}}}\n");
-  EXPECT_EQ(lenient.controller.guard.max_imu_delay, 0.02);
-  EXPECT_EQ(lenient.controller.consistency.imu.rate_margin, 0.2);
-  EXPECT_EQ(lenient.controller.consistency.imu.window, ImuCheckOptions{}.window);
-  EXPECT_EQ(lenient.controller.consistency.frozen.motion, 1.0);
-  EXPECT_EQ(lenient.controller.consistency.torques.max_force, 900.0);
+  EXPECT_EQ(scenario.controller.consistency.imu.rate_margin, 0.2);
+  EXPECT_EQ(scenario.controller.consistency.imu.window, ImuCheckOptions{}.window);
+  EXPECT_EQ(scenario.controller.consistency.frozen.motion, 1.0);
+  EXPECT_EQ(scenario.controller.consistency.torques.max_force, 900.0);
   EXPECT_FALSE(read("guard: {consistency: {enabled: false}}\n").controller.consistency.enabled);
-  EXPECT_TRUE(holds(complaint("guard: {consistency: {imu: {window: 0}}}\n"),
-                    "guard.consistency.imu.window"));
-  EXPECT_TRUE(holds(complaint("guard: {consistency: {torque: {}}}\n"),
-                    "guard.consistency.torque: unknown key"));
-  EXPECT_TRUE(holds(complaint("guard: {max_giro: 1}\n"), "guard.max_giro: unknown key"));
 }
 
-TEST_F(ScenarioFile, may_leave_out_the_weighing_of_legs_in_the_air) {
-  EXPECT_TRUE(read("").controller.link_masses.enabled);
-  EXPECT_FALSE(read("link_masses: {enabled: false}\n").controller.link_masses.enabled);
-}
-
-TEST_F(ScenarioFile, that_uses_foot_sensors_must_give_them_to_the_robot) {
-  EXPECT_TRUE(holds(complaint("contact_force: {use_foot_sensor: true}\n"),
-                    "trial.yaml:2: contact_force.use_foot_sensor"));
+TEST_F(ScenarioFile, may_use_foot_sensors_that_the_robot_has) {
   EXPECT_TRUE(
       read("contact_force: {use_foot_sensor: true}\nsensors: {foot_force: {present: true}}\n")
           .plant.sensors.foot_force.present);
@@ -539,11 +471,6 @@ TEST_F(ScenarioFile, that_looks_further_ahead_than_the_com_planner_can_says_so) 
   EXPECT_TRUE(holds(complaint(text(most + 1)), "trial.yaml:2: planner.com.horizon_steps: \"" +
                                                    std::to_string(most + 1) + "\" is more than " +
                                                    std::to_string(most)));
-}
-
-TEST_F(ScenarioFile, with_a_leg_twice_in_the_gait_says_so) {
-  EXPECT_TRUE(
-      holds(complaint("planner: {gait: {order: [LF, LF, RF, RH]}}\n"), "leg LF comes twice"));
 }
 
 }  // namespace

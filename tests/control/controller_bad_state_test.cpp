@@ -65,19 +65,6 @@ TEST(Controller, EveryAbsurdReadingGivesALegalCommandAndIsForgottenSoon) {
   }
 }
 
-TEST(Controller, AClockThatJumpsForATickIsNotBelieved) {
-  for (const double jump : {1e6, -1e6, 5.0}) {
-    Statue statue;
-    statue.user = {.walk = true, .velocity = {0.05, 0.0}};
-    statue.run(20);
-    RobotState believed = statue.state;
-    believed.time += jump;
-    EXPECT_EQ(statue.tick_with(believed).mode, CommandMode::hold);
-    EXPECT_EQ(statue.tick().mode, CommandMode::optimal);
-    EXPECT_EQ(statue.controller.record().plan.time, statue.state.time);
-  }
-}
-
 TEST(Controller, HoldsThroughTicksWithoutAStateAndGoesOn) {
   Statue statue;
   statue.run(20);
@@ -112,13 +99,6 @@ TEST(Controller, ATickWithoutAStateRepeatsNeitherEventsNorResiduals) {
   for (const Vec3& force : record.model.force) EXPECT_TRUE(force.array().isNaN().all());
   (void)statue.tick();
   EXPECT_EQ(record.hierarchy.status, static_cast<int>(SolveStatus::optimal));
-}
-
-TEST(Controller, WithoutAStateForLongDampsAndStaysSo) {
-  Statue statue;
-  statue.run(5);
-  for (int i = 0; i <= SafetyOptions{}.damp_after_failures; ++i) statue.tick_with(RobotState{});
-  EXPECT_EQ(statue.tick().mode, CommandMode::damping);
 }
 
 TEST(Controller, TheSameReadingOverAndOverIsNoNews) {

@@ -1,7 +1,5 @@
 #include "surefoot/control/hierarchy_solver.hpp"
 
-#include "tests/support/malloc_counter.hpp"
-
 #include <gtest/gtest.h>
 
 #include <limits>
@@ -123,21 +121,6 @@ TEST(HierarchySolver, ABudgetOfFlopsEndsTheSearch) {
   const Solution& solution = solver.solve(hierarchy, nullptr, kNone);
   EXPECT_NE(solution.status, SolveStatus::optimal);
   EXPECT_TRUE(solution.x.allFinite());
-}
-
-TEST(HierarchySolver, AllocatesNothingAfterItsConstruction) {
-  const Hierarchy hierarchy = limit_above_wish();
-  for (const SolverMethod method : kSolverMethods) {
-    HierarchySolver solver(hierarchy, options_of(method));
-    const LevelTransition transition = limit_goes(0.5);
-    const test::MallocCounter mallocs;
-    for (int tick = 0; tick < 3; ++tick) {
-      solver.solve(hierarchy, nullptr, kNone);
-      static_cast<void>(solver.blockers());
-      solver.solve(hierarchy, nullptr, transition);
-    }
-    EXPECT_EQ(mallocs.count(), 0U) << name(method);
-  }
 }
 
 }  // namespace

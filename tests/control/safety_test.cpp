@@ -3,14 +3,12 @@
 #include "surefoot/math/numbers.hpp"
 #include "surefoot/math/rotation.hpp"
 #include "tests/support/anymal_b.hpp"
-#include "tests/support/malloc_counter.hpp"
 #include "tests/support/random_hierarchy.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
-#include <string>
 
 namespace surefoot {
 namespace {
@@ -391,14 +389,6 @@ TEST(Safety, ClipsEveryRungToTheTorqueLimits) {
   EXPECT_EQ(safety.command(fast, &strong).torque, JointVector::Constant(kLimit));
 }
 
-TEST(Safety, ClipsEveryJointToItsOwnLimit) {
-  RobotDescription robot = anymal_b();
-  robot.torque_limit = JointVector::LinSpaced(kNumJoints, 1.0, 12.0);
-  Safety safety({}, robot, kFirstFreeLevel, lying(), kPeriod);
-  const Solution strong = solved(JointVector::Constant(-1e3));
-  EXPECT_EQ(safety.command(standing(), &strong).torque, -robot.torque_limit);
-}
-
 TEST(Safety, AStateOfNaNGivesAFiniteCommandOneTickLater) {
   Safety safety = make_safety();
   const Solution good = solved(torques());
@@ -431,17 +421,6 @@ TEST(Safety, WhateverComesTheCommandIsFiniteAndInsideTheLimits) {
         expect_legal(safety.command(state, random.chance(0.8) ? &solution : nullptr)))
         << tick;
   }
-}
-
-TEST(Safety, AllocatesNothing) {
-  Safety safety = make_safety();
-  const Solution good = solved(torques());
-  const RobotState state = standing(), fallen = tilted(2.0);
-  const test::MallocCounter counter;
-  (void)safety.command(state, &good);
-  (void)safety.command(state, nullptr);
-  (void)safety.command(fallen, &good);
-  EXPECT_EQ(counter.count(), 0u);
 }
 
 }  // namespace

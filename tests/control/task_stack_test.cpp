@@ -106,7 +106,7 @@ TEST(TaskStack, TellsTheNormalsOfItsFrictionPyramids) {
   EXPECT_TRUE(normal({level("com_xy")}).array().isNaN().all());
 }
 
-TEST(TaskStack, WritesTheRowsOfAllTasksWithinItsCapacityWhateverFeetAreDown) {
+TEST(TaskStack, WritesTheRowsOfAllTasksWithinItsCapacityEachWithItsOwnIdAndAName) {
   RobotModel model(anymal_b());
   Random random(1);
   for (const std::string& name : kStacks) {
@@ -114,12 +114,21 @@ TEST(TaskStack, WritesTheRowsOfAllTasksWithinItsCapacityWhateverFeetAreDown) {
     for (const PerLeg<bool>& contacts : test::all_contact_sets()) {
       const RobotState state = random.standing_state(model.description().q_nominal);
       const MotionPlan plan = test::plan_with_contacts(contacts);
-      const Hierarchy& hierarchy = stack.update(model.update(state, Vec3::UnitZ()), plan);
+      const Dynamics& dynamics = model.update(state, Vec3::UnitZ());
+      const test::MallocCounter counter;
+      const Hierarchy& hierarchy = stack.update(dynamics, plan);
+      EXPECT_EQ(counter.count(), 0u) << name;
       for (std::size_t i = 0; i < hierarchy.num_levels(); ++i) {
         const Level& rows = hierarchy.level(i);
         ASSERT_LE(rows.num_rows(), rows.max_rows());
         ASSERT_TRUE(rows.A().allFinite()) << rows.name();
         ASSERT_TRUE((rows.lower().array() <= rows.upper().array()).all()) << rows.name();
+        std::set<int> ids;
+        for (Eigen::Index row = 0; row < rows.num_rows(); ++row) {
+          const std::string of_row = stack.row_name(static_cast<int>(i), rows.id(row));
+          EXPECT_TRUE(ids.insert(rows.id(row)).second) << rows.name() << " has twice " << of_row;
+          EXPECT_TRUE(of_row != "?" && !of_row.empty()) << rows.name();
+        }
       }
       EXPECT_EQ(hierarchy.level(0).num_rows(),
                 kNumVelocities - stack.support().rank());  // equations of motion without λ
@@ -145,27 +154,6 @@ TEST(TaskStack, EveryUpdateBeginsAnew) {
     EXPECT_EQ(again.level(i).A(), once.level(i).A());
     EXPECT_EQ(again.level(i).lower(), once.level(i).lower());
     EXPECT_EQ(again.level(i).upper(), once.level(i).upper());
-  }
-}
-
-TEST(TaskStack, EveryRowHasItsOwnIdAndAName) {
-  RobotModel model(anymal_b());
-  Random random(3);
-  const RobotState state = random.standing_state(model.description().q_nominal);
-  const Dynamics& dynamics = model.update(state, Vec3::UnitZ());
-  for (const std::string& name : kStacks) {
-    TaskStack stack(load_stack(name), anymal_b());
-    const Hierarchy& hierarchy =
-        stack.update(dynamics, test::plan_with_contacts({true, true, false, true}));
-    for (std::size_t i = 0; i < hierarchy.num_levels(); ++i) {
-      std::set<int> ids;
-      for (Eigen::Index row = 0; row < hierarchy.level(i).num_rows(); ++row) {
-        const int id = hierarchy.level(i).id(row);
-        EXPECT_TRUE(ids.insert(id).second) << hierarchy.level(i).name() << " has twice " << id;
-        EXPECT_NE(stack.row_name(static_cast<int>(i), id), "?") << hierarchy.level(i).name();
-        EXPECT_NE(stack.row_name(static_cast<int>(i), id), "") << hierarchy.level(i).name();
-      }
-    }
   }
 }
 
@@ -240,21 +228,6 @@ TEST(TaskStack, AStackWithoutLevelsOrWithTooManyIsAnError) {
   expect_mentions(error_of(stack_of(std::vector<LevelSpec>(kMaxLevels + 1, level("com_xy")))),
                   {"test", "17 levels", "1 to 16"});
   EXPECT_EQ(error_of(stack_of(std::vector<LevelSpec>(kMaxLevels, level("com_xy")))), "");
-}
-
-TEST(TaskStack, AllocatesNothingInAnUpdate) {
-  RobotModel model(anymal_b());
-  Random random(5);
-  const RobotState state = random.standing_state(model.description().q_nominal);
-  const Dynamics& dynamics = model.update(state, Vec3::UnitZ());
-  for (const std::string& name : kStacks) {
-    TaskStack stack(load_stack(name), anymal_b());
-    const test::MallocCounter counter;
-    for (const PerLeg<bool>& contacts : test::all_contact_sets()) {
-      (void)stack.update(dynamics, test::plan_with_contacts(contacts));
-    }
-    EXPECT_EQ(counter.count(), 0u) << name;
-  }
 }
 
 TEST(TaskStack, WeightsAreOnTheRowsOfTheirTaskAndDampingFollowsThem) {
