@@ -102,12 +102,16 @@ TEST(ComCalibration, FindsWhatAPayloadWeighsAndHowHighItLies) {
   EXPECT_LT(std::abs(weighing.error().z()), kTooHigh);
 }
 
-TEST(ComCalibration, FindsThatARobotIsLighter) {
-  Weighing weighing({{-3.0, {0.1, 0.02, 0.05}}});
-  weighing.turn();
-  weighing.weigh();
-  EXPECT_NEAR(weighing.mass(), -3.0, 1e-6);
-  EXPECT_LT(weighing.error().head<2>().norm(), 1e-5);
+TEST(ComCalibration, FindsThatARobotIsLighterOrAsModelled) {
+  Weighing lighter({{-3.0, {0.1, 0.02, 0.05}}}), modelled({});
+  for (Weighing* weighing : {&lighter, &modelled}) {
+    weighing->turn();
+    weighing->weigh();
+    EXPECT_LT(weighing->error().head<2>().norm(), 1e-5);
+  }
+  EXPECT_NEAR(lighter.mass(), -3.0, 1e-6);
+  EXPECT_LT(std::abs(modelled.mass()), 1e-9);
+  EXPECT_LT(modelled.error().norm(), 2e-4);
 }
 
 TEST(ComCalibration, KnowsWhereTheComIsWhenLegsMoveUnderAPayload) {
@@ -145,14 +149,6 @@ TEST(ComCalibration, TakesNoMassWhoseHeightItDoesNotKnow) {
   EXPECT_TRUE(shortly.calibration.knows_load());
   EXPECT_NEAR(shortly.mass(), 6.9, 1e-6);
   EXPECT_LT(std::abs(shortly.error().z()), 1.5 * kTooHigh) << "of what came afterwards";
-}
-
-TEST(ComCalibration, FindsNothingOnARobotThatIsAsModelled) {
-  Weighing weighing({});
-  weighing.turn();
-  weighing.weigh();
-  EXPECT_LT(std::abs(weighing.mass()), 1e-9);
-  EXPECT_LT(weighing.error().norm(), 2e-4);
 }
 
 TEST(ComCalibration, ListensForHalfASecondAtLeastToAQuietRobotAndOnlyToFeetThatCarry) {
@@ -211,19 +207,6 @@ TEST(ComCalibration, OfARobotThatIsHardlyHeavierMovesTheCenterOfMassAlongTheGrou
   heavier.turn();
   heavier.weigh();
   EXPECT_NEAR(heavier.mass(), 0.02 * kModelMass, 1e-6) << "but of one that is";
-}
-
-// The payload was removed.
-TEST(ComCalibration, WeighedAgainWithoutItsLoadItCarriesNone) {
-  Weighing weighing({{5.0, {0.05, 0.0, 0.2}}});
-  weighing.turn();
-  weighing.weigh();
-  ASSERT_GT(weighing.calibration.load().mass, 4.9);
-  weighing.robot = LadenRobot({});
-  weighing.turn();
-  weighing.weigh();
-  EXPECT_EQ(weighing.calibration.load().mass, 0.0);
-  EXPECT_NEAR(weighing.calibration.load().first_moment.norm(), 0.0, 1e-3);
 }
 
 TEST(ComCalibration, MovesByWhatTheLinksAreFoundToWeigh) {

@@ -14,6 +14,7 @@ namespace {
 
 constexpr double kPeriod = 0.0025;
 constexpr double kMass = 30.0;
+const ExternalForceOptions kOptions;
 
 /// A lump of the robot's mass on four feet, pushed by something.
 struct Lump {
@@ -26,7 +27,7 @@ struct Lump {
     }
   }
 
-  void run(ExternalForceEstimator& estimator, double duration, const Vec3& acceleration) {
+  void run(double duration, const Vec3& acceleration) {
     for (double t = 0.0; t < duration; t += kPeriod) {
       state.time += kPeriod;
       dynamics.com.v += kPeriod * acceleration;
@@ -34,131 +35,108 @@ struct Lump {
     }
   }
 
+  ExternalForceEstimator estimator{kOptions};
   Dynamics dynamics;
   RobotState state;
   PerLeg<bool> stands{true, true, true, true};
 };
 
 TEST(ExternalForce, APushIsFoundBeyondTheDeadBand) {
-  const ExternalForceOptions options;
-  ExternalForceEstimator estimator(options);
   Lump lump;
-  lump.run(estimator, 10.0 * options.time_constant, Vec3(0.0, 50.0 / kMass, 0.0));
-  EXPECT_NEAR(estimator.force().y(), 50.0, 0.5);
-  const double share = 1.0 - std::pow(options.dead_band / 50.0, 2);
+  lump.run(10.0 * kOptions.time_constant, Vec3(0.0, 50.0 / kMass, 0.0));
+  EXPECT_NEAR(lump.estimator.force().y(), 50.0, 0.5);
+  const double share = 1.0 - std::pow(kOptions.dead_band / 50.0, 2);
   EXPECT_NEAR(lump.state.external_force.y(), share * 50.0, 0.5);
   EXPECT_NEAR(lump.state.external_force.x(), 0.0, 1e-6);
 }
 
 // A weighed load fades in while it moves.
 TEST(ExternalForce, WhatTheModelTakesOverIsNoLongerALoad) {
-  const ExternalForceOptions options;
-  ExternalForceEstimator estimator(options);
   Lump lump;
   constexpr double kPayload = 7.0;
   for (Vec3& force : lump.state.foot_force) force.z() += 0.25 * kPayload * kGravity;
-  lump.run(estimator, 20.0 * options.load_time_constant, Vec3::Zero());
-  EXPECT_NEAR(estimator.force().z(), -kPayload * kGravity, 0.1);
+  lump.run(20.0 * kOptions.load_time_constant, Vec3::Zero());
+  EXPECT_NEAR(lump.estimator.force().z(), -kPayload * kGravity, 0.1);
   lump.dynamics.com.v = {0.1, 0.0, 0.02};
-  lump.run(estimator, 20.0 * options.load_time_constant, Vec3::Zero());
-  const double load = estimator.force().z() - kGravity * lump.dynamics.mass;
+  lump.run(20.0 * kOptions.load_time_constant, Vec3::Zero());
+  const double load = lump.estimator.force().z() - kGravity * lump.dynamics.mass;
   for (int i = 0; i < 200; ++i) {
     lump.dynamics.mass += kPayload / 200;
-    lump.run(estimator, kPeriod, Vec3::Zero());
-    EXPECT_NEAR(estimator.force().z() - kGravity * lump.dynamics.mass, load, 1.0);
-    EXPECT_NEAR(estimator.force().x(), 0.0, 0.1);
+    lump.run(kPeriod, Vec3::Zero());
+    EXPECT_NEAR(lump.estimator.force().z() - kGravity * lump.dynamics.mass, load, 1.0);
+    EXPECT_NEAR(lump.estimator.force().x(), 0.0, 0.1);
   }
 }
 
 TEST(ExternalForce, WhatTheGroundTakesUpIsAPushToo) {
-  const ExternalForceOptions options;
-  ExternalForceEstimator estimator(options);
   Lump lump;
   for (Vec3& force : lump.state.foot_force) force.x() = -10.0;
-  lump.run(estimator, 10.0 * options.time_constant, Vec3::Zero());
-  EXPECT_NEAR(estimator.force().x(), 40.0, 0.5);
+  lump.run(10.0 * kOptions.time_constant, Vec3::Zero());
+  EXPECT_NEAR(lump.estimator.force().x(), 40.0, 0.5);
 }
 
 TEST(ExternalForce, WithinTheDeadBandThereIsNone) {
-  const ExternalForceOptions options;
-  ExternalForceEstimator estimator(options);
   Lump lump;
-  lump.run(estimator, 1.0, Vec3(0.9 * options.dead_band / kMass, 0.0, 0.0));
+  lump.run(1.0, Vec3(0.9 * kOptions.dead_band / kMass, 0.0, 0.0));
   EXPECT_EQ(lump.state.external_force, Vec3::Zero());
 }
 
 TEST(ExternalForce, APayloadIsAForceDownwardAndAMoment) {
-  const ExternalForceOptions options;
-  ExternalForceEstimator estimator(options);
   Lump lump;
   for (const Leg leg : {Leg::LF, Leg::RF}) lump.state.foot_force[index(leg)].z() += 30.0;
-  lump.run(estimator, 10.0 * options.load_time_constant, Vec3::Zero());
-  const double share = 1.0 - std::pow(options.load_dead_band / 60.0, 2);
+  lump.run(10.0 * kOptions.load_time_constant, Vec3::Zero());
+  const double share = 1.0 - std::pow(kOptions.load_dead_band / 60.0, 2);
   EXPECT_NEAR(lump.state.external_force.z(), -share * 60.0, 0.5);
-  EXPECT_NEAR(estimator.moment().y(), 60.0 * 0.3, 0.5);
-  EXPECT_NEAR(estimator.moment().x(), 0.0, 1e-6);
+  EXPECT_NEAR(lump.estimator.moment().y(), 60.0 * 0.3, 0.5);
+  EXPECT_NEAR(lump.estimator.moment().x(), 0.0, 1e-6);
 }
 
 TEST(ExternalForce, AFootInTheAirDoesNotCount) {
-  const ExternalForceOptions options;
-  ExternalForceEstimator estimator(options);
   Lump lump;
   lump.stands[index(Leg::LF)] = false;
   for (Vec3& force : lump.state.foot_force) force.z() *= 4.0 / 3.0;
   lump.state.foot_force[index(Leg::LF)] = {80.0, 80.0, 80.0};
-  lump.run(estimator, 1.0, Vec3::Zero());
-  EXPECT_LT(estimator.force().norm(), 0.5);
+  lump.run(1.0, Vec3::Zero());
+  EXPECT_LT(lump.estimator.force().norm(), 0.5);
 }
 
-TEST(ExternalForce, IsLimited) {
-  const ExternalForceOptions options;
-  ExternalForceEstimator estimator(options);
-  Lump lump;
-  lump.run(estimator, 1.0, Vec3(100.0, 0.0, 0.0));
-  EXPECT_NEAR(lump.state.external_force.norm(), options.max_force, 1e-6);
-}
-
-TEST(ExternalForce, ALoadAndItsMomentAreLimitedToo) {
-  const ExternalForceOptions options;
-  ExternalForceEstimator estimator(options);
-  Lump lump;
-  for (const Leg leg : {Leg::LF, Leg::RF}) lump.state.foot_force[index(leg)].z() += 200.0;
-  lump.run(estimator, 10.0 * options.load_time_constant, Vec3::Zero());
-  EXPECT_NEAR(lump.state.external_force.z(), -options.max_force, 1e-6);
-  EXPECT_NEAR(lump.state.external_moment.norm(), options.max_moment, 1e-6);
+TEST(ExternalForce, IsLimitedAndSoAreALoadAndItsMoment) {
+  Lump lump, laden;
+  lump.run(1.0, Vec3(100.0, 0.0, 0.0));
+  EXPECT_NEAR(lump.state.external_force.norm(), kOptions.max_force, 1e-6);
+  for (const Leg leg : {Leg::LF, Leg::RF}) laden.state.foot_force[index(leg)].z() += 200.0;
+  laden.run(10.0 * kOptions.load_time_constant, Vec3::Zero());
+  EXPECT_NEAR(laden.state.external_force.z(), -kOptions.max_force, 1e-6);
+  EXPECT_NEAR(laden.state.external_moment.norm(), kOptions.max_moment, 1e-6);
 }
 
 TEST(ExternalForce, AfterALongerGapItBeginsAnew) {
-  const ExternalForceOptions options;
-  ExternalForceEstimator estimator(options);
   Lump lump;
-  lump.run(estimator, 10.0 * options.time_constant, Vec3(0.0, 50.0 / kMass, 0.0));
+  lump.run(10.0 * kOptions.time_constant, Vec3(0.0, 50.0 / kMass, 0.0));
   lump.state.time += 0.06;
-  lump.run(estimator, kPeriod, Vec3::Zero());
-  EXPECT_EQ(estimator.force(), Vec3::Zero());
+  lump.run(kPeriod, Vec3::Zero());
+  EXPECT_EQ(lump.estimator.force(), Vec3::Zero());
   EXPECT_EQ(lump.state.external_force, Vec3::Zero());
 }
 
 TEST(ExternalForce, SwitchedOffItFindsNone) {
-  ExternalForceEstimator estimator({.enabled = false});
   Lump lump;
-  lump.run(estimator, 1.0, Vec3(0.0, 50.0 / kMass, 0.0));
+  lump.estimator = ExternalForceEstimator({.enabled = false});
+  lump.run(1.0, Vec3(0.0, 50.0 / kMass, 0.0));
   EXPECT_EQ(lump.state.external_force, Vec3::Zero());
   EXPECT_EQ(lump.state.external_moment, Vec3::Zero());
 }
 
 TEST(ExternalForce, ForgetsNumbersThatAreNotFinite) {
-  const ExternalForceOptions options;
-  ExternalForceEstimator estimator(options);
   Lump lump;
-  lump.run(estimator, 0.5, Vec3::Zero());
+  lump.run(0.5, Vec3::Zero());
   const Vec3 force = lump.state.foot_force[0];
   lump.state.foot_force[0].setConstant(kNaN);
-  lump.run(estimator, 0.1, Vec3::Zero());
+  lump.run(0.1, Vec3::Zero());
   EXPECT_EQ(lump.state.external_force, Vec3::Zero());
   lump.state.foot_force[0] = force;
-  lump.run(estimator, 1.0, Vec3(0.0, 50.0 / kMass, 0.0));
-  EXPECT_NEAR(estimator.force().y(), 50.0, 0.5);
+  lump.run(1.0, Vec3(0.0, 50.0 / kMass, 0.0));
+  EXPECT_NEAR(lump.estimator.force().y(), 50.0, 0.5);
 }
 
 TEST(ExternalForce, TheWrenchOnARobotThatTumblesIsFound) {

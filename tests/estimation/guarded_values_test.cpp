@@ -1,7 +1,5 @@
 #include "surefoot/estimation/guarded_values.hpp"
 
-#include "tests/support/malloc_counter.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -31,19 +29,6 @@ struct Group {
   double time = 0.0;
 };
 
-TEST(GuardedValues, GoodSamplesPassAsTheyAre) {
-  Group group;
-  EXPECT_TRUE(std::isnan(group.health().age)) << "never a sample";
-  for (int i = 0; i < 20; ++i) {
-    const Vec3 raw(0.9 * (i % 2), -5.0, 9.99);
-    group.take(raw);
-    EXPECT_EQ(group.values.repaired(), raw);
-    EXPECT_EQ(group.values.measured(), raw);
-    EXPECT_EQ(group.health().fault, SampleFault::none);
-    EXPECT_EQ(group.health().age, 0.0);
-  }
-}
-
 TEST(GuardedValues, EachIsJudgedByItselfAndTheOnlyOneAtFaultIsNamed) {
   const auto fault_of = [](double raw) {
     Group group;
@@ -63,24 +48,6 @@ TEST(GuardedValues, EachIsJudgedByItselfAndTheOnlyOneAtFaultIsNamed) {
   EXPECT_EQ(fault_of(0.9), SampleFault::jump);
 }
 
-TEST(GuardedValues, OfSeveralAtFaultNoneIsNamed) {
-  Group group;
-  group.take(Vec3::Zero());
-  group.take(Vec3(kNaN, 0.0, 11.0));
-  EXPECT_EQ(group.health().fault, SampleFault::not_a_number) << "the first one's";
-  EXPECT_EQ(group.health().joint, -1);
-}
-
-TEST(GuardedValues, WhatIsExpectedMovesAsItIsTold) {
-  Group group;
-  group.take(Vec3::Zero());
-  group.values.move(Vec3(3.0, 0.0, 0.0));
-  group.take(Vec3(kNaN, kNaN, kNaN));
-  EXPECT_EQ(group.values.repaired(), Vec3(3.0, 0.0, 0.0));
-  group.take(Vec3(3.9, 0.9, 1.9));
-  EXPECT_EQ(group.health().fault, SampleFault::none);
-}
-
 TEST(GuardedValues, AJumpThatStaysIsBelievedAfterThePatience) {
   Group group;
   group.take(Vec3::Zero());
@@ -90,37 +57,6 @@ TEST(GuardedValues, AJumpThatStaysIsBelievedAfterThePatience) {
     const bool is_over = group.time - seen > kPatience + 1e-9;
     EXPECT_EQ(group.health().fault, is_over ? SampleFault::none : SampleFault::jump) << i;
     EXPECT_EQ(group.values.repaired()[0], is_over ? 5.0 : 0.0) << i;
-  }
-}
-
-TEST(GuardedValues, AStepThatIsNotSureIsBelievedWhenTheNextSampleSaysSoToo) {
-  Group group;
-  group.limits.sure.setConstant(0.5);
-  for (int i = 0; i < 3; ++i) {
-    group.take(Vec3::Zero());
-    EXPECT_EQ(group.health().fault, SampleFault::none) << "a spike leaves no trace";
-    group.take(Vec3(0.8, 0.0, 0.0));
-    EXPECT_EQ(group.health().fault, SampleFault::jump);
-    EXPECT_EQ(group.health().joint, 0);
-    EXPECT_EQ(group.values.repaired(), Vec3::Zero());
-  }
-  group.take(Vec3(0.9, 0.4, 0.0));
-  EXPECT_EQ(group.health().fault, SampleFault::none);
-  EXPECT_EQ(group.values.repaired(), Vec3(0.9, 0.4, 0.0));
-}
-
-TEST(GuardedValues, WhereOnlyWhatIsSureIsBelievedAStepThatStaysIsNotBeforeThePatience) {
-  Group group;
-  group.limits.sure.setConstant(0.5);
-  group.limits.sure_only = true;
-  group.take(Vec3::Zero());
-  const double seen = group.time;
-  for (int i = 0; i < 20; ++i) {
-    group.take(Vec3(0.6, 0.4, 0.0));
-    const bool is_over = group.time - seen > kPatience + 1e-9;
-    EXPECT_EQ(group.health().fault, is_over ? SampleFault::none : SampleFault::jump) << i;
-    EXPECT_EQ(group.values.repaired(), Vec3(is_over ? 0.6 : 0.0, 0.4, 0.0)) << i;
-    EXPECT_EQ(group.values.is_shaken_since(group.time), !is_over) << i;
   }
 }
 
@@ -138,20 +74,6 @@ TEST(GuardedValues, WhatIsShakenIsBelievedFromTheSecondSampleOnUntilItWasCalm) {
     }
     for (int i = 0; i < 10; ++i) group.take(Vec3::Zero());
   }
-}
-
-TEST(GuardedValues, WhereMostJumpTogetherNoneIsBelievedBeforeTheNextSampleSaysSoToo) {
-  Group group;
-  group.limits.together = 0.1;
-  group.take(Vec3::Zero());
-  group.take(Vec3(0.2, 0.0, 0.0));
-  EXPECT_EQ(group.health().fault, SampleFault::none) << "one of three";
-  group.take(Vec3(0.4, 0.2, 0.0));
-  EXPECT_EQ(group.health().fault, SampleFault::jump);
-  EXPECT_EQ(group.health().joint, -1);
-  EXPECT_EQ(group.values.repaired(), Vec3(0.2, 0.0, 0.0));
-  group.take(Vec3(0.4, 0.2, 0.0));
-  EXPECT_EQ(group.values.repaired(), Vec3(0.4, 0.2, 0.0));
 }
 
 TEST(GuardedValues, ADoubtedSampleThatComesAgainIsNoOtherSample) {
@@ -178,31 +100,6 @@ TEST(GuardedValues, WhatWaitedForTheNextSampleMayBeTwiceAsFarOff) {
   group.take(Vec3(1.6, 1.2, 0.0));
   EXPECT_EQ(group.health().joint, 1) << "which did not wait";
   EXPECT_EQ(group.values.repaired()[0], 1.6);
-}
-
-TEST(GuardedValues, ACommonFaultIsThatOfAll) {
-  Group group;
-  group.take(Vec3(1.0, 2.0, 3.0));
-  group.take(Vec3(1.1, 2.1, 3.1), SampleFault::late);
-  EXPECT_EQ(group.values.repaired(), Vec3(1.0, 2.0, 3.0));
-  EXPECT_TRUE(group.values.measured().array().isNaN().all());
-  EXPECT_EQ(group.health().fault, SampleFault::late);
-  EXPECT_EQ(group.health().joint, -1);
-}
-
-TEST(GuardedValues, SamplesThatWereNoneAgeTheGroup) {
-  Group group;
-  for (int i = 0; i < 10; ++i) group.take(Vec3::Zero());
-  group.values.forget_since(group.time - 0.01);
-  EXPECT_NEAR(group.health().age, 0.01, 1e-12);
-  EXPECT_EQ(group.values.seen(), Vec3::Constant(group.time - 0.01));
-}
-
-TEST(GuardedValues, AllocatesNothing) {
-  Group group;
-  const test::MallocCounter mallocs;
-  for (int i = 0; i < 100; ++i) group.take(Vec3(i % 7, kNaN, i));
-  EXPECT_EQ(mallocs.count(), 0U);
 }
 
 }  // namespace

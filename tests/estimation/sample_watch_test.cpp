@@ -1,7 +1,5 @@
 #include "surefoot/estimation/sample_watch.hpp"
 
-#include "tests/support/malloc_counter.hpp"
-
 #include <gtest/gtest.h>
 
 namespace surefoot {
@@ -27,18 +25,6 @@ struct Sensor {
   double sample = 0.0;
 };
 
-TEST(SampleWatch, EachSampleIsNewOnce) {
-  Sensor sensor;
-  sensor.every = 3;
-  sensor.run(30);
-  for (int i = 1; i <= 30; ++i) {
-    sensor.tick();
-    EXPECT_EQ(sensor.watch.is_new(), i % 3 == 0) << i;
-    EXPECT_EQ(sensor.watch.sample_time(), sensor.sample);
-    EXPECT_EQ(sensor.watch.fault(), SampleFault::none);
-  }
-}
-
 TEST(SampleWatch, WhatIsBelievedLagsByTheSamplesAgeAndByNoMoreWhereTheyStop) {
   for (const int delay : {0, 1, 2}) {
     Sensor sensor;
@@ -56,18 +42,6 @@ TEST(SampleWatch, WhatIsBelievedLagsByTheSamplesAgeAndByNoMoreWhereTheyStop) {
   EXPECT_NEAR(slow.watch.lag(), 0.0, 1e-12);
   slow.tick();
   EXPECT_NEAR(slow.watch.lag(), kPeriod, 1e-12) << "what is held does not";
-}
-
-TEST(SampleWatch, ASampleThatWasThereBeforeIsHeldAndChangesNoDelay) {
-  Sensor sensor;
-  sensor.every = 3;
-  sensor.delay = 1;
-  sensor.run(30);
-  for (int i = 1; i <= 30; ++i) {
-    sensor.tick();
-    EXPECT_EQ(sensor.watch.is_held(), i % 3 != 0) << i;
-    EXPECT_NEAR(sensor.watch.delay(), kPeriod, 1e-12) << i;
-  }
 }
 
 // Only the first sample exists until the second arrives.
@@ -118,19 +92,6 @@ TEST(SampleWatch, NoSampleIsUsualThatIsOlderThanPatience) {
   }
 }
 
-TEST(SampleWatch, NewSamplesThatAreTooOldAreLateAndNotNew) {
-  Sensor sensor;
-  sensor.run(100);
-  sensor.delay = 9;  // 22.5 ms
-  sensor.run(10);    // until a sample is later than all before
-  EXPECT_EQ(sensor.watch.fault(), SampleFault::late);
-  EXPECT_FALSE(sensor.watch.is_new());
-  sensor.delay = 0;
-  sensor.tick();
-  EXPECT_EQ(sensor.watch.fault(), SampleFault::none);
-  EXPECT_TRUE(sensor.watch.is_new());
-}
-
 TEST(SampleWatch, TellsForHowLongNewSamplesComeLate) {
   Sensor sensor;
   sensor.delay = 2;  // 5 ms
@@ -172,36 +133,6 @@ TEST(SampleWatch, FollowsNoDelayThatChanges) {
     EXPECT_EQ(sensor.watch.is_punctual(), sensor.delay == 0) << i;
     EXPECT_NEAR(sensor.watch.delay(), 0.0, 1e-9);
   }
-}
-
-TEST(SampleWatch, ATimeThatIsNoneOrLiesAheadIsTheReadings) {
-  EXPECT_EQ(believed_sample_time(1.0, 2.0), 1.0);
-  EXPECT_EQ(believed_sample_time(3.0, 2.0), 2.0);
-  EXPECT_EQ(believed_sample_time(kNaN, 2.0), 2.0);
-  SampleWatch watch(kPeriod, kPatience, kMaxDelay);
-  for (int i = 1; i < 100; ++i) {
-    watch.update(kPeriod * i, i % 2 == 0 ? kNaN : 1e9);
-    EXPECT_TRUE(watch.is_new());
-    EXPECT_EQ(watch.sample_time(), kPeriod * i);
-    EXPECT_EQ(watch.fault(), SampleFault::none);
-  }
-}
-
-TEST(SampleWatch, BeginsAnewWhereTheClockLeapsBack) {
-  Sensor sensor;
-  sensor.run(1000);
-  sensor.ticks = 10;
-  sensor.run(2);
-  EXPECT_TRUE(sensor.watch.is_new());
-  EXPECT_EQ(sensor.watch.fault(), SampleFault::none);
-  EXPECT_EQ(sensor.watch.sample_time(), kPeriod * 12);
-}
-
-TEST(SampleWatch, AllocatesNothing) {
-  Sensor sensor;
-  const test::MallocCounter mallocs;
-  sensor.run(100);
-  EXPECT_EQ(mallocs.count(), 0U);
 }
 
 }  // namespace
