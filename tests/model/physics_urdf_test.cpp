@@ -80,7 +80,7 @@ TEST_F(PhysicsUrdfTest, leaves_out_friction_of_joints_with_a_note) {
 
 TEST_F(PhysicsUrdfTest, gives_an_inertia_that_is_impossible_alone_to_the_body_that_it_is_part_of) {
   of_sensor_ =
-      "<inertial><origin xyz=\"0 0 0.1\"/><mass value=\"1\"/>"
+      "<inertial><origin xyz=\"0 0 0.1\" rpy=\"1.5707963267948966 0 0\"/><mass value=\"1\"/>"
       "<inertia ixx=\"1e-3\" ixy=\"0\" ixz=\"0\" iyy=\"1e-3\" iyz=\"0\" izz=\"4e-3\"/></inertial>";
   const PhysicsUrdf physics = read();
   ASSERT_EQ(physics.notes.size(), 1U);
@@ -90,7 +90,7 @@ TEST_F(PhysicsUrdfTest, gives_an_inertia_that_is_impossible_alone_to_the_body_th
   std::ofstream(path) << physics.xml;
   const Urdf again = read_urdf(path);
   EXPECT_EQ(again.find_link("eye")->inertia.mass, 0.0);
-  const Inertia sensor{1.0, Vec3(0.5, 0.0, 0.1), Vec3(1e-3, 1e-3, 4e-3).asDiagonal()};
+  const Inertia sensor{1.0, Vec3(0.5, 0.0, 0.1), Vec3(1e-3, 4e-3, 1e-3).asDiagonal()};
   const Inertia expected = Inertia{2.0, Vec3::Zero(), Mat3::Identity()} + sensor;
   const Inertia& whole = again.find_link("leg")->inertia;
   EXPECT_DOUBLE_EQ(whole.mass, expected.mass);
