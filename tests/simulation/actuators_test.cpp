@@ -151,14 +151,6 @@ TEST(SeaActuators, StayInsideTheLimitsWithAGainAboveOneAndACoarseQuantum) {
   }
 }
 
-TEST(SeaActuators, MultiplyTheCommandByTheirGain) {
-  ActuatorOptions options = sea();
-  options.torque_gain = 0.9;
-  Actuators actuators(options, kLimit, kTimestep);
-  hold(actuators, 20.0, 40);
-  EXPECT_NEAR(actuators.torque(kStill, kStill)[3], 18.0, 1e-6);
-}
-
 TEST(SeaActuators, MultiplyEachJointByItsOwnGainAtBothLevels) {
   ActuatorOptions options = sea();
   options.torque_gain = 0.9;
