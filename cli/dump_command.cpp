@@ -6,7 +6,7 @@
 #include "surefoot/base/printable.hpp"
 #include "surefoot/config/hierarchy_json.hpp"
 #include "surefoot/config/scenario_file.hpp"
-#include "surefoot/explain/hierarchy_status.hpp"
+#include "surefoot/logging/hierarchy_status.hpp"
 #include "surefoot/logging/output_files.hpp"
 #include "surefoot/logging/whole_file.hpp"
 #include "surefoot/replay/log_replay.hpp"

@@ -6,15 +6,15 @@
 #include "surefoot/base/error.hpp"
 #include "surefoot/base/formatted.hpp"
 #include "surefoot/base/printable.hpp"
-#include "surefoot/explain/tick_text.hpp"
+#include "surefoot/explain/explain.hpp"
 #include "surefoot/logging/mend_log.hpp"
 #include "surefoot/logging/output_files.hpp"
 #include "surefoot/logging/partial_log.hpp"
-#include "surefoot/replay/exact_costs.hpp"
 
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
+#include <optional>
 #include <ostream>
 #include <vector>
 
@@ -41,15 +41,14 @@ void tell_partial_beside(const std::string& log) {
 int run_explain(const ExplainArguments& arguments, std::ostream& out) {
   if (!std::isfinite(arguments.at)) throw Error("--at is not a time; a number of seconds is valid");
   tell_partial_beside(arguments.log);
-  TickExplanation explanation = read_tick(arguments.log, arguments.at);
-  {
-    const Waiting waiting("computing " + arguments.log + " again up to the tick");
-    find_exact_costs(arguments.log, explanation);
-  }
+  std::optional<Waiting> waiting(std::in_place,
+                                 "computing " + arguments.log + " again up to the tick");
+  const TickExplanation explanation = explain_tick(arguments.log, arguments.at);
+  waiting.reset();
   if (arguments.json) {
-    out << printable(tick_json(arguments.log, explanation).dump()) << std::endl;
+    out << printable(explanation.json().dump()) << std::endl;
   } else {
-    out << printable(tick_text(arguments.log, explanation), "\n") << std::flush;
+    out << printable(explanation.text(), "\n") << std::flush;
   }
   return kPassed;
 }

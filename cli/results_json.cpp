@@ -118,7 +118,7 @@ Json metrics_json(const std::vector<Json>& runs) {
 }
 
 /// What happened to feet, sensors and torques, in the order in which it happened first.
-Json events_json(const RunResult& result) {
+Json run_events_json(const RunResult& result) {
   std::vector<Json> list;
   for (const EventCount& event : result.events) {
     list.push_back({{"event", name(event.event)},
@@ -172,7 +172,7 @@ Json run_json(const Scenario& scenario, const RunResult& result) {
   json["safety_stop"] = result.safety_stop;
   if (result.changes) json["changes_by_hand"] = *result.changes;
   json["criteria"] = criteria_json(result.criteria);
-  json["events"] = events_json(result);
+  json["events"] = run_events_json(result);
   json["drawn"] = Json::object();
   for (const RandomDraw& draw : result.drawn) json["drawn"][draw.path] = draw.value;
   json["notes"] = result.notes;

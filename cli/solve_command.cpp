@@ -5,12 +5,9 @@
 #include "surefoot/base/error.hpp"
 #include "surefoot/base/printable.hpp"
 #include "surefoot/config/hierarchy_json.hpp"
+#include "surefoot/config/weighted_question.hpp"
 #include "surefoot/control/solver_options.hpp"
-#include "surefoot/explain/explanation_json.hpp"
-#include "surefoot/explain/explanation_text.hpp"
-#include "surefoot/explain/level_account.hpp"
-#include "surefoot/explain/verdict_text.hpp"
-#include "surefoot/explain/weighted_question.hpp"
+#include "surefoot/explain/explain.hpp"
 #include "surefoot/runtime/steady_clock.hpp"
 #include "surefoot/solver/cascade_solver.hpp"
 #include "surefoot/solver/certificate.hpp"
@@ -201,24 +198,25 @@ class SolveCommand {
   void explain_line(const std::string& place, const NamedHierarchy& question,
                     const Solution& solution, const std::vector<LevelCertificate>& certificates,
                     const Hierarchy& strict) {
-    const std::vector<LevelAccount> levels = account(place, question, solution);
+    SolutionExplanation explanation = explained(place, question, solution);
+    explanation.certificates = certificates;
+    explanation.is_budget_spent = is_budget_spent(solution);
     if (arguments_.json) {
-      const Json line = with_strict_residuals(
-          with_place(explanation_json(levels, solution, certificates), solution), strict, solution);
+      const Json line =
+          with_strict_residuals(with_place(explanation.json(), solution), strict, solution);
       out_ << printable(with_notes(line, question.hierarchy).dump()) << std::endl;
     } else {
       out_ << place << (is_cascade() ? "" : ", " + instructions() + " instructions") << "\n"
-           << explanation_text(levels, solution, certificates, is_budget_spent(solution))
-           << std::endl;
+           << explanation.text() << std::endl;
     }
   }
 
   /// Many rows that hold many levels back take long, one solve each.
-  static std::vector<LevelAccount> account(const std::string& place, const NamedHierarchy& question,
-                                           const Solution& solution) {
+  static SolutionExplanation explained(const std::string& place, const NamedHierarchy& question,
+                                       const Solution& solution) {
     const auto num_levels = static_cast<double>(question.hierarchy.num_levels());
     Progress progress("explaining " + place, num_levels, "levels");
-    return account_for(question, solution, [&](double done) { progress.update(done); });
+    return explain_solution(question, solution, [&](double done) { progress.update(done); });
   }
 
   static std::string without_rows(const Hierarchy& hierarchy, std::size_t level) {

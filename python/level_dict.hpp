@@ -72,6 +72,9 @@ class LevelDict {
 
   [[nodiscard]] std::string name() const { return has("name") ? text(dict_["name"]) : place_; }
 
+  /// Of its rows; empty where there is none.
+  [[nodiscard]] std::string unit() const { return has("unit") ? text(dict_["unit"]) : ""; }
+
   /// 0 where there is none.
   [[nodiscard]] double damping() const {
     if (!has("damping")) return 0.0;

@@ -1,9 +1,12 @@
 #pragma once
 
+#include "python/explaining.hpp"
 #include "python/field_properties.hpp"
 #include "python/level_dict.hpp"
 #include "python/level_outcome.hpp"
+#include "surefoot/config/hierarchy_json.hpp"
 #include "surefoot/control/solver_options.hpp"
+#include "surefoot/runtime/steady_clock.hpp"
 #include "surefoot/solver/cascade_solver.hpp"
 #include "surefoot/solver/certificate.hpp"
 #include "surefoot/solver/even_units.hpp"
@@ -14,28 +17,24 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace surefoot::python {
 
 /// `Solution` in Python.
 struct NamedSolution {
-  std::string status;
-  Eigen::VectorXd x;
+  NamedHierarchy question;
+  Solution solution;
+  double budget = 0.0;  ///< that it had [flops]
   std::vector<LevelOutcome> levels;
   std::optional<int> failed_level;  ///< counted from 0
-  bool borderline = false;          ///< as in Solution
-  double flops = 0.0;               ///< what a budget counts
+  std::vector<LevelCertificate> certificates;
   std::optional<std::string> verdict;
 };
 
-/// A hierarchy with the names of its rows, by level.
-struct NamedHierarchy {
-  Hierarchy hierarchy;
-  std::vector<std::vector<std::string>> row_names;
-};
-
-inline void append(const Block& block, Level& level, std::vector<std::string>& row_names) {
+inline void append(const Block& block, Level& level, std::vector<std::string>& row_names,
+                   std::vector<double>& weights) {
   Rows rows = level.add(block.A.rows(), static_cast<int>(level.num_rows()));
   rows.A = block.A;
   rows.lower = block.lower;
@@ -43,6 +42,7 @@ inline void append(const Block& block, Level& level, std::vector<std::string>& r
   for (Eigen::Index i = 0; i < block.A.rows(); ++i) {
     rows.weigh(i, block.weights[i]);
     row_names.push_back(block.names[static_cast<std::size_t>(i)]);
+    weights.push_back(block.weights[i]);
   }
 }
 
@@ -99,10 +99,13 @@ inline void append_level(const LevelDict& level, const std::vector<Block>& block
   const std::size_t index =
       result.hierarchy.add_level(level.name(), damping > 0.0 ? 2 * rows : rows);
   std::vector<std::string>& names = result.row_names.emplace_back();
-  for (const Block& block : blocks) append(block, result.hierarchy.level(index), names);
+  std::vector<double>& weights = result.weights.emplace_back();
+  result.units.push_back(level.unit());
+  for (const Block& block : blocks) append(block, result.hierarchy.level(index), names, weights);
   if (damping == 0.0) return;
   add_damping(result.hierarchy.level(index), damping, x_ref, static_cast<int>(rows));
   append_names("damping", rows, names);
+  weights.resize(names.size(), 1.0);
 }
 
 inline NamedHierarchy read_hierarchy(const nb::list& given, const nb::object& given_reference) {
@@ -115,13 +118,16 @@ inline NamedHierarchy read_hierarchy(const nb::list& given, const nb::object& gi
   const Eigen::Index unknowns = check_unknowns(levels, blocks);
   const std::optional<Eigen::VectorXd> x_ref = read_reference(given_reference, unknowns);
   const Eigen::VectorXd reference = x_ref.value_or(Eigen::VectorXd::Zero(unknowns));
-  NamedHierarchy result{Hierarchy(unknowns), {}};
+  NamedHierarchy result{Hierarchy(unknowns), {}, {}};
   for (std::size_t k = 0; k < levels.size(); ++k)
     append_level(levels[k], blocks[k], reference, result);
   if (!x_ref) return result;
   add_reference(result.hierarchy.level(result.hierarchy.add_level("x_ref", unknowns)), reference,
                 0);
   append_names("x", unknowns, result.row_names.emplace_back());
+  result.weights.emplace_back(static_cast<std::size_t>(unknowns), 1.0);
+  result.units.emplace_back();
+  result.has_reference = true;
   return result;
 }
 
@@ -139,14 +145,17 @@ inline void check_method(const std::string& method, double budget) {
 inline Solution solve(const Hierarchy& hierarchy, const std::string& method, double budget) {
   const nb::gil_scoped_release others_may_run;
   if (method == name(SolverMethod::cascade))
-    return solve_in_even_units<CascadeSolver>(hierarchy, CascadeOptions{});
+    return solve_in_even_units<CascadeSolver>(hierarchy,
+                                              CascadeOptions{.rank = {}, .clock = steady_seconds});
   LexicographicOptions options;
   options.budget.flops = budget;
+  options.clock = steady_seconds;
   return solve_in_even_units<LexicographicSolver>(hierarchy, options);
 }
 
 /// Where the search ended early: levels below were not reached, so nothing is known of them.
-inline void tell_end(const Solution& solution, NamedSolution& result) {
+inline void tell_end(NamedSolution& result) {
+  const Solution& solution = result.solution;
   const auto num_levels = static_cast<int>(result.levels.size());
   if (solution.status == SolveStatus::optimal || solution.failed_level < 0 ||
       solution.failed_level >= num_levels)
@@ -162,13 +171,14 @@ inline void tell_end(const Solution& solution, NamedSolution& result) {
 }
 
 /// Of the levels that are finished.
-inline void tell_certificates(const Hierarchy& hierarchy, NamedSolution& result) {
+inline void tell_certificates(NamedSolution& result) {
+  const Hierarchy& hierarchy = result.question.hierarchy;
   const std::size_t finished =
       result.failed_level ? static_cast<std::size_t>(*result.failed_level) : hierarchy.num_levels();
-  std::vector<LevelCertificate> certificates;
+  std::vector<LevelCertificate>& certificates = result.certificates;
   {
     const nb::gil_scoped_release others_may_run;
-    certificates = certify(hierarchy, result.x, {.levels = finished});
+    certificates = certify(hierarchy, result.solution.x, {.levels = finished});
   }
   for (std::size_t k = 0; k < certificates.size(); ++k) {
     result.levels[k].certificate = certificates[k].stationarity;
@@ -182,23 +192,28 @@ inline void tell_certificates(const Hierarchy& hierarchy, NamedSolution& result)
 inline NamedSolution solve_levels(const nb::list& levels, const nb::object& x_ref,
                                   const std::string& method, double budget, bool is_certified) {
   check_method(method, budget);
-  const auto [hierarchy, row_names] = read_hierarchy(levels, x_ref);
-  const Solution solution = solve(hierarchy, method, budget);
+  NamedHierarchy question = read_hierarchy(levels, x_ref);
+  Solution solution = solve(question.hierarchy, method, budget);
   if (solution.status == SolveStatus::invalid_input) {
     throw Error(
         "the answer is beyond the range of doubles; expected rows and bounds of similar size");
   }
-  NamedSolution result;
-  result.status = solution.status == SolveStatus::optimal ? "optimal" : "iteration_cap";
-  result.x = solution.x;
-  result.borderline = solution.borderline;
-  result.flops = solution.flops;
-  for (std::size_t k = 0; k < hierarchy.num_levels(); ++k) {
-    result.levels.push_back(outcome(hierarchy.level(k).name(), solution.levels[k], row_names[k]));
+  NamedSolution result{std::move(question), std::move(solution), budget, {}, {}, {}, {}};
+  for (std::size_t k = 0; k < result.question.hierarchy.num_levels(); ++k) {
+    result.levels.push_back(outcome(result.question.hierarchy.level(k).name(),
+                                    result.solution.levels[k], result.question.row_names[k]));
   }
-  tell_end(solution, result);
-  if (is_certified) tell_certificates(hierarchy, result);
+  tell_end(result);
+  if (is_certified) tell_certificates(result);
   return result;
+}
+
+inline Explanation explain(const NamedSolution& solved) {
+  const nb::gil_scoped_release others_may_run;
+  SolutionExplanation told = explain_solution(solved.question, solved.solution);
+  told.certificates = solved.certificates;
+  told.is_budget_spent = solved.solution.flops >= solved.budget;
+  return Explanation::of(told);
 }
 
 inline void bind_solving(nb::module_& module) {
@@ -206,18 +221,20 @@ inline void bind_solving(nb::module_& module) {
       .def_prop_ro(
           "x",
           [](nb::handle_t<NamedSolution> self) {
-            Eigen::VectorXd& x = nb::inst_ptr<NamedSolution>(self)->x;
+            Eigen::VectorXd& x = nb::inst_ptr<NamedSolution>(self)->solution.x;
             return View<-1>(x.data(), {static_cast<std::size_t>(x.size())}, self);
           },
           "shape (unknowns,)")
       .def_ro("levels", &NamedSolution::levels, "how each level came out, highest priority first")
-      .def_ro(
-          "status", &NamedSolution::status,
+      .def_prop_ro(
+          "status", [](const NamedSolution& self) { return name(self.solution.status); },
           "optimal, or iteration_cap: ended early, x is feasible for all levels that are finished")
-      .def_ro("borderline", &NamedSolution::borderline,
-              "which answer is the optimum depends on less than doubles can tell")
-      .def_ro("flops", &NamedSolution::flops,
-              "additions and multiplications that budget counts; 0 of the cascade")
+      .def_prop_ro(
+          "borderline", [](const NamedSolution& self) { return self.solution.borderline; },
+          "which answer is the optimum depends on less than doubles can tell")
+      .def_prop_ro(
+          "flops", [](const NamedSolution& self) { return self.solution.flops; },
+          "additions and multiplications that budget counts; 0 of the cascade")
       .def_ro(
           "failed_level", &NamedSolution::failed_level,
           "index of the level in which the search ended early: those before it are optimal, of\n"
@@ -225,6 +242,10 @@ inline void bind_solving(nb::module_& module) {
       .def_ro("verdict", &NamedSolution::verdict,
               "the worst of all levels, with certify=True: proven, not judged or not proven; a\n"
               "search that ended early is not proven")
+      .def("explain", &explain,
+           "Why each level came out as it did, as `surefoot solve --explain` tells it: what it\n"
+           "missed, which rows above hold it back, and what they cost, in the level's unit. Takes\n"
+           "one solve for each row that may hold a level back.")
       .def("__repr__", [](nb::handle_t<NamedSolution> self) {
         return nb::str("Solution({!r}, x={}, levels={})")
             .format(self.attr("status"), self.attr("x"), self.attr("levels"));
@@ -242,9 +263,9 @@ inline void bind_solving(nb::module_& module) {
       "  A, b          A x = b, shapes (rows, unknowns) and (rows,)\n"
       "  D, lower, f   lower ≤ D x ≤ f; one of the two may be missing, and None or infinite is no\n"
       "                bound: a row with none at all asks for nothing\n"
-      "  A_names, D_names   what rows are called in the result; A_ids, D_ids and unit, which "
-      "lines\n"
-      "                of `surefoot dump` have, change nothing\n"
+      "  A_names, D_names   what rows are called in the result; A_ids and D_ids, which lines of\n"
+      "                `surefoot dump` have, change nothing\n"
+      "  unit          of the rows, a text for Solution.explain()\n"
       "  A_weights, D_weights   by which each row and its bounds are multiplied, above 0: "
       "residuals\n"
       "                are those of the weighted rows\n"

@@ -1,7 +1,7 @@
 #include "server/event_finder.hpp"
 
-#include "surefoot/explain/stop_text.hpp"
 #include "surefoot/logging/json_text.hpp"
+#include "surefoot/logging/stop_text.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -54,10 +54,9 @@ const std::vector<std::string>& EventFinder::see(const ViewFrame& frame) {
     json.end_array();
   }
   if (has_last && now[mode_] != last_[mode_]) {
-    std::string text = "command mode: " + std::string(name_in(logged::kModeNames, now[mode_]));
-    const std::string_view why = name_in(stop_texts(), now[stop_]);
-    if (!why.empty()) text += ", as " + std::string(why);
-    events_.push_back(text_event(frame.time, "mode", text));
+    const auto mode = static_cast<CommandMode>(now[mode_]);
+    events_.push_back(
+        text_event(frame.time, "mode", mode_text(mode, name_in(stop_texts(), now[stop_]))));
   }
   if (force_size_ > 0) see_forces(frame);
   last_ = now;
@@ -73,10 +72,8 @@ void EventFinder::see_forces(const ViewFrame& frame) {
     events_.push_back(text_event(time, "force", text));
   };
   const auto changes = forces_.see(frame.time, xfrc, Quat(q[0], q[1], q[2], q[3]));
-  for (const AppliedForce& force : changes.begun)
-    tell(force.from, "pushed by " + applied_force_text(force, bodies_));
-  for (const AppliedForce& force : changes.ended)
-    tell(force.to, "the push on " + body_text(force.body, bodies_) + " ends");
+  for (const AppliedForce& force : changes.begun) tell(force.from, push_text(force, bodies_));
+  for (const AppliedForce& force : changes.ended) tell(force.to, push_end_text(force, bodies_));
 }
 
 }  // namespace surefoot

@@ -2,9 +2,9 @@
 
 #include "server/frame_block.hpp"
 #include "server/view_channels.hpp"
-#include "surefoot/explain/scenario_forces.hpp"
 #include "surefoot/logging/applied_force.hpp"
 #include "surefoot/logging/message_fields.hpp"
+#include "surefoot/logging/scenario_forces.hpp"
 
 #include <string>
 #include <string_view>

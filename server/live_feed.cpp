@@ -70,7 +70,7 @@ LiveFeed::LiveFeed(const Scenario& scenario, LiveOperator& wishes, std::string r
 void LiveFeed::begin(const RunParts& parts, const StackOptions& stack, double friction) {
   ViewSession begun;
   begun.header = to_json(parts.header);
-  begun.channels = tick_channels(parts.header.level_names, parts.plant.truth());
+  begun.channels = tick_channels(parts.header, parts.plant.truth());
   begun.rows = parts.controller.row_names();
   begun.bodies = parts.plant.bodies();
   begun.orders = {{0, parts.header.level_names}};

@@ -4,7 +4,7 @@
 #include "surefoot/base/error.hpp"
 #include "surefoot/base/formatted.hpp"
 #include "surefoot/config/stack_text.hpp"
-#include "surefoot/explain/hierarchy_status.hpp"
+#include "surefoot/logging/hierarchy_status.hpp"
 
 #include <algorithm>
 #include <thread>

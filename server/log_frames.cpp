@@ -34,7 +34,10 @@ struct GrowingTick {
     has_begin = has_begin || topic == "/readings";
     has_end = has_end || topic == "/command";
     if (decode_signal(message, record)) return;
-    if (topic == "/hierarchy") logged::Decoder::decode(message.data, hierarchy);
+    if (topic == "/hierarchy") {
+      logged::Decoder::decode(message.data, hierarchy);
+      record.hierarchy.status = hierarchy.status;
+    }
     if (topic == "/truth") logged::Decoder::decode(message.data, truth);
     has_truth = has_truth || topic == "/truth";
   }
@@ -87,7 +90,7 @@ LogFrames::LogFrames(const std::string& path, const LogHeader& header)
   if (!(period_ > 0.0)) throw FileError(path + ": the header's control_period is no time");
   channels_.level_names = header.level_names;
   find_ticks(path);
-  learn_channels(path);
+  learn_channels(path, header);
 }
 
 std::uint32_t LogFrames::tick_at(std::uint64_t time) const {
@@ -137,7 +140,7 @@ void LogFrames::find_ticks(const std::string& path) {
 
 // From the first place that can be read and holds a whole tick, whose truth has the sizes of
 // MuJoCo's vectors.
-void LogFrames::learn_channels(const std::string& path) {
+void LogFrames::learn_channels(const std::string& path, const LogHeader& header) {
   GroundTruth truth;
   bool is_whole = false;
   std::string problem;
@@ -154,7 +157,7 @@ void LogFrames::learn_channels(const std::string& path) {
   if (!is_whole) {
     throw FileError(path + ": the log holds no whole tick; record the run anew" + problem);
   }
-  channels_ = tick_channels(channels_.level_names, truth);
+  channels_ = tick_channels(header, truth);
   find_start();
   for (std::size_t i = ends_.size(); i > 0; --i) {  // the last may be cut off
     const auto last = chunk(i - 1);

@@ -71,7 +71,7 @@ class LogFrames {
   [[nodiscard]] std::uint32_t tick_at(std::uint64_t time) const;
   [[nodiscard]] bool has_wrong_times(std::size_t chunk) const;
   void find_ticks(const std::string& path);
-  void learn_channels(const std::string& path);
+  void learn_channels(const std::string& path, const LogHeader& header);
   void find_start();
   [[nodiscard]] LogChunk decode(std::size_t number);
   [[nodiscard]] std::string without_path(const Error& error) const;

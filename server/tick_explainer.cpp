@@ -1,7 +1,6 @@
 #include "server/tick_explainer.hpp"
 
-#include "surefoot/explain/tick_text.hpp"
-#include "surefoot/replay/exact_costs.hpp"
+#include "surefoot/explain/explain.hpp"
 #include "surefoot/runtime/interrupt.hpp"
 
 #include <exception>
@@ -58,10 +57,10 @@ void TickExplainer::run() {
 std::string TickExplainer::explained(std::uint32_t tick) const {
   using Json = nlohmann::ordered_json;
   try {
-    TickExplanation explanation = read_tick(path_, period_ * tick);
-    find_exact_costs(path_, explanation, [this] { return stopping_ || interrupted(); });
+    TickExplanation explanation = explain_tick(path_, period_ * tick, Costs::exact,
+                                               [this] { return stopping_ || interrupted(); });
     explanation.why_estimates = without_path(explanation.why_estimates);
-    return text_of(gave_way_json(explanation));
+    return text_of(explanation.gave_way_json());
   } catch (const std::exception& error) {
     return text_of(Json{{"problem", without_path(error.what())}});
   }

@@ -25,6 +25,7 @@ struct ViewChannel {
 /// so that what is logged can be seen.
 struct ViewChannels {
   std::vector<std::string> level_names;  ///< of the hierarchy: each level has its channels
+  std::vector<double> level_visible;     ///< of these levels, see `visible_residual`
   std::vector<ViewChannel> channels;
   std::vector<std::size_t> list_sizes;  ///< of lists of numbers, in order
   std::size_t floats = 0;               ///< of a frame

@@ -2,8 +2,12 @@
 
 #include "surefoot/evaluation/estimate_fields.hpp"
 #include "surefoot/evaluation/truth_fields.hpp"
-#include "surefoot/explain/stop_text.hpp"
+#include "surefoot/explain/seen_level.hpp"
+#include "surefoot/explain/unused_text.hpp"
+#include "surefoot/logging/hierarchy_status.hpp"
 #include "surefoot/logging/logged_model.hpp"
+#include "surefoot/logging/stop_text.hpp"
+#include "surefoot/logging/visible_residual.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -27,21 +31,61 @@ std::uint8_t number_of(const std::string& level, const ViewChannels& channels) {
              : static_cast<std::uint8_t>(found - channels.level_names.begin());
 }
 
-double number_of(const std::string& text) {
+double number_of(const std::string& text, const std::vector<std::string>& texts) {
   if (text.empty()) return 0.0;
-  return static_cast<double>(std::ranges::find(stop_texts(), text) - stop_texts().begin());
+  return static_cast<double>(std::ranges::find(texts, text) - texts.begin());
 }
 
-ToldFaults told_faults(const TickRecord& tick) {
+std::vector<ToldLevel> told_levels(const KnownTick& tick, const ViewChannels& channels) {
+  const logged::Hierarchy& hierarchy = tick.hierarchy;
+  const bool is_cut_off = hierarchy.status == kIterationCap && hierarchy.failed_level >= 0;
+  std::size_t solved = was_used(tick.record) ? hierarchy.levels.size() : 0;
+  if (std::ranges::all_of(hierarchy.levels,
+                          [](const auto& one) { return one.report.num_rows == 0; }))
+    solved = 0;
+  if (is_cut_off) solved = std::min(solved, static_cast<std::size_t>(hierarchy.failed_level));
+  std::vector<ToldLevel> levels;
+  for (std::size_t place = 0; place < solved; ++place) {
+    const logged::Level& level = hierarchy.levels[place];
+    const std::size_t number = number_of(level.name, channels);
+    if (number >= channels.level_visible.size()) continue;
+    const bool is_at_bound = std::ranges::find(hierarchy.active, level.name, &logged::Row::level) !=
+                             hierarchy.active.end();
+    const SeenLevel state =
+        seen_level(static_cast<std::size_t>(level.report.num_rows), level.report.residual,
+                   channels.level_visible[number], is_at_bound);
+    levels.push_back({level.name, static_cast<double>(state)});
+  }
+  return levels;
+}
+
+Told told(const KnownTick& tick, const CommandedForces& forces, const ViewChannels& channels) {
+  const TickRecord& record = tick.record;
   const auto wrong = [&](StopCause group) {
-    const GroupHealth& now = *group_of(tick.health, group);
+    const GroupHealth& now = *group_of(record.health, group);
     const bool is_wrong = now.fault != SampleFault::none;
-    return is_wrong ? number_of(text_of_stop(group, now.fault, now.joint)) : 0.0;
+    return is_wrong ? number_of(text_of_stop(group, now.fault, now.joint), stop_texts()) : 0.0;
   };
-  return {.stop = number_of(text_of_stop(tick)),
-          .encoders = wrong(StopCause::encoders),
-          .joint_torques = wrong(StopCause::joint_torques),
-          .imu = wrong(StopCause::imu)};
+  const UnusedText unused = unused_text(record);
+  Told result{.stop = number_of(text_of_stop(record), stop_texts()),
+              .encoders = wrong(StopCause::encoders),
+              .joint_torques = wrong(StopCause::joint_torques),
+              .imu = wrong(StopCause::imu),
+              .unused = number_of(unused.what, unused_texts()),
+              .because = number_of(unused.why, unused_reasons()),
+              .levels = told_levels(tick, channels)};
+  for (const Leg leg : kLegs)
+    result.beyond[index(leg)] = static_cast<double>(beyond_limits(forces, record.plan, leg));
+  return result;
+}
+
+/// Of a channel of `Told`.
+std::vector<std::string> texts_of(std::string_view name) {
+  if (name == "told.unused") return unused_texts();
+  if (name == "told.because") return unused_reasons();
+  if (name.starts_with("told.beyond.")) return {"", "force", "friction"};
+  if (name.starts_with("told.level.")) return {kSeenLevelNames.begin(), kSeenLevelNames.end()};
+  return stop_texts();
 }
 
 void add_rows(const logged::Hierarchy& hierarchy, const ViewChannels& channels, ViewFrame& frame) {
@@ -69,9 +113,10 @@ void add_rows(const logged::Hierarchy& hierarchy, const ViewChannels& channels, 
 
 }  // namespace
 
-ViewChannels tick_channels(const std::vector<std::string>& level_names, const GroundTruth& truth) {
+ViewChannels tick_channels(const LogHeader& header, const GroundTruth& truth) {
   ViewChannels channels;
-  channels.level_names = level_names;
+  channels.level_names = header.level_names;
+  channels.level_visible = visible_residuals(header);
   const TickRecord tick;
   logged::ChannelLister lister(channels);
   lister.add("readings", tick.reading);
@@ -83,9 +128,9 @@ ViewChannels tick_channels(const std::vector<std::string>& level_names, const Gr
   lister.add("hierarchy", logged::Hierarchy());
   lister.add("command", tick.command);
   lister.add("commanded", CommandedForces());
-  lister.add("told", ToldFaults());
+  lister.add("told", Told());
   for (ViewChannel& channel : channels.channels)
-    if (channel.name.starts_with("told.")) channel.values = stop_texts();
+    if (channel.name.starts_with("told.")) channel.values = texts_of(channel.name);
   lister.add("timings", logged::Timing());
   lister.add("truth", truth);
   lister.add("estimate", AlignedEstimate());
@@ -105,8 +150,9 @@ void to_frame(const KnownTick& tick, const ViewChannels& channels, ViewFrame& fr
   writer.add(logged::model_of(tick.record));
   writer.add(tick.hierarchy);
   writer.add(tick.record.command);
-  writer.add(commanded_forces(tick.cone, tick.record));
-  writer.add(told_faults(tick.record));
+  const CommandedForces forces = commanded_forces(tick.cone, tick.record);
+  writer.add(forces);
+  writer.add(told(tick, forces, channels));
   writer.add(tick.timing == nullptr ? no_timing() : *tick.timing);
   if (tick.truth != nullptr) writer.add(*tick.truth);
   if (tick.truth != nullptr && tick.start != nullptr)

@@ -12,27 +12,48 @@
 
 namespace surefoot {
 
-/// Why the controller stopped and what is wrong with the sensors, as numbers of `stop_texts`.
-struct ToldFaults {
-  double stop = 0.0, encoders = 0.0, joint_torques = 0.0, imu = 0.0;
+/// A level of a tick, as `SeenLevel`.
+struct ToldLevel {
+  std::string name;
+  double state = 0.0;
+};
+
+/// What the program says of a tick, in words: numbers of the texts that their channels list.
+struct Told {
+  double stop = 0.0, encoders = 0.0, joint_torques = 0.0, imu = 0.0;  ///< of `stop_texts`
+  double unused = 0.0, because = 0.0;  ///< of `unused_texts` and `unused_reasons`
+  PerLeg<double> beyond{};             ///< as `Beyond`
+  std::vector<ToldLevel> levels;
 };
 
 namespace logged {
 
-template <typename Archive, Is<ToldFaults> T>
+template <>
+inline constexpr bool kIsByLevel<std::vector<ToldLevel>> = true;
+
+template <typename Archive, Is<ToldLevel> T>
+void fields(Archive& field, T& level) {
+  field("state", level.state, "how the level came out, in words");
+}
+
+template <typename Archive, Is<Told> T>
 void fields(Archive& field, T& told) {
   field("stop", told.stop, "why the controller has stopped for safety, in words");
   field("encoders", told.encoders, "what is wrong with the encoders, in words");
   field("joint_torques", told.joint_torques, "what is wrong with the joint torques, in words");
   field("imu", told.imu, "what is wrong with the IMU, in words");
+  field("unused", told.unused, "that what was planned and solved commands nothing, in words");
+  field("because", told.because, "why, in words");
+  field("beyond", told.beyond,
+        "the limit of a foot beyond which the solution asks for a force that no ground gives");
+  field("levels", told.levels, "");
 }
 
 }  // namespace logged
 
 /// The channels of a run: every field of the log, under its topic, and `commanded`, `told` and
 /// `estimate`, which follow from them. `truth` has the sizes of MuJoCo's vectors.
-[[nodiscard]] ViewChannels tick_channels(const std::vector<std::string>& level_names,
-                                         const GroundTruth& truth);
+[[nodiscard]] ViewChannels tick_channels(const LogHeader& header, const GroundTruth& truth);
 
 /// What is known of a tick; what is null is not a number in its frame.
 struct KnownTick {

@@ -8,7 +8,7 @@
 #include "surefoot/evaluation/evaluator.hpp"
 #include "surefoot/evaluation/torque_hash.hpp"
 #include "surefoot/evaluation/truth_log.hpp"
-#include "surefoot/explain/stop_text.hpp"
+#include "surefoot/logging/stop_text.hpp"
 #include "surefoot/runtime/stage_timer.hpp"
 #include "surefoot/runtime/steady_clock.hpp"
 #include "surefoot/simulation/make_estimator.hpp"

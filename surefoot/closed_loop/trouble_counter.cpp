@@ -1,7 +1,7 @@
 #include "surefoot/closed_loop/trouble_counter.hpp"
 
-#include "surefoot/explain/stop_text.hpp"
 #include "surefoot/logging/message_fields.hpp"
+#include "surefoot/logging/stop_text.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -2,13 +2,14 @@
 
 #include "surefoot/base/error.hpp"
 #include "surefoot/config/stack_file.hpp"
-#include "surefoot/explain/hierarchy_status.hpp"
+#include "surefoot/logging/hierarchy_status.hpp"
 #include "surefoot/tasks/catalog.hpp"
 
 namespace surefoot {
 namespace {
 
 constexpr double kLoaded = 1.0;  // [N]
+constexpr double kSlack = 0.01;  // of a share that may be rounding
 
 }  // namespace
 
@@ -56,6 +57,13 @@ CommandedForces commanded_forces(const std::optional<FrictionCone>& cone, const 
     if (result.normal[k] > kLoaded && pyramid.mu > 0.0) result.friction_use[k] = pyramid.use(force);
   }
   return result;
+}
+
+Beyond beyond_limits(const CommandedForces& forces, const MotionPlan& plan, Leg leg) {
+  const std::size_t k = index(leg);
+  const double normal = forces.normal[k];
+  if (normal < -kLoaded || normal > plan.feet[k].force_max + kLoaded) return Beyond::force;
+  return forces.friction_use[k] > 1.0 + kSlack ? Beyond::friction : Beyond::nothing;
 }
 
 }  // namespace surefoot

@@ -32,6 +32,11 @@ struct CommandedForces {
 [[nodiscard]] CommandedForces commanded_forces(const std::optional<FrictionCone>& cone,
                                                const TickRecord& tick);
 
+/// Of which limit the solution asks a foot for a force beyond it, as the levels that keep it gave
+/// way: nobody gives it that.
+enum class Beyond : int { nothing = 0, force, friction };
+[[nodiscard]] Beyond beyond_limits(const CommandedForces& forces, const MotionPlan& plan, Leg leg);
+
 namespace logged {
 
 template <typename Archive, Is<CommandedForces> T>

@@ -1,4 +1,4 @@
-#include "surefoot/explain/explanation_json.hpp"
+#include "surefoot/explain/explain.hpp"
 
 namespace surefoot {
 namespace {
@@ -58,8 +58,7 @@ Json level_json(const std::vector<LevelAccount>& levels, const LevelAccount& lev
 
 }  // namespace
 
-Json explanation_json(const std::vector<LevelAccount>& levels, const Solution& solution,
-                      const std::vector<LevelCertificate>& certificates) {
+Json SolutionExplanation::json() const {
   Json list = Json::array();
   for (std::size_t k = 0; k < levels.size(); ++k) {
     list.push_back(level_json(levels, levels[k], solution.is_swept));

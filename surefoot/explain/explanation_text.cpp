@@ -1,12 +1,10 @@
-#include "surefoot/explain/explanation_text.hpp"
-
+#include "surefoot/base/formatted.hpp"
 #include "surefoot/base/printable.hpp"
 #include "surefoot/base/text_table.hpp"
+#include "surefoot/explain/explain.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 
 namespace surefoot {
 namespace {
@@ -16,23 +14,21 @@ constexpr std::size_t kMostRows = 5;  // of a kind that a level shows
 /// are no prices.
 constexpr double kNearlyDependent = 1e-6;
 
-std::string number(double value) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.4g", value);
-  return text.data();
-}
+std::string number(double value) { return formatted("%.4g", value); }
 
-std::string microseconds(double seconds) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.1f µs", 1e6 * seconds);
-  return text.data();
+std::string microseconds(double seconds) { return formatted("%.1f µs", 1e6 * seconds); }
+
+/// With a space before it.
+std::string with_unit(const std::string& unit) { return unit.empty() ? "" : " " + printable(unit); }
+
+std::string amount(const LevelAccount& level, double value) {
+  return number(value) + with_unit(level.unit);
 }
 
 class Text {
  public:
-  Text(const std::vector<LevelAccount>& levels, const std::vector<LevelCertificate>& certificates,
-       bool is_swept, std::string_view ended_by)
-      : levels_(levels), certificates_(certificates), is_swept_(is_swept), ended_by_(ended_by) {}
+  explicit Text(const SolutionExplanation& told)
+      : told_(told), levels_(told.levels), certificates_(told.certificates) {}
 
   [[nodiscard]] std::string whole() const {
     const std::vector<std::string> lines = split(aligned(heads()));
@@ -76,7 +72,7 @@ class Text {
             std::to_string(level.held.size()),
             std::to_string(level.missed.size()),
             level.status == kCutOff ? "–" : std::to_string(level.freedom_left),
-            is_swept_ ? "–" : std::to_string(level.iterations),
+            told_.solution.is_swept ? "–" : std::to_string(level.iterations),
             level.time > 0.0 ? microseconds(level.time) : "–"};
   }
 
@@ -92,12 +88,8 @@ class Text {
 
   [[nodiscard]] std::string level_name(std::size_t k) const {
     const std::string number = std::to_string(k + 1);
-    const std::string& name = levels_[k].name;
+    const std::string name = printable(levels_[k].name);
     return name == "level " + number ? name : number + " " + name;
-  }
-
-  static std::string amount(const LevelAccount& level, double value) {
-    return number(value) + (level.unit.empty() ? "" : " " + level.unit);
   }
 
   static std::string weight(const MissedRow& row) {
@@ -109,7 +101,7 @@ class Text {
     std::string text;
     for (std::size_t i = 0; i < std::min(level.missed.size(), kMostRows); ++i) {
       const MissedRow& row = level.missed[i];
-      text += "      " + row.name + " is " + amount(level, std::abs(row.by)) +
+      text += "      " + printable(row.name) + " is " + amount(level, std::abs(row.by)) +
               (row.by > 0.0 ? " too high" : " too low") + weight(row) + "\n";
     }
     return text + more(level.missed.size(), "      and ", "\n");
@@ -120,14 +112,15 @@ class Text {
     std::string text = "      at a bound: ";
     for (std::size_t i = 0; i < std::min(level.held.size(), kMostRows); ++i) {
       const HeldRow& row = level.held[i];
-      text += (i == 0 ? "" : ", ") + row.name + (row.at_upper ? " (upper)" : " (lower)");
+      text += (i == 0 ? "" : ", ") + printable(row.name) + (row.at_upper ? " (upper)" : " (lower)");
     }
     return text + more(level.held.size(), " and ", "") + "\n";
   }
 
   [[nodiscard]] std::string held_back(const LevelAccount& level) const {
     if (level.status == kCutOff)
-      return "   so far: the search ended in this level, " + std::string(ended_by_) +
+      return "   so far: the search ended in this level, " +
+             std::string(what_ended(told_.is_budget_spent)) +
              ", so what holds it back is not known\n";
     if (level.status == "missed" && level.blocked_by.empty())
       return "   held back by nothing above: its own rows can't all be had\n";
@@ -173,7 +166,7 @@ class Text {
     const std::size_t shown = std::min(row.same.size(), kMostRows);
     for (std::size_t i = 0; i < shown; ++i) {
       const bool is_last = i + 1 == row.same.size();
-      names += (i == 0 ? " " : (is_last ? " and " : ", ")) + row.same[i].name;
+      names += (i == 0 ? " " : (is_last ? " and " : ", ")) + printable(row.same[i].name);
       if (row.same[i].level != level) names += " of level " + std::to_string(row.same[i].level + 1);
     }
     return ", with" + names + more(row.same.size(), " and ", "") +
@@ -181,20 +174,19 @@ class Text {
   }
 
   [[nodiscard]] std::string rows(const LevelAccount& level, const BlockingLevelAccount& by) const {
-    const std::string unit = multiplier_unit(level, levels_[by.level]);
+    const std::string unit = with_unit(multiplier_unit(level, levels_[by.level]));
     std::string text;
     for (std::size_t i = 0; i < std::min(by.rows.size(), kMostRows); ++i) {
       const BlockingRowAccount& row = by.rows[i];
+      text += "      " + printable(row.name) + ", " + std::string(row.state);
       if (row.would_gain && row.cost == 0.0) {
-        text += "      " + row.name + ", " + std::string(row.state) +
-                (by.cost == 0.0 ? ", wants the same, but keeps what it has\n"
+        text += (by.cost == 0.0 ? ", wants the same, but keeps what it has\n"
                                 : ", stops nothing: it wants the same, and others contradict it\n");
         continue;
       }
-      text += "      " + row.name + ", " + std::string(row.state) + costs(row, by.level) +
+      text += costs(row, by.level) +
               (std::isnan(row.cost) ? "what is not known" : amount(level, row.cost)) +
-              " (multiplier " + number(row.multiplier) + (unit.empty() ? "" : " " + unit) +
-              dependence(row) + ")\n";
+              " (multiplier " + number(row.multiplier) + unit + dependence(row) + ")\n";
     }
     return text + more(by.rows.size(), "      and ", "\n");
   }
@@ -203,18 +195,19 @@ class Text {
     return count <= kMostRows ? "" : before + std::to_string(count - kMostRows) + " more" + after;
   }
 
+  const SolutionExplanation& told_;
   const std::vector<LevelAccount>& levels_;
   const std::vector<LevelCertificate>& certificates_;
-  bool is_swept_;
-  std::string_view ended_by_;
 };
 
-std::string headline(const Solution& solution, std::size_t num_levels, std::string_view ended_by) {
+std::string headline(const SolutionExplanation& told) {
+  const Solution& solution = told.solution;
   const std::string unit = solution.is_swept ? " sweep" : " iteration";
   const int iterations = num_iterations(solution);
   std::string text = "status: " + std::string(name(solution.status));
-  if (solution.status == SolveStatus::iteration_cap) text += ", " + std::string(ended_by);
-  const bool are_all_finished = solution.failed_level == static_cast<int>(num_levels);
+  if (solution.status == SolveStatus::iteration_cap)
+    text += ", " + std::string(what_ended(told.is_budget_spent));
+  const bool are_all_finished = solution.failed_level == static_cast<int>(told.levels.size());
   if (are_all_finished)
     text += "; all levels are optimal, x is not yet the shortest that they allow";
   else if (solution.failed_level >= 0)
@@ -225,32 +218,8 @@ std::string headline(const Solution& solution, std::size_t num_levels, std::stri
          microseconds(solution.time) + "\n";
 }
 
-/// The same, with names as a terminal may show them.
-std::vector<LevelAccount> with_printable_names(std::vector<LevelAccount> levels) {
-  for (LevelAccount& level : levels) {
-    level.name = printable(level.name);
-    level.unit = printable(level.unit);
-    for (MissedRow& row : level.missed) row.name = printable(row.name);
-    for (HeldRow& row : level.held) row.name = printable(row.name);
-    for (BlockingLevelAccount& by : level.blocked_by) {
-      for (BlockingRowAccount& row : by.rows) {
-        row.name = printable(row.name);
-        for (NamedRow& same : row.same) same.name = printable(same.name);
-      }
-    }
-  }
-  return levels;
-}
-
 }  // namespace
 
-std::string explanation_text(const std::vector<LevelAccount>& levels, const Solution& solution,
-                             const std::vector<LevelCertificate>& certificates,
-                             bool is_budget_spent) {
-  const std::vector<LevelAccount> named = with_printable_names(levels);
-  const std::string_view ended_by = what_ended(is_budget_spent);
-  return headline(solution, levels.size(), ended_by) +
-         Text(named, certificates, solution.is_swept, ended_by).whole();
-}
+std::string SolutionExplanation::text() const { return headline(*this) + Text(*this).whole(); }
 
 }  // namespace surefoot

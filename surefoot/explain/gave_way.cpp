@@ -1,8 +1,8 @@
 #include "surefoot/explain/gave_way.hpp"
 
 #include "surefoot/base/formatted.hpp"
-#include "surefoot/explain/hierarchy_status.hpp"
-#include "surefoot/explain/stop_text.hpp"
+#include "surefoot/explain/unused_text.hpp"
+#include "surefoot/logging/hierarchy_status.hpp"
 #include "surefoot/logging/message_fields.hpp"
 #include "surefoot/logging/visible_residual.hpp"
 
@@ -10,7 +10,7 @@
 #include <cmath>
 #include <iterator>
 #include <span>
-#include <string_view>
+#include <utility>
 
 namespace surefoot {
 namespace {
@@ -92,6 +92,16 @@ std::string named(const CostlyRow& row, const CostlyRow* before) {
 
 bool has_costs(const LevelThatGaveWay& level) { return dearest_cost(level.to) > kResidualRounding; }
 
+/// Those that are worth it, at most four.
+std::size_t num_told(const std::vector<CostlyRow>& rows) {
+  const double dearest = dearest_cost(rows);
+  const auto is_cheap = [&](const CostlyRow& row) {
+    return dearest > kResidualRounding && !(row.cost >= kWorthTelling * dearest);
+  };
+  return static_cast<std::size_t>(
+      std::min(std::ranges::find_if(rows, is_cheap) - rows.begin(), kMost));
+}
+
 bool is_same(const CostlyRow& a, const CostlyRow& b) {
   return a.level == b.level && a.row == b.row;
 }
@@ -116,16 +126,6 @@ std::string to_nobody(Known known) {
                              : "; to what is not known";
 }
 
-/// How many of a level's rows are told: those that are worth it, at most four.
-std::size_t num_told(const LevelThatGaveWay& level) {
-  constexpr auto most = static_cast<std::size_t>(kMost);
-  if (!has_costs(level)) return std::min(level.to.size(), most);
-  const double least = kWorthTelling * dearest_cost(level.to);
-  const auto cheap = [&](const CostlyRow& row) { return !(row.cost >= least); };
-  const auto end = std::ranges::find_if(level.to, cheap);
-  return std::min(static_cast<std::size_t>(end - level.to.begin()), most);
-}
-
 /// " with friction_cone LF 1"; empty: no other says the same.
 std::string with_same(const CostlyRow& row) {
   std::vector<std::string> names;
@@ -139,7 +139,7 @@ std::string clause(const LevelThatGaveWay& level, Known known) {
   std::string text = level.name + " gave way by " + two_digits(level.residual) + unit;
   if (level.to.empty()) return text + to_nobody(known);
   std::vector<std::string> rows;
-  for (std::size_t i = 0; i < num_told(level); ++i) {
+  for (std::size_t i = 0; i < level.num_told; ++i) {
     const CostlyRow& row = level.to[i];
     rows.push_back(named(row, i == 0 ? nullptr : &level.to[i - 1]) + with_same(row) +
                    (has_costs(level) ? " (" + two_digits(row.cost) + unit + ")" : ""));
@@ -184,20 +184,10 @@ std::string nothing_gave_way(const std::string& every,
          (names.size() == 1 ? "does." : "do.");
 }
 
-/// Why nothing was solved, of a controller that has not stopped.
-std::string_view without_state(CommandMode mode) {
-  if (mode == CommandMode::lifted) return "its feet bear too little";
-  return mode == CommandMode::rise ? "it stands up" : "there was no state to believe";
-}
-
 std::string without_solution(const TickRecord& tick) {
   const std::string mode(logged::kModeNames[static_cast<std::size_t>(tick.command.mode)]);
-  const std::string why = text_of_stop(tick);
-  return std::string(was_solved(tick.hierarchy)
-                         ? "The controller stopped, and what was solved was not used"
-                         : "No hierarchy was solved") +
-         ": " + mode + ", because " +
-         (why.empty() ? std::string(without_state(tick.command.mode)) : why) + ".";
+  const UnusedText text = unused_text(tick);
+  return text.what + ": " + mode + ", because " + text.why + ".";
 }
 
 /// The level in which a solve was cut off; empty: it came to its end.
@@ -235,7 +225,7 @@ std::string neighbour(const TickExplanation& explanation, const std::optional<Ne
   beside.row_names = explanation.row_names;
   beside.exact = tick->exact;
   if (!beside.exact) beside.why_estimates = explanation.why_estimates;
-  return where + formatted(" it, at %.4f s: ", tick->tick.reading.time) + gave_way_sentence(beside);
+  return where + formatted(" it, at %.4f s: ", tick->tick.reading.time) + beside.sentence();
 }
 
 /// "Two hierarchies are blended until 9.5700 s (order: torso_yaw from 8 to 5); …"
@@ -264,6 +254,17 @@ std::string estimates(const TickExplanation& explanation) {
          explanation.why_estimates + ".";
 }
 
+template <typename Row, std::size_t N>
+std::vector<Row> of_solved_levels(const TickExplanation& explanation,
+                                  const std::array<Row, N>& rows, std::int32_t count) {
+  const auto solved = solved_levels(explanation.tick, explanation.order);
+  std::vector<Row> found;
+  std::copy_if(rows.begin(), rows.begin() + count, std::back_inserter(found), [&](const Row& row) {
+    return std::ranges::find(solved, row.level) != solved.end();
+  });
+  return found;
+}
+
 }  // namespace
 
 std::string row_name(const TickExplanation& explanation, std::int16_t level, std::int32_t id) {
@@ -282,34 +283,21 @@ std::vector<LevelThatGaveWay> gave_way(const TickExplanation& explanation) {
     const double visible = visible_residual(name, unit);
     const bool restless = std::isnan(visible);
     if (!(residual > (restless ? kResidualRounding : visible))) continue;
-    levels.push_back({.name = name,
-                      .unit = unit,
-                      .residual = residual,
-                      .restless = restless,
-                      .to = rows_of(explanation, k)});
+    std::vector<CostlyRow> rows = rows_of(explanation, k);
+    const std::size_t told = num_told(rows);
+    levels.push_back({name, unit, residual, restless, std::move(rows), told});
   }
   return levels;
 }
 
 std::vector<ActiveRow> rows_at_bounds(const TickExplanation& explanation) {
   const HierarchyReport& report = explanation.tick.hierarchy;
-  const auto solved = solved_levels(explanation.tick, explanation.order);
-  std::vector<ActiveRow> rows;
-  std::copy_if(
-      report.active.begin(), report.active.begin() + report.num_active, std::back_inserter(rows),
-      [&](const ActiveRow& row) { return std::ranges::find(solved, row.level) != solved.end(); });
-  return rows;
+  return of_solved_levels(explanation, report.active, report.num_active);
 }
 
 std::vector<MissedEquality> missed_rows(const TickExplanation& explanation) {
   const HierarchyReport& report = explanation.tick.hierarchy;
-  const auto solved = solved_levels(explanation.tick, explanation.order);
-  std::vector<MissedEquality> rows;
-  std::copy_if(report.missed.begin(), report.missed.begin() + report.num_missed,
-               std::back_inserter(rows), [&](const MissedEquality& row) {
-                 return std::ranges::find(solved, row.level) != solved.end();
-               });
-  return rows;
+  return of_solved_levels(explanation, report.missed, report.num_missed);
 }
 
 LevelStatus level_status(const TickExplanation& explanation, std::size_t place) {
@@ -320,12 +308,11 @@ LevelStatus level_status(const TickExplanation& explanation, std::size_t place) 
       explanation.tick.hierarchy.levels[static_cast<std::size_t>(explanation.order[place])]);
 }
 
-std::string gave_way_sentence(const TickExplanation& explanation) {
-  if (!was_used(explanation.tick)) return without_solution(explanation.tick);
-  if (!explanation.blend) return outcome(explanation) + estimates(explanation);
-  return blended(explanation) + outcome(explanation) +
-         neighbour(explanation, explanation.blend->before, " Before") +
-         neighbour(explanation, explanation.blend->after, " Behind");
+std::string TickExplanation::sentence() const {
+  if (!was_used(tick)) return without_solution(tick);
+  if (!blend) return outcome(*this) + estimates(*this);
+  return blended(*this) + outcome(*this) + neighbour(*this, blend->before, " Before") +
+         neighbour(*this, blend->after, " Behind");
 }
 
 }  // namespace surefoot

@@ -16,6 +16,7 @@ struct LevelThatGaveWay {
   /// Limits that cost a tenth of the dearest row and more, then the others, by cost; the dearest
   /// among the first four. Empty: nothing above holds it back.
   std::vector<CostlyRow> to;
+  std::size_t num_told = 0;  ///< so many of them are worth telling
 };
 
 /// Of the levels that were solved, in the order of the tick's hierarchy. What is less than
@@ -34,10 +35,5 @@ struct LevelThatGaveWay {
 
 /// Of the level at this place of the tick's order, where the solution was used.
 [[nodiscard]] LevelStatus level_status(const TickExplanation& explanation, std::size_t place);
-
-/// In one sentence: "com_xy gave way by 0.31 m/s² to torque_limits LF_KFE (0.2) and friction_cone
-/// RH (0.1)." Of a solve that was cut off also where. Of a blend of two hierarchies that it is one,
-/// until when, and the same of the ticks before and behind it.
-[[nodiscard]] std::string gave_way_sentence(const TickExplanation& explanation);
 
 }  // namespace surefoot

@@ -1,5 +1,4 @@
-#include "surefoot/explain/level_account.hpp"
-
+#include "surefoot/explain/explain.hpp"
 #include "surefoot/solver/explanation.hpp"
 
 #include <algorithm>
@@ -198,17 +197,19 @@ std::size_t num_finished(const Solution& solution, std::size_t num_levels) {
   return is_cut_off ? static_cast<std::size_t>(solution.failed_level) : num_levels;
 }
 
-std::vector<LevelAccount> account_for(const NamedHierarchy& question, const Solution& solution,
-                                      const std::function<void(double)>& progress) {
+SolutionExplanation explain_solution(const NamedHierarchy& question, Solution solution,
+                                     const std::function<void(double)>& progress) {
   const Accountant accountant(question, solution);
   const std::size_t num_levels = question.hierarchy.num_levels();
   const std::vector<LevelExplanation> explanations =
       explain(question.hierarchy, solution.x,
               {.levels = num_finished(solution, num_levels), .progress = progress});
-  std::vector<LevelAccount> accounts;
+  SolutionExplanation explained;
   for (std::size_t k = 0; k < num_levels; ++k)
-    accounts.push_back(accountant.level(k, k < explanations.size() ? &explanations[k] : nullptr));
-  return accounts;
+    explained.levels.push_back(
+        accountant.level(k, k < explanations.size() ? &explanations[k] : nullptr));
+  explained.solution = std::move(solution);
+  return explained;
 }
 
 int num_iterations(const Solution& solution) {

@@ -4,7 +4,6 @@
 #include "surefoot/solver/solution.hpp"
 
 #include <cstddef>
-#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -85,11 +84,6 @@ struct LevelAccount {
 
 /// How many levels, from the first on, are at their optimum: all, unless the search was cut off.
 [[nodiscard]] std::size_t num_finished(const Solution& solution, std::size_t num_levels);
-
-/// Of every level. What is rounding counts as 0. `progress`: see ExplainOptions.
-[[nodiscard]] std::vector<LevelAccount> account_for(
-    const NamedHierarchy& question, const Solution& solution,
-    const std::function<void(double)>& progress = nullptr);
 
 /// Of the whole hierarchy; of one that was swept they are sweeps, and no level has its own.
 [[nodiscard]] int num_iterations(const Solution& solution);

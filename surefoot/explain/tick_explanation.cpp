@@ -5,12 +5,12 @@
 #include "surefoot/evaluation/truth_fields.hpp"
 #include "surefoot/explain/operator_text.hpp"
 #include "surefoot/explain/outcome.hpp"
-#include "surefoot/explain/scenario_forces.hpp"
-#include "surefoot/explain/stop_text.hpp"
 #include "surefoot/logging/log_reader.hpp"
 #include "surefoot/logging/logged_timing.hpp"
 #include "surefoot/logging/mcap_chunks.hpp"
 #include "surefoot/logging/message_decoder.hpp"
+#include "surefoot/logging/scenario_forces.hpp"
+#include "surefoot/logging/stop_text.hpp"
 #include "surefoot/math/rotation.hpp"
 
 #include <algorithm>
@@ -36,7 +36,6 @@ void fields(Decoder& field, OutsideTruth& truth) {
 namespace {
 
 constexpr double kLoadedFoot = 1.0;    // [N]
-constexpr double kSlack = 0.01;        // of a share that may be rounding
 constexpr double kSameInstant = 1e-6;  // of a time [s]
 constexpr int kBeginning = 400;        // ticks, in which the estimate may begin anew
 
@@ -126,15 +125,6 @@ class BlendWatch {
   std::optional<NeighbourTick> last_;  // that is in no blend
 };
 
-/// Another mode of the command, in the words of the page; empty: it is the same.
-std::string mode_text(CommandMode before, const TickRecord& tick) {
-  if (tick.command.mode == before) return "";
-  const std::string why = text_of_stop(tick);
-  return "command mode: " +
-         std::string(logged::kModeNames[static_cast<std::size_t>(tick.command.mode)]) +
-         (why.empty() ? "" : ", as " + why);
-}
-
 /// How a run ended, by the summary of its log; empty: not known.
 std::string end_text(const std::string& summary) {
   const Outcome outcome = read_outcome(summary);
@@ -168,6 +158,7 @@ class Search {
 
   TickExplanation run() {
     const bool has_ended = read();
+    found_.log = path_;
     found_.header = log_.header();
     const double period = found_.header.control_period;
     found_.asked = time_;
@@ -246,8 +237,10 @@ class Search {
   }
 
   void add_mode(CommandMode before) {
-    const std::string mode = mode_text(before, tick_);
-    if (!mode.empty()) found_.events.push_back({tick_.reading.time, mode, "", "controller"});
+    const CommandMode now = tick_.command.mode;
+    if (now == before) return;
+    found_.events.push_back(
+        {tick_.reading.time, mode_text(now, text_of_stop(tick_)), "", "controller"});
   }
 
   /// Behind the last tick.
@@ -309,10 +302,8 @@ class Search {
     const auto add = [this](double time, const std::string& text) {
       insert({time, text, "", "outside"});
     };
-    for (const AppliedForce& force : begun_)
-      add(force.from, "pushed by " + applied_force_text(force, found_.bodies));
-    for (const AppliedForce& force : ended_)
-      add(force.to, "the push on " + body_text(force.body, found_.bodies) + " ends");
+    for (const AppliedForce& force : begun_) add(force.from, push_text(force, found_.bodies));
+    for (const AppliedForce& force : ended_) add(force.to, push_end_text(force, found_.bodies));
   }
 
   [[noreturn]] void refuse() const {
@@ -328,7 +319,7 @@ class Search {
     const bool is_inside = first <= time_ && time_ <= last;
     const char* why = problem.empty() ? " s, where the clock skips: the controller was not called"
                                       : " s, where no tick can be read";
-    throw Error(path_ + ": --at is " + formatted("%.6g", time_) + (is_inside ? why : " s") +
+    throw Error(path_ + ": no tick at " + formatted("%.6g", time_) + (is_inside ? why : " s") +
                 "; the log goes from " + formatted("%.6g", first) + " s to " +
                 formatted("%.6g", last) + " s" + problem);
   }
@@ -366,13 +357,6 @@ TickExplanation read_tick(const std::string& path, double time) {
 std::vector<NearbyEvent> read_events(const std::string& path) {
   constexpr double kAll = std::numeric_limits<double>::infinity();
   return Search(path, 0.0, kAll, kAll).events();
-}
-
-bool is_beyond_limits(const TickExplanation& explanation, Leg leg) {
-  const double normal = explanation.forces.normal[index(leg)];
-  const double most = explanation.tick.plan.feet[index(leg)].force_max;
-  return normal < -kLoadedFoot || normal > most + kLoadedFoot ||
-         explanation.forces.friction_use[index(leg)] > 1.0 + kSlack;
 }
 
 double true_friction_use(const TrueContact& contact) {

@@ -7,6 +7,8 @@
 #include "surefoot/logging/log_header.hpp"
 #include "surefoot/signals/tick_record.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include <map>
 #include <optional>
 #include <string>
@@ -52,6 +54,7 @@ struct HierarchyBlend {
 
 /// One tick of a log, with what is needed to say why it came out so.
 struct TickExplanation {
+  std::string log;   ///< that it is of
   LogHeader header;  ///< without its attachments
   TickRecord tick;
   CommandedForces forces;             ///< of the tick
@@ -64,13 +67,27 @@ struct TickExplanation {
   std::optional<AlignedEstimate> estimate;                                 ///< the same
   std::map<std::pair<std::int16_t, std::int32_t>, std::string> row_names;  ///< by level and id
   std::optional<HierarchyBlend> blend;                                     ///< that the tick is in
-  /// See `find_exact_costs`; without it the costs are those of the log, estimates of the loop.
+  /// See `explain_tick`; without it the costs are those of the log, estimates of the loop.
   std::optional<ExactCosts> exact;
   std::string why_estimates;        ///< why there are no exact costs; empty: it was not tried
   std::vector<NearbyEvent> events;  ///< around the tick, in order
   double asked = kNaN;              ///< [s]
   bool is_behind_end = false;       ///< the log ends before that; the tick is its last
   std::string problem;              ///< why the log could not be read further; empty if it could
+
+  /// "com_xy gave way by 0.31 m/s² to torque_limits LF_KFE (0.2) and friction_cone RH (0.1)." Of a
+  /// solve that was cut off also where. Of a blend of two hierarchies that it is one, until when,
+  /// and the same of the ticks before and behind it.
+  [[nodiscard]] std::string sentence() const;
+  /// For people: the sentence, then state, command, feet, levels, rows at a bound and the events
+  /// around the tick.
+  [[nodiscard]] std::string text() const;
+  /// The same, whole, for programs: the tick's messages as they stand in the log, and what was
+  /// made of them. SI units.
+  [[nodiscard]] nlohmann::ordered_json json() const;
+  /// Of that what gave way to what: `time`, `sentence`, `gave_way`, `costs_are_exact` and
+  /// `why_estimates`; of each level also how many of the rows are worth telling, `told`.
+  [[nodiscard]] nlohmann::ordered_json gave_way_json() const;
 };
 
 /// How far around a tick events are told [s].
@@ -86,10 +103,6 @@ inline constexpr double kEventWindow = 1.0;
 
 /// That solving a level took, by its number in the header [µs]; NaN: not measured.
 [[nodiscard]] double level_time(const TickExplanation& explanation, std::size_t level);
-
-/// The solution asks a foot for a force that its limits exclude, as the levels that keep them gave
-/// way: nobody gives it that.
-[[nodiscard]] bool is_beyond_limits(const TickExplanation& explanation, Leg leg);
 
 /// Share of the round friction cone of the true ground that its force uses; NaN of a foot without
 /// load.

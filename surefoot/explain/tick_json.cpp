@@ -1,16 +1,16 @@
 #include "surefoot/evaluation/estimate_fields.hpp"
 #include "surefoot/evaluation/truth_fields.hpp"
 #include "surefoot/explain/gave_way.hpp"
-#include "surefoot/explain/hierarchy_status.hpp"
 #include "surefoot/explain/lying_text.hpp"
-#include "surefoot/explain/stop_text.hpp"
-#include "surefoot/explain/tick_text.hpp"
+#include "surefoot/logging/hierarchy_status.hpp"
 #include "surefoot/logging/logged_model.hpp"
 #include "surefoot/logging/message_codec.hpp"
+#include "surefoot/logging/stop_text.hpp"
 #include "surefoot/math/rotation.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace surefoot {
 namespace {
@@ -164,36 +164,38 @@ Json events_json(const std::vector<NearbyEvent>& events) {
   return list;
 }
 
-Json gave_way_json(const TickExplanation& explanation) {
-  return {{"time", explanation.tick.reading.time},
-          {"sentence", gave_way_sentence(explanation)},
-          {"gave_way", yielding_levels(explanation)},
-          {"costs_are_exact", explanation.exact.has_value()},
-          {"why_estimates", explanation.why_estimates}};
+Json TickExplanation::gave_way_json() const {
+  Json levels = yielding_levels(*this);
+  const std::vector<LevelThatGaveWay> told = gave_way(*this);
+  for (std::size_t i = 0; i < levels.size(); ++i) levels[i]["told"] = told[i].num_told;
+  return {{"time", tick.reading.time},
+          {"sentence", sentence()},
+          {"gave_way", std::move(levels)},
+          {"costs_are_exact", exact.has_value()},
+          {"why_estimates", why_estimates}};
 }
 
-Json tick_json(const std::string& path, const TickExplanation& explanation) {
-  const TickRecord& tick = explanation.tick;
+Json TickExplanation::json() const {
   const bool is_solved = was_used(tick);
   const Mat3 R_WB = tick.state.q_WB.toRotationMatrix();
-  Json json = {{"log", path},
-               {"scenario", explanation.header.scenario},
-               {"seed", explanation.header.seed},
-               {"stack", explanation.header.stack},
-               {"asked", explanation.asked},
+  Json json = {{"log", log},
+               {"scenario", header.scenario},
+               {"seed", header.seed},
+               {"stack", header.stack},
+               {"asked", asked},
                {"time", tick.reading.time},
                {"solved", is_solved},
-               {"sentence", gave_way_sentence(explanation)},
-               {"gave_way", yielding_levels(explanation)},
-               {"costs_are_exact", explanation.exact.has_value()},
-               {"blocking_is_known", tick.hierarchy.blocking_is_known || explanation.exact},
-               {"blend", blend_json(explanation)},
+               {"sentence", sentence()},
+               {"gave_way", yielding_levels(*this)},
+               {"costs_are_exact", exact.has_value()},
+               {"blocking_is_known", tick.hierarchy.blocking_is_known || exact},
+               {"blend", blend_json(*this)},
                {"tilt", number(std::acos(std::clamp(R_WB(2, 2), -1.0, 1.0)))},
-               {"feet", feet_json(explanation)},
-               {"levels", levels_json(explanation)},
-               {"limits", limits_json(explanation)},
-               {"missed", missed_json(explanation)},
-               {"events", events_json(explanation.events)},
+               {"feet", feet_json(*this)},
+               {"levels", levels_json(*this)},
+               {"limits", limits_json(*this)},
+               {"missed", missed_json(*this)},
+               {"events", events_json(events)},
                {"why_stopped", text_of_stop(tick)},
                {"readings", message(tick.reading)},
                {"health", message(tick.health)},
@@ -202,12 +204,12 @@ Json tick_json(const std::string& path, const TickExplanation& explanation) {
                {"plan", is_solved ? message(tick.plan) : Json()},
                {"model", is_solved ? message(logged::model_of(tick)) : Json()},
                {"command", message(tick.command)}};
-  if (explanation.touch) json["lies_on"] = lying_text(*explanation.touch);
-  if (explanation.truth) json["pushed_by"] = applied_json(explanation);
-  if (explanation.truth) json["truth"] = message(*explanation.truth);
-  if (explanation.estimate) json["estimate"] = message(*explanation.estimate);
-  if (!explanation.why_estimates.empty()) json["why_estimates"] = explanation.why_estimates;
-  if (!explanation.problem.empty()) json["problem"] = explanation.problem;
+  if (touch) json["lies_on"] = lying_text(*touch);
+  if (truth) json["pushed_by"] = applied_json(*this);
+  if (truth) json["truth"] = message(*truth);
+  if (estimate) json["estimate"] = message(*estimate);
+  if (!why_estimates.empty()) json["why_estimates"] = why_estimates;
+  if (!problem.empty()) json["problem"] = problem;
   return json;
 }
 

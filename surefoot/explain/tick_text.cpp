@@ -1,12 +1,10 @@
-#include "surefoot/explain/tick_text.hpp"
-
 #include "surefoot/base/formatted.hpp"
 #include "surefoot/base/text_table.hpp"
 #include "surefoot/explain/gave_way.hpp"
-#include "surefoot/explain/hierarchy_status.hpp"
 #include "surefoot/explain/lying_text.hpp"
-#include "surefoot/explain/stop_text.hpp"
+#include "surefoot/logging/hierarchy_status.hpp"
 #include "surefoot/logging/message_fields.hpp"
+#include "surefoot/logging/stop_text.hpp"
 #include "surefoot/logging/visible_residual.hpp"
 #include "surefoot/math/rotation.hpp"
 
@@ -81,6 +79,10 @@ std::string faults(const SensorHealth& health) {
   for (const FaultText& fault : faults_of(health))
     out += (out.empty() ? "" : ", ") + fault.text + formatted(" (last good %.4f s ago)", fault.age);
   return out.empty() ? "sensors are good" : "sensors now: " + out;
+}
+
+bool is_beyond_limits(const TickExplanation& explanation, Leg leg) {
+  return beyond_limits(explanation.forces, explanation.tick.plan, leg) != Beyond::nothing;
 }
 
 bool has_wishes(const TickExplanation& explanation) {
@@ -254,7 +256,7 @@ std::string missed(const TickExplanation& explanation) {
   return out.empty() ? "" : "Rows that were missed:\n" + out;
 }
 
-std::string events(const TickExplanation& explanation) {
+std::string nearby(const TickExplanation& explanation) {
   if (explanation.events.empty()) return "";
   std::string out = formatted("Events within %g s:\n", kEventWindow);
   for (const NearbyEvent& event : explanation.events) {
@@ -267,23 +269,21 @@ std::string events(const TickExplanation& explanation) {
 
 }  // namespace
 
-std::string tick_text(const std::string& path, const TickExplanation& explanation) {
-  const LogHeader& header = explanation.header;
-  std::string out = path + ": " + header.scenario + ", seed " + std::to_string(header.seed) +
-                    ", stack " + header.stack +
-                    formatted(", at %.4f s\n\n", explanation.tick.reading.time);
-  if (explanation.is_behind_end)
-    out += formatted("The log ends before %.6g s: this is its last tick.\n\n", explanation.asked);
-  out += gave_way_sentence(explanation) + "\n\n" + facts(explanation) + "\n";
-  if (was_used(explanation.tick)) {
-    out += feet_table(explanation) + "\n";
-    if (explanation.tick.hierarchy.num_levels > 0) out += level_table(explanation) + "\n";
-    out += at_bounds(explanation) + missed(explanation);
-  } else if (explanation.truth) {
-    out += true_feet_table(*explanation.truth) + "\n";
+std::string TickExplanation::text() const {
+  std::string out = log + ": " + header.scenario + ", seed " + std::to_string(header.seed) +
+                    ", stack " + header.stack + formatted(", at %.4f s\n\n", tick.reading.time);
+  if (is_behind_end)
+    out += formatted("The log ends before %.6g s: this is its last tick.\n\n", asked);
+  out += sentence() + "\n\n" + facts(*this) + "\n";
+  if (was_used(tick)) {
+    out += feet_table(*this) + "\n";
+    if (tick.hierarchy.num_levels > 0) out += level_table(*this) + "\n";
+    out += at_bounds(*this) + missed(*this);
+  } else if (truth) {
+    out += true_feet_table(*truth) + "\n";
   }
-  out += events(explanation);
-  if (!explanation.problem.empty()) out += "The log is not whole: " + explanation.problem + ".\n";
+  out += nearby(*this);
+  if (!problem.empty()) out += "The log is not whole: " + problem + ".\n";
   return out;
 }
 

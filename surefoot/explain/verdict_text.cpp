@@ -1,5 +1,4 @@
-#include "surefoot/explain/verdict_text.hpp"
-
+#include "surefoot/explain/explain.hpp"
 #include "surefoot/solver/doubt.hpp"
 #include "surefoot/solver/even_units.hpp"
 

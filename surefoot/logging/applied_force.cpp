@@ -113,4 +113,12 @@ std::string applied_force_text(const AppliedForce& force, const std::vector<std:
          body_text(force.body, bodies);
 }
 
+std::string push_text(const AppliedForce& force, const std::vector<std::string>& bodies) {
+  return "pushed by " + applied_force_text(force, bodies);
+}
+
+std::string push_end_text(const AppliedForce& force, const std::vector<std::string>& bodies) {
+  return "the push on " + body_text(force.body, bodies) + " ends";
+}
+
 }  // namespace surefoot

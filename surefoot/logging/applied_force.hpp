@@ -54,6 +54,12 @@ class AppliedForceWatch {
 /// "50 N, 90° from ahead to the left, on the base".
 [[nodiscard]] std::string applied_force_text(const AppliedForce& force,
                                              const std::vector<std::string>& bodies);
+/// "pushed by 50 N, …".
+[[nodiscard]] std::string push_text(const AppliedForce& force,
+                                    const std::vector<std::string>& bodies);
+/// "the push on the base ends".
+[[nodiscard]] std::string push_end_text(const AppliedForce& force,
+                                        const std::vector<std::string>& bodies);
 /// "the base" for the first body, the name for others.
 [[nodiscard]] std::string body_text(std::size_t body, const std::vector<std::string>& bodies);
 

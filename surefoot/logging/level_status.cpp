@@ -1,5 +1,7 @@
 #include "surefoot/logging/level_status.hpp"
 
+#include "surefoot/logging/hierarchy_status.hpp"
+
 namespace surefoot {
 
 LevelStatus level_status(const LevelReport& level) {
@@ -8,7 +10,6 @@ LevelStatus level_status(const LevelReport& level) {
 }
 
 LevelStatus level_status(const HierarchyReport& report, std::size_t place) {
-  constexpr std::int32_t kIterationCap = 1, kInvalidInput = 2;  // as in the log's schema
   if (report.status == kInvalidInput) return LevelStatus::not_solved;
   if (report.status == kIterationCap && report.failed_level >= 0) {
     const auto failed = static_cast<std::size_t>(report.failed_level);

@@ -1,8 +1,8 @@
 #include "surefoot/replay/stack_comparison.hpp"
 
 #include "surefoot/base/error.hpp"
-#include "surefoot/explain/hierarchy_status.hpp"
-#include "surefoot/explain/stop_text.hpp"
+#include "surefoot/logging/hierarchy_status.hpp"
+#include "surefoot/logging/stop_text.hpp"
 #include "surefoot/replay/logged_scenario.hpp"
 #include "surefoot/runtime/interrupt.hpp"
 #include "surefoot/solver/solution.hpp"

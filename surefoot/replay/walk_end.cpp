@@ -1,8 +1,8 @@
 #include "surefoot/replay/walk_end.hpp"
 
 #include "surefoot/evaluation/truth_fields.hpp"
-#include "surefoot/explain/stop_text.hpp"
 #include "surefoot/logging/message_decoder.hpp"
+#include "surefoot/logging/stop_text.hpp"
 
 #include <algorithm>
 

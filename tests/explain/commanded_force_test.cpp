@@ -14,6 +14,7 @@
 #include <cstdlib>
 #include <optional>
 #include <string>
+#include <utility>
 
 namespace surefoot {
 namespace {
@@ -135,6 +136,22 @@ TEST(CommandedForces, are_not_known_of_feet_that_do_not_carry) {
   EXPECT_EQ(forces.normal[2], 0.5);
   EXPECT_TRUE(std::isnan(forces.friction_use[2]));
   EXPECT_TRUE(std::isnan(commanded_forces(std::nullopt, tick).friction_use[0]));
+}
+
+TEST(CommandedForces, are_beyond_their_limits_by_more_than_rounding) {
+  MotionPlan plan;
+  for (FootPlan& foot : plan.feet) foot.force_max = 400.0;
+  const auto beyond = [&](double normal, double use) {
+    CommandedForces forces;
+    forces.normal[0] = normal;
+    forces.friction_use[0] = use;
+    return beyond_limits(forces, plan, Leg::LF);
+  };
+  for (const auto& [normal, use] : {std::pair(-0.5, kNaN), {400.5, 1.005}, {kNaN, kNaN}})
+    EXPECT_EQ(beyond(normal, use), Beyond::nothing) << normal;
+  EXPECT_EQ(beyond(-39.7, kNaN), Beyond::force);
+  EXPECT_EQ(beyond(500.0, 1.3), Beyond::force);
+  EXPECT_EQ(beyond(80.0, 1.3), Beyond::friction);
 }
 
 }  // namespace

@@ -1,7 +1,5 @@
-#include "surefoot/explain/tick_text.hpp"
-
-#include "surefoot/explain/gave_way.hpp"
-#include "surefoot/explain/hierarchy_status.hpp"
+#include "surefoot/explain/tick_explanation.hpp"
+#include "surefoot/logging/hierarchy_status.hpp"
 #include "surefoot/logging/message_fields.hpp"
 #include "surefoot/solver/solution.hpp"
 #include "tests/support/source_file.hpp"
@@ -26,7 +24,7 @@ TEST(TickText, AForceThatIsRoundedAwayHasNoSign) {
     contact.touching = true;
     contact.force = Vec3(0.0, 0.0, -0.04);
   }
-  const std::string text = tick_text("run.mcap", explanation);
+  const std::string text = explanation.text();
   EXPECT_NE(text.find("0.0 N"), std::string::npos) << text;
   EXPECT_EQ(text.find("-0.0 N"), std::string::npos) << text;
 }
@@ -50,7 +48,7 @@ TickExplanation unsolved() {
 }
 
 TEST(TickText, ATickThatSolvedNothingShowsNeitherForcesNorLevelsNorLimits) {
-  const std::string text = tick_text("run.mcap", unsolved());
+  const std::string text = unsolved().text();
   EXPECT_NE(text.find("No hierarchy was solved: "), std::string::npos) << text;
   EXPECT_NE(text.find("because the torso tilted too far"), std::string::npos) << text;
   EXPECT_NE(text.find("command   damping, as the torso tilted too far; largest torque"),
@@ -76,7 +74,7 @@ TEST(TickText, OfASolutionThatCommandsNothingTheSameIsSaidAsOnThePage) {
     tick.command.mode = value_of<CommandMode>(logged::kModeNames, row[1]);
     tick.command.cause = value_of<StopCause>(logged::kCauseNames, row[2]);
     tick.command.fault = value_of<SampleFault>(logged::kFaultNames, row[3]);
-    EXPECT_EQ(gave_way_sentence(explanation), row[4]);
+    EXPECT_EQ(explanation.sentence(), row[4]);
   }
 }
 
@@ -114,7 +112,7 @@ TickExplanation pushed_over() {
 }
 
 TEST(TickText, LevelsThatGaveWayToTheSameRowsAreToldOnceWithThem) {
-  EXPECT_EQ(gave_way_sentence(pushed_over()),
+  EXPECT_EQ(pushed_over().sentence(),
             "com_xy gave way by 31 m/s² to friction_cone LF +x and RH −y; torso_yaw gave way by 32 "
             "rad/s² to the same; rows without a number cost nothing alone.");
 }
@@ -129,14 +127,14 @@ TEST(TickText, OfRowsThatAreWorthTellingTheLimitsAreToldFirst) {
                                    {"limb_extension_limits", "LF extension", 31.001, {}, true}}},
                                  {2, {}}};
   explanation.tick.hierarchy.levels[2].residual = 0.0;
-  EXPECT_EQ(gave_way_sentence(explanation),
+  EXPECT_EQ(explanation.sentence(),
             "com_xy gave way by 31 m/s² to limb_extension_limits LF extension (31 m/s²), "
             "friction_cone RH −y (12 m/s²), swing_foot LF x (31 m/s²) and 2 more.");
   std::vector<CostlyRow> many{{"swing_foot", "LF x", 31.0, {}, false}};
   for (const char* row : {"A", "B", "C", "D", "E"})
     many.push_back({"torque_limits", row, 5.0, {}, true});
   explanation.exact = ExactCosts{{1, many}, {2, {}}};
-  EXPECT_EQ(gave_way_sentence(explanation),
+  EXPECT_EQ(explanation.sentence(),
             "com_xy gave way by 31 m/s² to torque_limits A (5 m/s²), B (5 m/s²), C (5 m/s²), "
             "swing_foot LF x (31 m/s²) and 2 more.")
       << "the dearest is told";
@@ -149,21 +147,21 @@ TEST(TickText, OfRowsThatAreWorthTellingTheLimitsAreToldFirst) {
 
 TEST(TickText, AForceBeyondItsLimitsIsToldAsAWish) {
   TickExplanation explanation = pushed_over();
-  const std::string text = tick_text("run.mcap", explanation);
+  const std::string text = explanation.text();
   EXPECT_NE(text.find("-16392.6 N *"), std::string::npos) << text;
   EXPECT_EQ(text.find("399.0 N *"), std::string::npos) << text;
   EXPECT_NE(text.find("* the solution's wish"), std::string::npos) << text;
   EXPECT_NE(text.find("optimal, but for contact forces that no ground gives"), std::string::npos)
       << text;
   explanation.forces.normal[1] = 100.0;
-  EXPECT_EQ(tick_text("run.mcap", explanation).find("no ground gives"), std::string::npos);
+  EXPECT_EQ(explanation.text().find("no ground gives"), std::string::npos);
 }
 
 TEST(TickText, WhereTheCommandIsNotTheSolutionsNothingIsToldAsItsWish) {
   for (const CommandMode mode : {CommandMode::degraded, CommandMode::hold, CommandMode::sit}) {
     TickExplanation explanation = pushed_over();
     explanation.tick.command.mode = mode;
-    const std::string text = tick_text("run.mcap", explanation);
+    const std::string text = explanation.text();
     EXPECT_EQ(text.find("wish"), std::string::npos) << text;
     EXPECT_EQ(text.find("no ground gives"), std::string::npos) << text;
     EXPECT_EQ(text.find("N *"), std::string::npos) << text;
@@ -175,7 +173,7 @@ TEST(TickText, WhatStoppedTheRobotStaysTheReasonAndWhatIsWrongNowIsToldApart) {
   stopped.tick.command.cause = StopCause::encoders;
   stopped.tick.command.fault = SampleFault::jump;
   stopped.tick.health.encoders = {.fault = SampleFault::out_of_range, .age = 0.15, .joint = 4};
-  const std::string text = tick_text("run.mcap", stopped);
+  const std::string text = stopped.text();
   EXPECT_NE(text.find("because encoders of several joints changed too fast"), std::string::npos);
   EXPECT_NE(text.find("sensors now: encoder RF_HFE left the range (last good 0.1500 s ago)"),
             std::string::npos)
@@ -183,7 +181,7 @@ TEST(TickText, WhatStoppedTheRobotStaysTheReasonAndWhatIsWrongNowIsToldApart) {
 }
 
 TEST(TickText, TheJsonOfATickThatSolvedNothingHasNoNumbersOfAnother) {
-  const auto json = tick_json("run.mcap", unsolved());
+  const auto json = unsolved().json();
   EXPECT_EQ(json.at("solved"), false);
   EXPECT_TRUE(json.at("model").is_null() && json.at("plan").is_null());
   EXPECT_TRUE(json.at("levels").empty() && json.at("gave_way").empty());
@@ -202,14 +200,14 @@ TEST(TickText, AtTheFirstTickOfAStopWhatWasSolvedIsNotToldAsWhatCommands) {
     tick.command.cause = StopCause::imu;
     tick.command.fault = SampleFault::silent;
     explanation.forces = commanded_forces(std::nullopt, tick);
-    const std::string text = tick_text("run.mcap", explanation);
+    const std::string text = explanation.text();
     EXPECT_NE(text.find("The controller stopped, and what was solved was not used: "),
               std::string::npos)
         << text;
     EXPECT_NE(text.find(", because IMU stopped."), std::string::npos) << text;
     for (const char* absent : {"17522", "com_xy", "gave way", "Limits that act", "stance"})
       EXPECT_EQ(text.find(absent), std::string::npos) << absent << " in\n" << text;
-    const auto json = tick_json("run.mcap", explanation);
+    const auto json = explanation.json();
     EXPECT_EQ(json.at("solved"), false);
     EXPECT_TRUE(json.at("levels").empty() && json.at("gave_way").empty());
     EXPECT_TRUE(json.at("limits").is_null() && json.at("plan").is_null());
@@ -220,17 +218,17 @@ TEST(TickText, AtTheFirstTickOfAStopWhatWasSolvedIsNotToldAsWhatCommands) {
 TEST(TickText, WhatPushesTheRobotIsToldInTextAndJson) {
   TickExplanation explanation = unsolved();
   explanation.truth.emplace();
-  EXPECT_EQ(tick_text("run.mcap", explanation).find("pushed by"), std::string::npos);
-  EXPECT_TRUE(tick_json("run.mcap", explanation).at("pushed_by").empty());
+  EXPECT_EQ(explanation.text().find("pushed by"), std::string::npos);
+  EXPECT_TRUE(explanation.json().at("pushed_by").empty());
   explanation.bodies = {"world", "base"};
   explanation.applied = {{.body = 1, .force = Vec3(0, 50, 0)}};
   explanation.events = {{0.5, "pushed by 50 N", "", "outside"}};
-  const std::string text = tick_text("run.mcap", explanation);
+  const std::string text = explanation.text();
   EXPECT_NE(text.find("pushed by 50 N, 90° from ahead to the left, on the base (truth: the "
                       "controller is not told)"),
             std::string::npos)
       << text;
-  const auto json = tick_json("run.mcap", explanation);
+  const auto json = explanation.json();
   EXPECT_EQ(json.at("pushed_by").at(0).at("body"), "base");
   EXPECT_EQ(json.at("pushed_by").at(0).at("size"), 50.0);
   EXPECT_EQ(json.at("events").at(0).at("by"), "outside");
@@ -240,7 +238,7 @@ TEST(TickText, WhatTheRobotIsFoundToCarryIsToldWithItsPlace) {
   TickExplanation explanation;
   const auto says = [&](double mass, const Vec3& at) {
     explanation.tick.model.load = {.mass = mass, .first_moment = mass * at};
-    return tick_text("run.mcap", explanation);
+    return explanation.text();
   };
   const Vec3 at(0.05, -0.02, 0.2);
   EXPECT_NE(
@@ -261,18 +259,18 @@ TEST(TickText, ASolveThatWasCutOffIsSaidToBe) {
   report.num_levels = 2;
   report.status = static_cast<std::int32_t>(SolveStatus::iteration_cap);
   report.failed_level = 1;
-  EXPECT_EQ(gave_way_sentence(explanation),
+  EXPECT_EQ(explanation.sentence(),
             "Every level above com_xy got what it asked for. The solver was cut off in com_xy: of "
             "it and the levels below it nothing is known.");
   report.failed_level = 0;
-  EXPECT_EQ(gave_way_sentence(explanation),
+  EXPECT_EQ(explanation.sentence(),
             "The solver was cut off in dynamics: of it and the levels below it nothing is known.");
   report.failed_level = 2;
-  EXPECT_EQ(gave_way_sentence(explanation), "Every level got what it asked for.")
+  EXPECT_EQ(explanation.sentence(), "Every level got what it asked for.")
       << "only x is not the shortest";
   report.status = static_cast<std::int32_t>(SolveStatus::optimal);
   report.failed_level = -1;
-  EXPECT_EQ(gave_way_sentence(explanation), "Every level got what it asked for.");
+  EXPECT_EQ(explanation.sentence(), "Every level got what it asked for.");
 }
 
 /// A tick whose solve was cut off in its second level by priority, the last of the header.
@@ -294,7 +292,7 @@ TickExplanation cut_off() {
 
 TEST(TickText, OfASolveThatWasCutOffNothingIsToldOfTheLevelItWasInAndThoseBelow) {
   EXPECT_TRUE(gave_way(cut_off()).empty());
-  const std::string text = tick_text("run.mcap", cut_off());
+  const std::string text = cut_off().text();
   for (const char* told : {"The solver was cut off in torso_yaw", "71", "friction_cone row_of_0"})
     EXPECT_NE(text.find(told), std::string::npos) << told << " in\n" << text;
   for (const auto& [level, status] :
@@ -306,7 +304,7 @@ TEST(TickText, OfASolveThatWasCutOffNothingIsToldOfTheLevelItWasInAndThoseBelow)
   }
   for (const char* absent : {"gave way", "32 rad", "72", "73", "row_of_1", "row_of_2"})
     EXPECT_EQ(text.find(absent), std::string::npos) << absent << " in\n" << text;
-  const auto json = tick_json("run.mcap", cut_off());
+  const auto json = cut_off().json();
   EXPECT_TRUE(json.at("gave_way").empty());
   EXPECT_EQ(json.at("limits").size(), 1u);
   EXPECT_EQ(json.at("levels").at(0).at("rows"), 71);
@@ -319,17 +317,17 @@ TEST(TickText, OfASolveThatWasCutOffNothingIsToldOfTheLevelItWasInAndThoseBelow)
 
 TEST(TickText, OfLimitsOfLevelsThatWereNotSolvedNothingIsSaid) {
   TickExplanation explanation = cut_off();
-  EXPECT_NE(tick_text("x", explanation).find("Limits that act in the levels that were solved:"),
+  EXPECT_NE(explanation.text().find("Limits that act in the levels that were solved:"),
             std::string::npos);
   explanation.tick.hierarchy.num_active = 0;
-  EXPECT_NE(tick_text("x", explanation).find("In the levels that were solved no limit acts."),
+  EXPECT_NE(explanation.text().find("In the levels that were solved no limit acts."),
             std::string::npos);
-  EXPECT_TRUE(tick_json("x", explanation).at("limits").empty());
-  EXPECT_FALSE(tick_json("x", explanation).at("limits").is_null());
+  EXPECT_TRUE(explanation.json().at("limits").empty());
+  EXPECT_FALSE(explanation.json().at("limits").is_null());
   explanation.tick.hierarchy.failed_level = explanation.order[0];
-  EXPECT_EQ(tick_text("x", explanation).find("imit acts"), std::string::npos);
-  EXPECT_TRUE(tick_json("x", explanation).at("limits").is_null());
-  EXPECT_TRUE(tick_json("x", unsolved()).at("limits").is_null());
+  EXPECT_EQ(explanation.text().find("imit acts"), std::string::npos);
+  EXPECT_TRUE(explanation.json().at("limits").is_null());
+  EXPECT_TRUE(unsolved().json().at("limits").is_null());
 }
 
 TEST(TickText, OfASolveThatWasCutOffOnlyLevelsAboveHaveAResidual) {
@@ -350,17 +348,16 @@ TEST(TickText, OfASolveThatWasCutOffOnlyLevelsAboveHaveAResidual) {
 TEST(TickText, NumbersJustBelowAHundredHaveAllTheirDigits) {
   TickExplanation explanation = pushed_over();
   explanation.tick.hierarchy.levels[1].residual = 99.7;
-  EXPECT_NE(gave_way_sentence(explanation).find("com_xy gave way by 100 m/s²"), std::string::npos)
-      << gave_way_sentence(explanation);
+  EXPECT_NE(explanation.sentence().find("com_xy gave way by 100 m/s²"), std::string::npos)
+      << explanation.sentence();
 }
 
 TEST(TickText, AResidualHasTheSameDigitsInTheSentenceAndInTheTable) {
   TickExplanation explanation = pushed_over();
   explanation.tick.hierarchy.levels[1].residual = 1064.3;
-  EXPECT_NE(gave_way_sentence(explanation).find("gave way by 1064 m/s²"), std::string::npos);
-  EXPECT_NE(tick_text("x", explanation).find("2 com_xy          missed   1064 m/s²"),
-            std::string::npos)
-      << tick_text("x", explanation);
+  EXPECT_NE(explanation.sentence().find("gave way by 1064 m/s²"), std::string::npos);
+  EXPECT_NE(explanation.text().find("2 com_xy          missed   1064 m/s²"), std::string::npos)
+      << explanation.text();
 }
 
 TEST(TickText, RowsSayByHowMuchTheyAreBeyondABoundOrWereMissed) {
@@ -374,7 +371,7 @@ TEST(TickText, RowsSayByHowMuchTheyAreBeyondABoundOrWereMissed) {
   report.missed[0] = {.level = 1, .id = 0, .by = -30.5};
   report.missed[1] = {.level = 2, .id = 0, .by = 0.001};  // nothing that one sees
   explanation.row_names[{1, 0}] = "x";
-  const std::string text = tick_text("run.mcap", explanation);
+  const std::string text = explanation.text();
   EXPECT_NE(text.find("  friction_cone LF +x, at its upper bound\n"
                       "  friction_cone RH −y, beyond its lower bound by 12.5 N\n"
                       "  friction_cone RH −y, beyond its upper bound\n"
@@ -383,7 +380,7 @@ TEST(TickText, RowsSayByHowMuchTheyAreBeyondABoundOrWereMissed) {
             std::string::npos)
       << text;
   EXPECT_EQ(text.find("0.001"), std::string::npos) << text;
-  const auto json = tick_json("run.mcap", explanation);
+  const auto json = explanation.json();
   EXPECT_EQ(json.at("limits").at(1).at("by"), -12.5);
   EXPECT_TRUE(json.at("limits").at(2).at("by").is_null());
   EXPECT_EQ(json.at("missed").at(0).at("row"), "x");

@@ -123,9 +123,9 @@ def test_explain_gives_the_last_tick_for_the_end_of_the_duration_and_says_so(log
 
 
 def test_explain_tells_the_range_of_a_log_that_has_no_such_tick(log, tmp_path):
-    assert "--at is 7 s; the log goes from 0 s to 1.9975 s" in complaint("explain", log, "--at", 7)
-    assert "--at is -1 s" in complaint("explain", log, "--at", -1)
-    assert "--at is 2.01 s" in complaint("explain", log, "--at", 2.01)
+    assert "no tick at 7 s; the log goes from 0 s to 1.9975 s" in complaint("explain", log, "--at", 7)
+    assert "no tick at -1 s" in complaint("explain", log, "--at", -1)
+    assert "no tick at 2.01 s" in complaint("explain", log, "--at", 2.01)
     line = complaint("explain", cut(log, tmp_path, 0.5), "--at", 1.99)
     assert "the log goes from 0 s to " in line and "cut off at byte" in line
     assert "--at" in complaint("explain", log) and "--at" in complaint("explain", log, "--at", "soon")
@@ -175,7 +175,7 @@ def test_explain_makes_no_tick_of_the_rest_of_one_that_is_lost(log, tmp_path):
     cut = next(i for i in range(1, len(ends) - 1) if ends[i] == starts[i + 1])  # in a tick that both chunks have a part of
     for number, end in [(cut, 2), (cut + 1, 1)]:
         found = without_chunk(log, tmp_path, number)
-        assert f"--at is {found[end]:.6g} s, where no tick can be read" in complaint("explain", found[0], "--at", found[end])
+        assert f"no tick at {found[end]:.6g} s, where no tick can be read" in complaint("explain", found[0], "--at", found[end])
 
 
 @pytest.mark.parametrize("number", [0, 3, -1])

@@ -29,6 +29,12 @@ logged::Change change(const std::string& kind, double time, double force, double
           .force = Vec3(0.0, force, 0.0)};
 }
 
+LogHeader header() {
+  LogHeader header;
+  header.level_names = {"first"};
+  return header;
+}
+
 /// The events of four seconds in which these forces act, each in the physics' last step before a
 /// tick, of which the operator did some; the changes of each second are known before its ticks.
 std::vector<nlohmann::json> events_of(const std::vector<Acts>& forces,
@@ -36,7 +42,7 @@ std::vector<nlohmann::json> events_of(const std::vector<Acts>& forces,
   constexpr double kPeriod = 0.0025, kStep = 0.001;
   GroundTruth truth;
   truth.xfrc_applied.assign(18, 0.0);
-  const ViewChannels channels = tick_channels({"first"}, truth);
+  const ViewChannels channels = tick_channels(header(), truth);
   const auto offset = [&](const char* name) {
     return std::ranges::find(channels.channels, name, &ViewChannel::name)->offset;
   };
@@ -104,7 +110,7 @@ TEST(EventFinder, WhateverTheOperatorDoesAForceOfTheScenarioIsToldAsItIs) {
 }
 
 TEST(EventFinder, AStopIsToldWithWhatWasWrongThenAndInOlderLogsNow) {
-  const ViewChannels channels = tick_channels({"first"}, GroundTruth());
+  const ViewChannels channels = tick_channels(header(), GroundTruth());
   const logged::Hierarchy hierarchy;
   const std::optional<FrictionCone> cone;
   for (const bool is_older : {false, true}) {

@@ -1,8 +1,6 @@
 #include "server/live_view.hpp"
 #include "surefoot/config/stack_text.hpp"
-#include "surefoot/explain/gave_way.hpp"
 #include "surefoot/explain/tick_explanation.hpp"
-#include "surefoot/explain/tick_text.hpp"
 #include "surefoot/logging/log_reader.hpp"
 #include "surefoot/logging/message_decoder.hpp"
 #include "surefoot/replay/log_replay.hpp"
@@ -110,7 +108,7 @@ TEST(LiveControl, an_explained_tick_has_the_order_that_its_levels_had) {
   };
   EXPECT_EQ(names(0.1), level_names(run.scenario.controller.stack));
   EXPECT_EQ(names(0.49), order);
-  const std::string text = tick_text("x", read_tick(folder / "run.mcap", 0.49));
+  const std::string text = read_tick(folder / "run.mcap", 0.49).text();
   EXPECT_LT(text.find(" " + order[order.size() - 2]), text.find(" " + order.back()));
 }
 
@@ -125,20 +123,20 @@ TEST(LiveControl, an_explained_tick_between_two_orders_says_so_and_what_those_be
   const auto at = [&](double time) { return read_tick(folder / "run.mcap", time); };
   for (const double time : {0.1, 0.2475, 0.55, 1.45}) {
     EXPECT_FALSE(at(time).blend) << time;
-    EXPECT_FALSE(test::holds(gave_way_sentence(at(time)), "blended")) << time;
-    EXPECT_TRUE(tick_json("x", at(time)).at("blend").is_null());
+    EXPECT_FALSE(test::holds(at(time).sentence(), "blended")) << time;
+    EXPECT_TRUE(at(time).json().at("blend").is_null());
   }
   for (const double time : {0.25, 0.4, 0.5475}) {
     const TickExplanation tick = at(time);
     ASSERT_TRUE(tick.blend && tick.blend->before && tick.blend->after) << time;
-    const std::string text = gave_way_sentence(tick);
+    const std::string text = tick.sentence();
     EXPECT_TRUE(text.starts_with("Two hierarchies are blended until 0.5500 s (order: ")) << text;
     EXPECT_FALSE(test::holds(text, "not known")) << text;
-    const std::string before = gave_way_sentence(at(0.2475)), behind = gave_way_sentence(at(0.55));
+    const std::string before = at(0.2475).sentence(), behind = at(0.55).sentence();
     EXPECT_TRUE(
         text.ends_with(" Before it, at 0.2475 s: " + before + " Behind it, at 0.5500 s: " + behind))
         << text;
-    EXPECT_EQ(tick_json("x", tick).at("blend").at("until"), 0.55);
+    EXPECT_EQ(tick.json().at("blend").at("until"), 0.55);
   }
 }
 
@@ -147,7 +145,7 @@ TEST(LiveControl, of_a_blend_that_the_log_ends_in_it_is_not_said_until_when) {
   LiveTestRun run({"duration=0.4"});
   run.at(100, gain("com_xy", "kp", 60.0));
   run.run(folder / "run.mcap");
-  const std::string text = gave_way_sentence(read_tick(folder / "run.mcap", 0.39));
+  const std::string text = read_tick(folder / "run.mcap", 0.39).sentence();
   EXPECT_TRUE(text.starts_with("Two hierarchies are blended (com_xy kp ")) << text;
   EXPECT_TRUE(test::holds(text, "Before it, at 0.2475 s: ")) << text;
   EXPECT_FALSE(test::holds(text, "Behind")) << text;

@@ -88,7 +88,9 @@ class LiveTestRun {
 
   void drain() {
     for (const SharedBlock& block : feed.blocks()) {
-      if (channels.floats == 0) channels = tick_channels(names(), truth_of(block));
+      LogHeader header;
+      header.level_names = names();
+      if (channels.floats == 0) channels = tick_channels(header, truth_of(block));
       const auto head = packed({block.frames, 0, block.generation});
       const ReadBlock read =
           read_block(std::string(head.data(), head.size()) + *block.bytes, channels.floats);

@@ -93,7 +93,7 @@ export class App {
     const link = live ? new LiveLink(new LiveSource(schema), session) : new ReplayLink(schema, session);
     this.player = new Player(link.source, live);
     if (link instanceof LiveLink) this.link = link;
-    this.progress = () => link.progress;
+    this.progress = () => (link instanceof ReplayLink ? link.progress : "");
     this.commands = new Commands(this.link?.connection, token);
     this.world = this.makeWorld(urdf);
 

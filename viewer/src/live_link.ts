@@ -173,7 +173,6 @@ export class LiveLink {
         this.source.follow(message.begun);
         this.markEnd(message);
         drive.show(message);
-        this.showUse();
         tune.showStatus(message);
         this.showState();
         break;
@@ -268,11 +267,6 @@ export class LiveLink {
     } catch (error) {
       console.warn(error); // that the connection is lost is shown
     }
-  }
-
-  /** How far what is looked at has come, in words. */
-  get progress(): string {
-    return "";
   }
 
   /** Its log, speed against the wall clock, lost ticks. */

@@ -2,8 +2,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import type { Frame } from "../src/data/frame.ts";
 import { accountAt, accountOf, blendShare, levelStates, type Account, type LevelState } from "../src/data/hierarchy.ts";
-import unusedWords from "../../tests/support/unused_words.json";
-import { blockOf, schemaOf } from "./make.ts";
+import { blockOf, schemaOf, STATES } from "./make.ts";
 import { quantity } from "../src/data/numbers.ts";
 import { readBlock } from "../src/protocol/block.ts";
 import { FrameTable } from "../src/data/table.ts";
@@ -12,11 +11,19 @@ import { heldText } from "../src/panels/level_card.ts";
 const ESTIMATED = "Which rows hold back what is the control loop's estimate.";
 const FIELDS = ["residual", "num_rows", "degrees_of_freedom_left", "iterations"];
 
-function frameOf(residuals: [number, number], more: { active?: [number, number, number, number?][]; blocking?: [number, number, number, number][]; rows?: number } = {}): Frame {
-  const schema = schemaOf(Object.fromEntries(["first", "second"].flatMap((level) => FIELDS.map((field) => [`hierarchy.level.${level}.${field}`, 1]))));
-  const rows = more.rows ?? 2;
+interface More {
+  active?: [number, number, number, number?][];
+  blocking?: [number, number, number, number][];
+  rows?: number;
+  states?: [string, string];
+}
+
+/** A tick of two levels; a level that has a residual gives way, unless `states` says otherwise. */
+function frameOf(residuals: [number, number], { rows = 2, states = residuals.map((one) => (one > 0 ? "gives way" : "met")) as [string, string], ...more }: More = {}): Frame {
+  const schema = schemaOf(Object.fromEntries(["first", "second"].flatMap((level) => [...FIELDS.map((field) => `hierarchy.level.${level}.${field}`), `told.level.${level}.state`].map((name) => [name, 1]))));
+  const [first, second] = states.map((state) => STATES.indexOf(state)) as [number, number];
   const table = new FrameTable(schema, 1);
-  const values = [residuals[0], rows, 6, 1, residuals[1], rows, 0, 2];
+  const values = [residuals[0], rows, 6, 1, first, residuals[1], rows, 0, 2, second];
   readBlock(blockOf([{ tick: 0, time: 0, values, ...more }]), schema.frameFloats, (...frame) => table.append(...frame));
   return table.frame(0);
 }
@@ -30,12 +37,12 @@ test("a level has its time from the tick's timing, and none in a log that has no
 });
 
 test("of a frame of which nothing is known, as a damaged log's summary has it, no rows are counted", () => {
-  const states = levelStates(frameOf([NaN, NaN], { rows: NaN }));
+  const states = levelStates(frameOf([NaN, NaN], { rows: NaN, states: ["", ""] }));
   assert.deepEqual(states.map(({ rows, status }) => [rows, status]), [[0, "not solved"], [0, "not solved"]]);
 });
 
 test("levels that reach what they ask for are met", () => {
-  assert.deepEqual(levelStates(frameOf([1e-12, 0])).map((level) => level.status), ["met", "met"]);
+  assert.deepEqual(levelStates(frameOf([0, 0])).map((level) => level.status), ["met", "met"]);
   assert.deepEqual(accountOf(levelStates(frameOf([0, 0])), ""), { kind: "good", line: "Every level gets what it asks for.", more: [] });
 });
 
@@ -55,7 +62,7 @@ test("an equality that was missed is no limit", () => {
 });
 
 test("a level with a row at its bound is at its limit", () => {
-  const [first, second] = levelStates(frameOf([0, 0], { active: [[0, 1, 1]] }));
+  const [first, second] = levelStates(frameOf([0, 0], { active: [[0, 1, 1]], states: ["at limit", "met"] }));
   assert.equal(first?.status, "at limit");
   assert.deepEqual(first?.active, [{ name: "b", level: 0, state: 1, by: 0 }]);
   assert.equal(second?.status, "met");
@@ -73,19 +80,8 @@ test("all rows that hold a level back are named", () => {
   assert.deepEqual(accountOf(states, "").more, [ESTIMATED, "second gives way to first (b) and first (a), 0.500 m/s² short."]);
 });
 
-test("what is less than people should see is not told, also beyond a bound", () => {
-  assert.equal(levelStates(frameOf([0.2, 0], { active: [[0, 3, 0]] }))[0]?.status, "at limit");
-});
-
-test("a level that is never content is minimised, whatever its residual", () => {
-  const frame = frameOf([200, 0]);
-  Object.assign(frame.schema, { visible: [null, 0.02] });
-  assert.equal(levelStates(frame)[0]?.status, "minimised");
-});
-
 test("of a level that is minimised and held back nobody says that it gets what it asks for", () => {
-  const frame = frameOf([0, 200], { active: [[0, 1, 1]], blocking: [[1, 0, 1, 0.4]] });
-  Object.assign(frame.schema, { visible: [0.5, null] });
+  const frame = frameOf([0, 200], { active: [[0, 1, 1]], blocking: [[1, 0, 1, 0.4]], states: ["at limit", "minimised"] });
   const { kind, line, more } = accountOf(levelStates(frame), "");
   assert.deepEqual([kind, line], ["good", "All tasks are met; second is kept above 0 by first."]);
   assert.deepEqual(more, [ESTIMATED, "second is as small as it can be, held back by first (b)."]);
@@ -139,46 +135,34 @@ test("three levels that are held back above 0 are listed as three", () => {
   assert.equal(accountOf(states, "").line, "All tasks are met; a, b and c are kept above 0.");
 });
 
-test("a level without rows asks for nothing, and where none has rows nothing is claimed", () => {
-  const states = levelStates(frameOf([0, 0], { rows: 0 }));
-  assert.equal(states[0]?.status, "not solved");
-  assert.deepEqual(accountOf(states, "No level is solved."), { kind: "none", line: "No level is solved.", more: [] });
+test("where no level has rows nothing is claimed", () => {
+  const frame = frameOf([0, 0], { rows: 0, states: ["not solved", "not solved"] });
+  assert.deepEqual(accountAt(frame), { kind: "none", line: "No level is solved.", more: [] });
 });
 
 test("that the controller has stopped is no good news", () => {
-  const states = levelStates(frameOf([0, 0], { rows: 0 }));
+  const states = levelStates(frameOf([0, 0], { states: ["not solved", "not solved"] }));
   assert.equal(accountOf(states, "", { stopped: true }).kind, "bad");
 });
 
 test("of a solve that was cut off nothing is said of the level that it was in and those below", () => {
-  const sizes = Object.fromEntries(["first", "second"].flatMap((level) => FIELDS.map((field) => [`hierarchy.level.${level}.${field}`, 1])));
-  const schema = schemaOf({ ...sizes, "hierarchy.status": 1, "hierarchy.failed_level": 1 });
-  const frameAt = (status: number, failed: number): Frame => {
-    const table = new FrameTable(schema, 1);
-    readBlock(blockOf([{ tick: 0, time: 0, values: [0, 2, 6, 1, 0.01, 2, 0, 2, status, failed], active: [[1, 1, 0]] }]), schema.frameFloats, (...frame) => table.append(...frame));
-    return table.frame(0);
-  };
-  const statesOf = (status: number, failed: number): LevelState[] => levelStates(frameAt(status, failed));
-  const states = statesOf(1, 1);
+  const frame = frameOf([0, 2], { active: [[1, 1, 0]], states: ["met", "not solved"] });
+  const states = levelStates(frame);
   assert.deepEqual(states.map(({ status }) => status), ["met", "not solved"]);
   assert.deepEqual([states[1]?.residual, states[1]?.active], [NaN, []]);
   const cut = "The solver was cut off in second: of it and the levels below it nothing is known.";
-  assert.deepEqual(accountOf(states, ""), { kind: "bad", line: cut, more: [] });
-  assert.match(accountAt(frameAt(2, -1)).line, /^No hierarchy was solved: /, "whatever an older program left in its record");
-  assert.equal(accountAt(frameAt(1, 0)).line, cut.replace("second", "first"));
-  for (const [status, failed] of [[0, -1], [1, 2]] as const) assert.deepEqual(statesOf(status, failed).map((one) => one.status), ["met", "at limit"], "only x is not the shortest");
+  assert.deepEqual(accountAt(frame), { kind: "bad", line: cut, more: [] });
+  assert.equal(accountAt(frameOf([2, 2], { states: ["not solved", "not solved"] })).line, cut.replace("second", "first"));
 });
 
-test("of a solution that commands nothing the same is said as explain says", () => {
-  const schema = schemaOf({ "hierarchy.status": 1, "hierarchy.level.first.num_rows": 1, "command.mode": 1, "told.stop": 1 });
-  for (const [solved, mode, cause, , text] of unusedWords as [boolean, string, string, string, string][]) {
-    const why = cause === "none" ? "" : (/because (.*)\.$/.exec(text)?.[1] ?? "");
-    for (const [name, value] of [["command.mode", mode], ["told.stop", why]] as const) Object.assign(schema.channel(name) as object, { values: [value] });
-    const table = new FrameTable(schema, 1);
-    table.append(0, 0, Float32Array.from([solved ? 0 : 2, 3, 0, 0]), undefined);
-    const { line, kind } = accountAt(table.frame(0));
-    assert.deepEqual([line, kind], [text, cause === "none" ? "none" : "bad"]);
-  }
+test("of a solution that commands nothing it is told in the program's words", () => {
+  const texts: Record<string, string> = { "command.mode": "sit", "told.unused": "No hierarchy was solved", "told.because": "IMU stopped", "told.stop": "IMU stopped" };
+  const schema = schemaOf({ ...Object.fromEntries(Object.keys(texts).map((name) => [name, 1])), "hierarchy.level.first.num_rows": 1 });
+  for (const [name, text] of Object.entries(texts)) Object.assign(schema.channel(name) as object, { values: [text] });
+  const table = new FrameTable(schema, 1);
+  table.append(0, 0, Float32Array.from([0, 0, 0, 0, 3]), undefined);
+  const { line, kind } = accountAt(table.frame(0));
+  assert.deepEqual([line, kind], ["No hierarchy was solved: sit, because IMU stopped.", "bad"]);
 });
 
 test("a level's residual is plotted with the unit of its rows", () => {
@@ -202,17 +186,4 @@ test("in a blend two levels that give way keep their sentences", () => {
   const { more } = accountOf(states, "", { share: 0.35 });
   assert.deepEqual(more.slice(1), accountOf(states, "").more);
   assert.equal(more.length, 3);
-});
-
-test("at the first tick of a stop the levels that were solved say nothing of the command", () => {
-  const sizes = Object.fromEntries(["first", "second"].flatMap((level) => FIELDS.map((field) => [`hierarchy.level.${level}.${field}`, 1])));
-  const schema = schemaOf({ ...sizes, "hierarchy.status": 1, "command.mode": 1 });
-  Object.assign(schema.channel("command.mode") as object, { values: ["optimal", "degraded", "hold", "sit", "damping"] });
-  const statusAt = (mode: number): string[] => {
-    const table = new FrameTable(schema, 1);
-    readBlock(blockOf([{ tick: 0, time: 0, values: [3000, 2, 6, 1, 0.5, 2, 0, 2, 0, mode], active: [[0, 1, 1]] }]), schema.frameFloats, (...frame) => table.append(...frame));
-    return levelStates(table.frame(0)).map(({ status, residual, active }) => `${status} ${residual} ${active.length}`);
-  };
-  assert.deepEqual(statusAt(0), ["gives way 3000 1", "gives way 0.5 0"]);
-  for (const stopped of [3, 4]) assert.deepEqual(statusAt(stopped), ["not solved NaN 0", "not solved NaN 0"]);
 });

@@ -9,7 +9,7 @@ import { schemaOf } from "./make.ts";
 const LEVELS = ["first", "second", "third"];
 
 function frameOf(levels: string[]): Frame {
-  const header = { robot: { mass: 30 }, level_names: LEVELS, level_units: ["N", "m", "m"], level_visible: [1, 1, 1], event_names: [] };
+  const header = { robot: { mass: 30 }, level_names: LEVELS, level_units: ["N", "m", "m"], event_names: [] };
   const schema = schemaOf(Object.fromEntries(LEVELS.map((level) => [`hierarchy.level.${level}.num_rows`, 1])), { header, orders: [{ tick: 0, levels }] } as unknown as Parameters<typeof schemaOf>[1]);
   const table = new FrameTable(schema, 1);
   table.append(0, 0, Float32Array.from(LEVELS, () => 2), undefined);

@@ -11,7 +11,7 @@ import { blockOf, schemaOf } from "./make.ts";
 const PERIOD = 0.0025;
 
 function sessionOf(more: Partial<Session> = {}): Session {
-  const header = { robot: { mass: 30 }, level_names: [], level_units: [], level_visible: [], event_names: [] };
+  const header = { robot: { mass: 30 }, level_names: [], level_units: [], event_names: [] };
   return {
     protocol: PROTOCOL, start: "this one", generation: 0, begun: 0, first_tick: 0, period: PERIOD, frame_floats: 1, header,
     channels: [{ name: "x", unit: "", about: "", size: 1, offset: 0 }], orders: [], rows: [], bodies: [], limits: {}, ...more,

@@ -1,15 +1,19 @@
 import { Schema } from "../src/data/schema.ts";
 import type { ChannelInfo, Session } from "../src/protocol/session.ts";
 
+/** What a level's state may be, as the program lists it. */
+export const STATES = ["not solved", "no rows", "met", "at limit", "gives way", "minimised"];
+
 /** A schema of channels given as name → size, in order. */
 export function schemaOf(sizes: Record<string, number>, more: Partial<Session> = {}): Schema {
   let offset = 0;
   const channels: ChannelInfo[] = Object.entries(sizes).map(([name, size]) => {
-    const channel = { name, unit: "", about: "", size, offset };
+    const channel: ChannelInfo = { name, unit: "", about: "", size, offset };
+    if (name.startsWith("told.level.")) channel.values = STATES;
     offset += size;
     return channel;
   });
-  const header = { robot: { mass: 30 }, level_names: ["first", "second"], level_units: ["N", "m/s²"], level_visible: [0.5, 0.02], event_names: ["none", "lift-off"] };
+  const header = { robot: { mass: 30 }, level_names: ["first", "second"], level_units: ["N", "m/s²"], event_names: ["none", "lift-off"] };
   const session = { channels, frame_floats: offset, rows: [["a", "b"], ["c"]], header, orders: [], bodies: [], ...more };
   return new Schema(session as unknown as Session);
 }

@@ -9,7 +9,7 @@ import { schemaOf } from "./make.ts";
 const PERIOD = 0.0025;
 
 function sessionOf(start: string, summarised: number): Session {
-  const header = { level_names: [], level_units: [], level_visible: [], event_names: [] };
+  const header = { level_names: [], level_units: [], event_names: [] };
   return {
     protocol: PROTOCOL, start, mode: "replay", first_tick: 0, ticks: 800, summarised, period: PERIOD, frame_floats: 1, header, ended: "", cut: "",
     channels: [{ name: "x", unit: "", about: "", size: 1, offset: 0 }], orders: [], damage: [], rows: [], bodies: [],

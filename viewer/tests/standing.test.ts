@@ -25,16 +25,16 @@ test("a foot carries that is to carry and, where the truth is known, touches the
   assert.deepEqual(feetAt([NaN, NaN, NaN, NaN]), [0, 1, 2], "as planned");
 });
 
-/** A tick with a plan and what is believed, of a solve with this status and a command of this mode (0: the solution's, 3: sit, 4: damping). */
-function plannedFrame(status: number, mode: number, time = 0): Frame {
+/** A tick with a plan and what is believed; `unused`: nothing of the plan is commanded. */
+function plannedFrame(unused: boolean, time = 0): Frame {
   const schema = schemaOf({
-    "hierarchy.status": 1, "command.mode": 1, "plan.com.zmp": 2, "plan.com.p": 2, "plan.R_WC": 9, "plan.terrain_point": 3, "model.p_WCom": 3,
+    "told.unused": 1, "plan.com.zmp": 2, "plan.com.p": 2, "plan.R_WC": 9, "plan.terrain_point": 3, "model.p_WCom": 3,
     ...Object.fromEntries(LEGS.flatMap((_, k) => [[LEG_CHANNELS.phase[k], 1], [LEG_CHANNELS.plannedFoot[k], 3], [LEG_CHANNELS.foot[k], 3], [LEG_CHANNELS.force[k], 3]])),
   });
-  Object.assign(schema.channel("command.mode") as object, { values: ["optimal", "degraded", "hold", "sit", "damping"] });
+  Object.assign(schema.channel("told.unused") as object, { values: ["", "No hierarchy was solved"] });
   const ground = [1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0];
   const legs = LEGS.flatMap((_, k) => [k < 2 ? 2 : 0, k + time, 1, 0.03, k, 1, 0.03, 0, 0, 100]);
-  return { schema, tick: 0, time, values: Float32Array.from([status, mode, 0.1, 0.2, 0.1 + time, 0.2, ...ground, 0.1, 0.2, 0.4, ...legs]), active: [], blocking: [] };
+  return { schema, tick: 0, time, values: Float32Array.from([Number(unused), 0.1, 0.2, 0.1 + time, 0.2, ...ground, 0.1, 0.2, 0.4, ...legs]), active: [], blocking: [] };
 }
 
 function pictureOf(frame: Frame, samples: Frame[]): Picture {
@@ -66,28 +66,27 @@ function seenOf(make: () => Overlay, frame: Frame, samples: Frame[]): number {
 
 for (const [name, make] of PLANNED) {
   test(`of a plan that commands no more nothing is drawn: ${name}`, () => {
-    const before = [0, 0.5, 1].map((time) => plannedFrame(0, 0, time));
-    const at = (status: number, mode: number): number => seenOf(make, plannedFrame(status, mode, 1.5), before);
-    assert.ok(at(0, 0) > 0 && at(1, 1) > 0, "while it does");
-    assert.deepEqual([at(2, 2), at(2, 3), at(2, 4)], [0, 0, 0], "nothing was solved");
-    assert.deepEqual([at(0, 3), at(0, 4)], [0, 0], "at the first tick of a stop, behind the solver");
+    const before = [0, 0.5, 1].map((time) => plannedFrame(false, time));
+    const at = (unused: boolean): number => seenOf(make, plannedFrame(unused, 1.5), before);
+    assert.ok(at(false) > 0, "while it does");
+    assert.equal(at(true), 0);
   });
 }
 
 test("of the centre of mass the plan goes with a stop, and the mass stays while it is known", () => {
   const planOf = (frame: Frame): [boolean, boolean] => {
     const overlay = new CentreOfMass();
-    overlay.update(pictureOf(frame, [0, 0.5, 1].map((time) => plannedFrame(0, 0, time))));
+    overlay.update(pictureOf(frame, [0, 0.5, 1].map((time) => plannedFrame(false, time))));
     const plan = overlay.root.children.find((one) => one instanceof THREE.Group) as THREE.Group;
     return [overlay.root.visible, seen(plan) > 0];
   };
-  assert.deepEqual(planOf(plannedFrame(0, 0, 1.5)), [true, true]);
-  assert.deepEqual(planOf(plannedFrame(0, 3, 1.5)), [true, false]);
+  assert.deepEqual(planOf(plannedFrame(false, 1.5)), [true, true]);
+  assert.deepEqual(planOf(plannedFrame(true, 1.5)), [true, false]);
 });
 
 test("before a stop nothing is drawn of what a dead plan says behind it", () => {
-  const frame = plannedFrame(0, 0, 1);
-  const alive = [plannedFrame(0, 0, 0), plannedFrame(0, 0, 1)], dead = [plannedFrame(2, 4, 5), plannedFrame(2, 4, 6)];
+  const frame = plannedFrame(false, 1);
+  const alive = [plannedFrame(false, 0), plannedFrame(false, 1)], dead = [plannedFrame(true, 5), plannedFrame(true, 6)];
   for (const make of [() => new SwingCurves(), () => new Footholds(), () => new CentreOfMass()]) {
     const rangesOf = (samples: Frame[]): number[] => {
       const overlay = make();

@@ -6,11 +6,9 @@ import { LEGS } from "../src/data/schema.ts";
 import { GroundForces, OutsideForce } from "../src/overlays/forces.ts";
 import type { Picture } from "../src/overlays/overlay.ts";
 import { commandText, faultsText } from "../src/data/stop.ts";
-import { FORCE_SLACK, SHARE_SLACK } from "../src/data/wished_forces.ts";
 import { FrameTable } from "../src/data/table.ts";
 import { sentences } from "../src/panels/state_panel.ts";
-import tickExplanation from "../../surefoot/explain/tick_explanation.cpp";
-import { schemaOf } from "./make.ts";
+import { schemaOf, STATES } from "./make.ts";
 
 const PHASES = ["stance", "unloading", "swing", "search"];
 
@@ -131,30 +129,25 @@ test("what is told to push is drawn, however weak, and nothing else is", () => {
 });
 
 test("forces of the solution that no ground gives stand beside its command, where that is the robot's", () => {
-  const feet = LEGS.flatMap((leg) => [`commanded.normal_force.${leg}`, `plan.feet.${leg}.force_max`, `commanded.friction_use.${leg}`]);
+  const feet = LEGS.flatMap((leg) => [`commanded.normal_force.${leg}`, `commanded.friction_use.${leg}`, `told.beyond.${leg}`]);
   const schema = schemaOf({ "command.mode": 1, ...Object.fromEntries(feet.map((name) => [name, 1])) });
   Object.assign(schema.channel("command.mode") as object, { values: ["optimal", "hold"] });
+  for (const leg of LEGS) Object.assign(schema.channel(`told.beyond.${leg}`) as object, { values: ["", "force", "friction"] });
   const of = (mode: number, ...more: number[][]): string | undefined => {
-    const values = LEGS.flatMap((_, k) => more[k] ?? [80, 400, 0.5]);
+    const values = LEGS.flatMap((_, k) => more[k] ?? [80, 0.5, 0]);
     return new Map(sentences({ schema, tick: 0, time: 0, values: Float32Array.from([mode, ...values]), active: [], blocking: [] })).get("Command");
   };
   assert.equal(of(0), "optimal");
-  assert.equal(of(0, [-0.5, 400, NaN], [400.5, 400, 1.005], [NaN, 400, NaN]), "optimal", "roundings, and what is not known");
-  assert.equal(of(0, [-39.7, 400, NaN], [500, 400, 0.2], [80, 400, 1.3]), "optimal, but for contact forces that no ground gives: LF −39.7 N, RF 500 N, LH 130 % of its pyramid");
-  assert.equal(of(1, [-39.7, 400, NaN]), "hold", "the solution's forces are no part of another command");
-});
-
-test("a force is beyond its limits from where explain says so", () => {
-  const [, loaded] = /kLoaded = ([\d.]+);/.exec(tickExplanation) ?? [], [, slack] = /kSlack = ([\d.]+);/.exec(tickExplanation) ?? [];
-  assert.deepEqual([Number(loaded), Number(slack)], [FORCE_SLACK, SHARE_SLACK]);
+  assert.equal(of(0, [-39.7, NaN, 1], [500, 0.2, 1], [80, 1.3, 2]), "optimal, but for contact forces that no ground gives: LF −39.7 N, RF 500 N, LH 130 % of its pyramid");
+  assert.equal(of(1, [-39.7, NaN, 1]), "hold", "the solution's forces are no part of another command");
 });
 
 test("where the solve was cut off that is told, and what the levels above gave way to as well", () => {
-  const level = (name: string): [string, number][] => ["residual", "num_rows"].map((field) => [`hierarchy.level.${name}.${field}`, 1]);
-  const header = { robot: { mass: 30 }, level_names: ["first", "second", "third"], level_units: ["N", "N", "N"], level_visible: [0.5, 0.5, 0.5], event_names: [] };
-  const schema = schemaOf({ ...Object.fromEntries(["first", "second", "third"].flatMap(level)), "hierarchy.status": 1, "hierarchy.failed_level": 1 }, { header, rows: [["a"], ["b"], ["c"]] } as never);
+  const level = (name: string): [string, number][] => [`hierarchy.level.${name}.residual`, `told.level.${name}.state`].map((field) => [field, 1]);
+  const header = { robot: { mass: 30 }, level_names: ["first", "second", "third"], level_units: ["N", "N", "N"], event_names: [] };
+  const schema = schemaOf({ ...Object.fromEntries(["first", "second", "third"].flatMap(level)) }, { header, rows: [["a"], ["b"], ["c"]] } as never);
   const of = (residual: number): string | undefined => {
-    const frame = { schema, tick: 0, time: 0, values: Float32Array.from([0, 2, residual, 2, 7, 2, 1, 2]), active: [], blocking: [{ level: 1, by: 0, row: 0, cost: 1 }, { level: 2, by: 0, row: 0, cost: 1 }] };
+    const frame = { schema, tick: 0, time: 0, values: Float32Array.from([0, STATES.indexOf("met"), residual, STATES.indexOf(residual > 0 ? "gives way" : "met"), 7, 0]), active: [], blocking: [{ level: 1, by: 0, row: 0, cost: 1 }, { level: 2, by: 0, row: 0, cost: 1 }] };
     return new Map(sentences(frame)).get("Hierarchy");
   };
   const cut = "The solver was cut off in third: of it and the levels below it nothing is known.";

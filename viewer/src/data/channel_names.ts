@@ -4,7 +4,7 @@ import { hasBodies, LEGS, type Schema } from "./schema.ts";
 import type { Series } from "./source.ts";
 
 /** A component's name among those of its channel; "" where it is the only one. */
-export function componentOf({ size, labels }: Pick<ChannelInfo, "size" | "labels">, index: number): string {
+function componentOf({ size, labels }: Pick<ChannelInfo, "size" | "labels">, index: number): string {
   return size === 1 ? "" : (labels?.[index] ?? String(index));
 }
 

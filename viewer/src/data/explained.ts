@@ -3,7 +3,8 @@ import type { Schema } from "./schema.ts";
 
 /** What `/api/explain` answers of a tick (docs/view_protocol.md). */
 export interface ExplainAnswer {
-  gave_way?: { level: string; to: ToldRow[] }[];
+  /** `told`: so many of the rows are worth telling. */
+  gave_way?: { level: string; to: ToldRow[]; told: number }[];
   costs_are_exact?: boolean;
 }
 
@@ -24,21 +25,15 @@ export interface ExactRow {
 /** Exactly what holds each level back, by its name; of what costs most limits first, then by cost. */
 export type Explained = ReadonlyMap<string, { rows: ExactRow[]; others: number }>;
 
-/** Of a level so many rows are told, and none that costs less than this share of the dearest. */
-const MOST = 4, LEAST = 0.1;
-
 /** None where the costs are estimates, as those of the frames. */
 export function readExplained(answer: ExplainAnswer, schema: Pick<Schema, "levels">): Explained | undefined {
   if (answer.costs_are_exact !== true) return undefined;
-  return new Map((answer.gave_way ?? []).map(({ level, to }) => {
+  return new Map((answer.gave_way ?? []).map(({ level, to, told }) => {
     const rows = to.map(({ level: by, row, cost, same }) => ({
       by: schema.levels.indexOf(by), cost: cost ?? NaN,
       row: [row, ...(same ?? []).map((other) => (other.level === by ? other.row : `${other.level} ${other.row}`))].join(" with "),
     }));
-    const least = LEAST * Math.max(0, ...rows.map(({ cost }) => cost || 0));
-    const cheap = rows.findIndex(({ cost }) => least > 0 && !(cost >= least));
-    const told = rows.slice(0, Math.min(MOST, cheap < 0 ? rows.length : cheap));
-    return [level, { rows: told, others: rows.length - told.length }];
+    return [level, { rows: rows.slice(0, told), others: rows.length - told }];
   }));
 }
 

@@ -5,10 +5,8 @@ import type { Explained } from "./explained.ts";
 import { MISSED_EQUALITY, scalar, word, type Frame } from "./frame.ts";
 import { stopText } from "./stop.ts";
 
+/** As `told.level.*.state` says it. */
 export type LevelStatus = "met" | "at limit" | "gives way" | "minimised" | "no rows" | "not solved";
-
-/** Of `hierarchy.status`: ended early, in `hierarchy.failed_level`; nothing was solved. */
-const ITERATION_CAP = 1, INVALID_INPUT = 2;
 
 export interface RowNote {
   name: string;
@@ -51,10 +49,7 @@ export interface LevelState {
 /** What each level of the frame's hierarchy did, highest priority first; `explained`: exactly what holds back which, where that is known. */
 export function levelStates(frame: Frame, explained?: Explained): LevelState[] {
   const { schema } = frame;
-  const order = schema.order(frame.tick);
-  const solves = order.some((level) => scalar(frame, `hierarchy.level.${schema.levels[level]}.num_rows`) > 0);
-  const solved = solvedLevels(frame);
-  return order.map((level, index) => {
+  return schema.order(frame.tick).map((level, index) => {
     const name = schema.levels[level] as string;
     const field = (what: string): number => scalar(frame, `hierarchy.level.${name}.${what}`);
     const unit = schema.units[level] ?? "";
@@ -67,53 +62,28 @@ export function levelStates(frame: Frame, explained?: Explained): LevelState[] {
       .map(({ by, row, cost }) => ({ by, row: schema.rowName(by, row), cost }));
     const exact = explained?.get(name);
     const { rows: blocked, others } = exact ?? { rows: estimated, others: undefined };
-    const state = {
-      level, place: index + 1, name, unit, active, missed, blocked, ...(others === undefined ? {} : { others }),
+    const status = (word(frame, `told.level.${name}.state`) || "not solved") as LevelStatus;
+    const state: LevelState = {
+      level, place: index + 1, name, unit, status, active, missed, blocked, ...(others === undefined ? {} : { others }),
       residual: field("residual"), rows: field("num_rows") || 0,
       freedom: field("degrees_of_freedom_left"), iterations: field("iterations"),
       time: scalar(frame, `timings.level.${name}.solve`),
     };
-    if (!solves) return { ...state, status: "not solved" };
-    if (index >= solved) return { ...state, status: "not solved", residual: NaN, rows: 0, active: [], missed: [], blocked: [] };
-    return { ...state, status: statusOf(state, schema.visible[level]) };
+    return status === "not solved" ? { ...state, residual: NaN, rows: 0, active: [], missed: [], blocked: [] } : state;
   });
 }
 
-/** Modes of a command that follows no plan any more. */
-const STOPPED = ["sit", "damping"];
-
-/** Why a command is of no plan, of a robot that does not stand on its feet. */
-const OFF_ITS_FEET: Record<string, string> = { lifted: "its feet bear too little", rise: "it stands up" };
-
-/** False where no hierarchy was solved: what is planned is then of the last tick at which one was. False also where the controller has stopped for
- * safety, be it at this very tick, behind the solver: what was planned and solved commands nothing then. */
-export const isFollowed = (frame: Frame): boolean => scalar(frame, "hierarchy.status") !== INVALID_INPUT && !STOPPED.includes(word(frame, "command.mode"));
-
-/** How many of the highest levels are at their optimum: of a solve that was cut off the numbers of others say nothing. */
-function solvedLevels(frame: Frame): number {
-  const status = scalar(frame, "hierarchy.status"), failed = scalar(frame, "hierarchy.failed_level");
-  if (!isFollowed(frame)) return 0;
-  return status === ITERATION_CAP && failed >= 0 ? failed : Infinity;
-}
-
-function statusOf({ residual, rows, active }: Omit<LevelState, "status">, visible: number | null | undefined): LevelStatus {
-  if (rows === 0) return "no rows";
-  if (visible === null) return "minimised";
-  if (residual > (visible ?? 0)) return "gives way";
-  return active.length > 0 ? "at limit" : "met";
-}
+/** False where what was planned and solved commands nothing: what is planned may then be of the last tick at which it did. */
+export const isFollowed = (frame: Frame): boolean => word(frame, "told.unused") === "";
 
 /** Of a tick at which no level is at its optimum, or whose solution commands nothing, in the words of `explain`. */
-export function nothingText(frame: Frame, states: LevelState[]): string {
-  if (isFollowed(frame)) return solvedLevels(frame) === 0 ? cutOffText(states[0]) : "No level is solved.";
-  const begin = scalar(frame, "hierarchy.status") === INVALID_INPUT
-    ? "No hierarchy was solved" : "The controller stopped, and what was solved was not used";
-  const why = stopText(frame) || OFF_ITS_FEET[word(frame, "command.mode")] || "there was no state to believe";
-  return `${begin}: ${word(frame, "command.mode")}, because ${why}.`;
+function nothingText(frame: Frame, [first]: LevelState[]): string {
+  if (!isFollowed(frame)) return `${word(frame, "told.unused")}: ${word(frame, "command.mode")}, because ${word(frame, "told.because")}.`;
+  const hasRows = first !== undefined && scalar(frame, `hierarchy.level.${first.name}.num_rows`) > 0;
+  return hasRows ? cutOffText(first) : "No level is solved.";
 }
 
-const cutOffText = (level: LevelState | undefined): string =>
-  level === undefined ? "" : `The solver was cut off in ${plainName(level)}: of it and the levels below it nothing is known.`;
+const cutOffText = (level: LevelState): string => `The solver was cut off in ${plainName(level)}: of it and the levels below it nothing is known.`;
 
 /** What the hierarchy came to: a line, and sentences for whoever wants more. */
 export interface Account {

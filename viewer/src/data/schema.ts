@@ -8,7 +8,7 @@ export const LEG_CHANNELS = {
   friction: ofLegs((leg) => `plan.feet.${leg}.friction`),
   frictionUse: ofLegs((leg) => `commanded.friction_use.${leg}`),
   normalForce: ofLegs((leg) => `commanded.normal_force.${leg}`),
-  mostForce: ofLegs((leg) => `plan.feet.${leg}.force_max`),
+  beyond: ofLegs((leg) => `told.beyond.${leg}`),
   pyramid: ofLegs((leg) => `commanded.q_WP.${leg}`),
   pyramidFriction: ofLegs((leg) => `commanded.pyramid_friction.${leg}`),
   plannedFoot: ofLegs((leg) => `plan.feet.${leg}.p_WF`),
@@ -60,8 +60,6 @@ export class Schema {
   readonly weight: number;
   readonly levels: string[];
   readonly units: string[];
-  /** Residuals that people should see; null: the level asks for nothing and is never content. */
-  readonly visible: (number | null)[];
   readonly rows: string[][];
   orders: Order[];
   readonly events: string[];
@@ -76,7 +74,6 @@ export class Schema {
     this.weight = newtonsOf(session.header.robot);
     this.levels = session.header.level_names;
     this.units = session.header.level_units;
-    this.visible = session.header.level_visible;
     this.rows = session.rows;
     this.orders = session.orders;
     this.events = session.header.event_names;

@@ -94,7 +94,7 @@ class TableFrame implements Frame {
 }
 
 /** Entries of rows as they stand in a block. */
-export function unpackRows(rows: Uint8Array | undefined): { active: ActiveRow[]; blocking: BlockingRow[] } {
+function unpackRows(rows: Uint8Array | undefined): { active: ActiveRow[]; blocking: BlockingRow[] } {
   const active: ActiveRow[] = [];
   const blocking: BlockingRow[] = [];
   if (rows === undefined) return { active, blocking };

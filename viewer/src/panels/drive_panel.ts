@@ -14,7 +14,7 @@ const WALK_STEPS = { forward: 0.01, left: 0.01, turn: 0.02, height: 0.005 };
 export type Axis = keyof typeof WALK_STEPS;
 
 /** The most that can be asked for. */
-export function walkLimits(limits: Limits): Record<Axis, number> {
+function walkLimits(limits: Limits): Record<Axis, number> {
   return { forward: limits.walk_velocity, left: limits.walk_velocity, turn: limits.walk_yaw_rate, height: limits.walk_height };
 }
 

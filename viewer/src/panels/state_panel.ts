@@ -63,7 +63,7 @@ function whereabouts(frame: Frame, topic: string): string {
 }
 
 /** How far the estimate has drifted since the run's first tick, in words. */
-export function estimateError(frame: Frame): string {
+function estimateError(frame: Frame): string {
   const [distance, heading] = [scalar(frame, "estimate.position_error"), scalar(frame, "estimate.heading_error")];
   if (Number.isNaN(distance + heading)) return "";
   return `${digits(100 * distance)} cm and ${digits((Math.abs(heading) * 180) / Math.PI)}° in heading since the start`;

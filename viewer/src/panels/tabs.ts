@@ -8,7 +8,7 @@ interface Page {
 }
 
 /** Which tab a key leads to from that at `place`; undefined: the key is none of theirs. */
-export function placeAfter(key: string, place: number, count: number): number | undefined {
+function placeAfter(key: string, place: number, count: number): number | undefined {
   switch (key) {
     case "ArrowRight":
       return (place + 1) % count;

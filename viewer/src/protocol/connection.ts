@@ -9,7 +9,6 @@ export interface Status {
   real_factor: number;
   time: number;
   tick: number;
-  clients: number;
   can_command: boolean;
   /** Seconds of the run until the robot has calibrated itself, 0 where it takes longer than usual; null: it does not calibrate. */
   calibrating: number | null;
@@ -46,7 +45,7 @@ export interface Events {
 export type ServerMessage = Status | Events | Reply | Notice;
 
 /** Reads a text message; an error says that it is none. */
-export function readMessage(text: string): ServerMessage {
+function readMessage(text: string): ServerMessage {
   const message = parsed(text) as Partial<ServerMessage> | null | undefined;
   if (typeof message?.type !== "string") throw new Error("what the program said is no message: program and page are of different versions, load the page again");
   return message as ServerMessage;

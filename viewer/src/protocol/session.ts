@@ -62,8 +62,6 @@ export interface Header {
   estimation: string;
   level_names: string[];
   level_units: string[];
-  /** Residuals that people should see; null: the level is never content. */
-  level_visible: (number | null)[];
   event_names: string[];
   robot: {
     name: string;

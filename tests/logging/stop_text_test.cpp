@@ -1,4 +1,4 @@
-#include "surefoot/explain/stop_text.hpp"
+#include "surefoot/logging/stop_text.hpp"
 
 #include "surefoot/logging/message_codec.hpp"
 #include "tests/support/source_file.hpp"

@@ -1,4 +1,4 @@
-#include "surefoot/explain/weighted_question.hpp"
+#include "surefoot/config/weighted_question.hpp"
 
 #include "surefoot/base/error.hpp"
 #include "surefoot/solver/weighted_levels.hpp"

@@ -1,4 +1,4 @@
-#include "surefoot/explain/stop_text.hpp"
+#include "surefoot/logging/stop_text.hpp"
 
 #include "surefoot/logging/message_fields.hpp"
 
@@ -79,6 +79,11 @@ std::string text_of_stop(const TickRecord& tick) {
   if (now == nullptr || command.fault != SampleFault::none)
     return text_of_stop(command.cause, command.fault, command.joint);
   return text_of_stop(command.cause, now->fault, now->joint);
+}
+
+std::string mode_text(CommandMode mode, std::string_view why) {
+  const std::string name(logged::kModeNames[static_cast<std::size_t>(mode)]);
+  return "command mode: " + name + (why.empty() ? "" : ", as " + std::string(why));
 }
 
 const std::vector<std::string>& stop_texts() {

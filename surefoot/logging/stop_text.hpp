@@ -3,6 +3,7 @@
 #include "surefoot/signals/tick_record.hpp"
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace surefoot {
@@ -15,6 +16,9 @@ namespace surefoot {
 /// The same of a tick: what was wrong with a sensor when it was lost; in logs before 2.8, which
 /// don't tell, what is wrong with it now.
 [[nodiscard]] std::string text_of_stop(const TickRecord& tick);
+
+/// "command mode: sit, as IMU stopped"; `why`: as of `text_of_stop`.
+[[nodiscard]] std::string mode_text(CommandMode mode, std::string_view why);
 
 /// All that `text_of_stop` may say; first the empty text.
 [[nodiscard]] const std::vector<std::string>& stop_texts();

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "surefoot/signals/tick_record.hpp"
-#include "surefoot/solver/solution.hpp"
 
 #include <algorithm>
 #include <cstdint>
@@ -10,10 +9,13 @@
 
 namespace surefoot {
 
+/// Of `HierarchyReport::status`, as in the log's schema.
+inline constexpr std::int32_t kIterationCap = 1, kInvalidInput = 2;
+
 /// False where no state was believed, or the input was invalid: no force and no residual is of
 /// that tick, whatever its record has.
 [[nodiscard]] inline bool was_solved(const HierarchyReport& report) {
-  return report.status != static_cast<std::int32_t>(SolveStatus::invalid_input);
+  return report.status != kInvalidInput;
 }
 
 /// False also where the controller stopped for safety at that very tick, behind the solver: what
@@ -29,7 +31,7 @@ namespace surefoot {
     const TickRecord& tick, std::span<const std::int16_t> order) {
   const HierarchyReport& report = tick.hierarchy;
   if (!was_used(tick)) return {};
-  if (report.status != static_cast<std::int32_t>(SolveStatus::iteration_cap)) return order;
+  if (report.status != kIterationCap) return order;
   const auto failed = std::ranges::find(order, static_cast<std::int16_t>(report.failed_level));
   return order.first(static_cast<std::size_t>(failed - order.begin()));
 }
@@ -37,7 +39,7 @@ namespace surefoot {
 /// Of a tick that was computed here, not read; of a level by its place. NaN: not solved.
 [[nodiscard]] inline double computed_residual(const HierarchyReport& report, std::size_t level) {
   const auto place = static_cast<std::int32_t>(level);
-  const bool is_cut_off = report.status == static_cast<std::int32_t>(SolveStatus::iteration_cap);
+  const bool is_cut_off = report.status == kIterationCap;
   const bool is_known = was_solved(report) && place < report.num_levels &&
                         !(is_cut_off && report.failed_level >= 0 && place >= report.failed_level);
   return is_known ? report.levels[level].residual : std::numeric_limits<double>::quiet_NaN();

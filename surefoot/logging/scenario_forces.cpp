@@ -1,4 +1,4 @@
-#include "surefoot/explain/scenario_forces.hpp"
+#include "surefoot/logging/scenario_forces.hpp"
 
 #include <algorithm>
 #include <utility>

@@ -1,10 +1,8 @@
-#include "surefoot/replay/exact_costs.hpp"
-
 #include "surefoot/base/error.hpp"
 #include "surefoot/base/formatted.hpp"
+#include "surefoot/explain/explain.hpp"
 #include "surefoot/explain/gave_way.hpp"
-#include "surefoot/explain/hierarchy_status.hpp"
-#include "surefoot/explain/level_account.hpp"
+#include "surefoot/logging/hierarchy_status.hpp"
 #include "surefoot/replay/log_replay.hpp"
 #include "surefoot/solver/even_units.hpp"
 #include "surefoot/solver/lexicographic_solver.hpp"
@@ -51,7 +49,7 @@ std::optional<ExactCosts> costs_of(const Controller& controller, const LogHeader
   const NamedHierarchy question = question_of(controller);
   const Solution solution =
       solve_in_even_units<LexicographicSolver>(question.hierarchy, LexicographicOptions{});
-  const std::vector<LevelAccount> levels = account_for(question, solution);
+  const std::vector<LevelAccount> levels = explain_solution(question, solution).levels;
   ExactCosts costs;
   for (const std::int16_t number : solved_by_log) {
     const auto own = std::ranges::find(levels, header.level_name(number), &LevelAccount::name);
@@ -107,19 +105,26 @@ std::string find_all(LogReplay& replay, const std::vector<Wanted>& list,
   return "ticks before it are lost, so its hierarchy can't be made again";
 }
 
-}  // namespace
-
-void find_exact_costs(const std::string& path, TickExplanation& explanation,
-                      const std::function<bool()>& stops) {
+/// Does nothing where no level gave way.
+void find_exact_costs(TickExplanation& explanation, const std::function<bool()>& stops) {
   const std::vector<Wanted> list = wanted(explanation);
   const bool is_asked = explanation.blend || !gave_way(explanation).empty();
   if (list.empty() || !is_asked) return;
   try {
-    LogReplay replay(path);
+    LogReplay replay(explanation.log);
     explanation.why_estimates = find_all(replay, list, stops);
   } catch (const Error& error) {
     explanation.why_estimates = error.what();
   }
+}
+
+}  // namespace
+
+TickExplanation explain_tick(const std::string& log, double time, Costs costs,
+                             const std::function<bool()>& stops) {
+  TickExplanation explanation = read_tick(log, time);
+  if (costs == Costs::exact) find_exact_costs(explanation, stops);
+  return explanation;
 }
 
 }  // namespace surefoot

@@ -1,0 +1,58 @@
+#pragma once
+
+#include "python/level_dict.hpp"
+#include "surefoot/base/printable.hpp"
+#include "surefoot/explain/explain.hpp"
+
+#include <nanobind/stl/filesystem.h>
+
+#include <cmath>
+#include <filesystem>
+#include <string>
+
+namespace surefoot::python {
+
+/// Of a tick of a log, or of a solved hierarchy; `Explanation` in Python.
+struct Explanation {
+  std::string text, json;
+
+  static Explanation of(const auto& told) {
+    using Json = nlohmann::ordered_json;
+    return {printable(told.text(), "\n"),
+            told.json().dump(-1, ' ', false, Json::error_handler_t::replace)};
+  }
+};
+
+inline Explanation explain_log(const std::filesystem::path& log, double time, bool exact) {
+  if (!std::isfinite(time)) throw Error("time is " + text(time) + "; expected seconds of the log");
+  const nb::gil_scoped_release others_may_run;
+  return Explanation::of(explain_tick(log, time, exact ? Costs::exact : Costs::estimated));
+}
+
+inline void bind_explaining(nb::module_& module) {
+  using Self = Explanation;
+  nb::class_<Self>(module, "Explanation", "What gave way to what, and at what cost.")
+      .def_ro("text", &Self::text, "for people, in lines")
+      .def_prop_ro(
+          "facts",
+          [](const Self& self) {
+            return nb::cast<nb::dict>(
+                nb::module_::import_("json").attr("loads")(nb::str(self.json.c_str())));
+          },
+          "the same, whole, as `--json` of the program has it: SI units, and of costs and "
+          "residuals "
+          "the level's")
+      .def("__str__", [](const Self& self) { return self.text; });
+
+  module.def(
+      "explain", &explain_log, nb::arg("log"), nb::arg("time"), nb::arg("exact") = false,
+      "Explains the tick of a log next to a time [s], as `surefoot explain` does.\n\n"
+      "exact=True computes the log's controller again up to the tick, for what the rows that held\n"
+      "levels back really cost; otherwise their costs are the control loop's estimates. Where it\n"
+      "can't be computed, facts[\"why_estimates\"] says why.\n"
+      "Raises FileError where the log can't be read, and Error, with the log's range, where it "
+      "has\n"
+      "no tick at that time.");
+}
+
+}  // namespace surefoot::python

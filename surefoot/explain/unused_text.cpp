@@ -1,0 +1,43 @@
+#include "surefoot/explain/unused_text.hpp"
+
+#include "surefoot/logging/hierarchy_status.hpp"
+#include "surefoot/logging/stop_text.hpp"
+
+namespace surefoot {
+namespace {
+
+constexpr const char* kLifted = "its feet bear too little";
+constexpr const char* kRises = "it stands up";
+constexpr const char* kNoState = "there was no state to believe";
+
+/// Of a controller that has not stopped.
+const char* without_state(CommandMode mode) {
+  if (mode == CommandMode::lifted) return kLifted;
+  return mode == CommandMode::rise ? kRises : kNoState;
+}
+
+}  // namespace
+
+UnusedText unused_text(const TickRecord& tick) {
+  if (was_used(tick)) return {};
+  const std::string stop = text_of_stop(tick);
+  return {unused_texts()[was_solved(tick.hierarchy) ? 2 : 1],
+          stop.empty() ? without_state(tick.command.mode) : stop};
+}
+
+const std::vector<std::string>& unused_texts() {
+  static const std::vector<std::string> texts{
+      "", "No hierarchy was solved", "The controller stopped, and what was solved was not used"};
+  return texts;
+}
+
+const std::vector<std::string>& unused_reasons() {
+  static const std::vector<std::string> texts = [] {
+    std::vector<std::string> all = stop_texts();
+    all.insert(all.end(), {kLifted, kRises, kNoState});
+    return all;
+  }();
+  return texts;
+}
+
+}  // namespace surefoot

@@ -1,0 +1,54 @@
+"""The explanations that Python gives are the program's."""
+
+import json
+import os
+import subprocess
+
+import pytest
+
+import surefoot
+
+
+def program(*words):
+    return subprocess.run([os.environ["SUREFOOT_PROGRAM"], *map(str, words)], capture_output=True, text=True).stdout
+
+
+@pytest.mark.parametrize("budget", [float("inf"), 0])
+def test_a_solution_is_explained_as_the_program_does(budget, tmp_path):
+    levels = [{"name": "limits", "D": [[1, 0], [0, 1]], "lower": [None, -1], "f": [1, 2], "D_names": ["x", "y"], "unit": "N"},
+              {"name": "goal", "A": [[1, 1]], "b": [9], "A_names": ["sum"], "A_weights": [2], "unit": "m/s²"}]
+    file = tmp_path / "hierarchy.jsonl"
+    file.write_text(json.dumps({"levels": levels}) + "\n")
+    ours = surefoot.solve(levels, budget=budget).explain()
+    told = json.loads(program("solve", file, "--explain", "--json", *([] if budget else ["--budget", 0])))
+    without_times = [{key: value for key, value in level.items() if key != "time_s"} for level in ours.facts["levels"]]
+    assert without_times == [{key: value for key, value in level.items() if key != "time_s"} for level in told["levels"]]
+    assert [ours.facts[key] for key in ("x", "status")] == [told[key] for key in ("x", "status")]
+    assert str(ours) == ours.text and ours.text.startswith("status: ")
+    if budget:
+        assert "held back by 1 limits, which costs" in ours.text and "sum is 6 m/s² too low, weighted 2 times" in ours.text
+    else:
+        assert "status: iteration_cap, at its budget" in ours.text
+
+
+def test_a_tick_of_a_log_is_explained_as_the_program_does(log):
+    for exact in (False, True):
+        ours = surefoot.explain(log, 1.0, exact=exact)
+        assert ours.facts["time"] == 1.0 and ours.facts["costs_are_exact"] in (False, exact)
+    assert ours.text == program("explain", log, "--at", 1)
+    assert ours.facts == json.loads(program("explain", log, "--at", 1, "--json"))
+
+
+def test_what_can_not_be_explained_is_an_error_that_says_why(log, tmp_path):
+    with pytest.raises(surefoot.Error, match="no tick at 99 s; the log goes from 0 s to"):
+        surefoot.explain(log, 99)
+    with pytest.raises(surefoot.Error, match="time is nan"):
+        surefoot.explain(log, float("nan"))
+    with pytest.raises(surefoot.FileError, match="none.mcap"):
+        surefoot.explain(tmp_path / "none.mcap", 1)
+
+
+def test_wilsons_interval_is_that_of_the_results():
+    low, high = surefoot.wilson_interval(19, 20)
+    assert (low, high) == pytest.approx((0.7639, 0.9911), abs=1e-4)
+    assert surefoot.wilson_interval(0, 0) == (0, 1)
