@@ -1,3 +1,4 @@
+#include "surefoot/explain/gave_way.hpp"
 #include "surefoot/explain/tick_explanation.hpp"
 #include "surefoot/logging/hierarchy_status.hpp"
 #include "surefoot/logging/message_fields.hpp"
