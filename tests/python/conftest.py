@@ -23,10 +23,13 @@ os.environ["PYTHONPATH"] = os.pathsep.join(filter(None, [str(SOURCE / "python"),
 
 
 def pytest_collection_modifyitems(items):
-    """What drives a browser runs by itself, and is tried twice (decision 0020); the summary names those that needed it."""
+    """Files that drive a browser run by themselves. What drives it is tried twice (decision 0020); the summary names those that needed it."""
+    driving = {item for item in items if "browser" in item.fixturenames}
+    files = {item.path for item in driving}
     for item in items:
-        if "browser" in item.fixturenames:
+        if item.path in files:
             item.add_marker(pytest.mark.browser)
+        if item in driving:
             item.add_marker(pytest.mark.flaky(reruns=1))
 
 
