@@ -1,13 +1,12 @@
 #include "cli/program.hpp"
 
-#include "cli/demo.hpp"
 #include "cli/dump_command.hpp"
 #include "cli/exit_code.hpp"
-#include "cli/experiments.hpp"
 #include "cli/list_command.hpp"
 #include "cli/log_commands.hpp"
 #include "cli/program_log.hpp"
 #include "cli/program_view.hpp"
+#include "cli/python_tools.hpp"
 #include "cli/run_command.hpp"
 #include "cli/solve_command.hpp"
 #include "surefoot/base/build_info.hpp"
@@ -134,24 +133,6 @@ Examples:
   surefoot list schema scenario > scenario.schema.json   for editors: scenario, randomisation, robot or stack
 )";
 
-std::string demo_footer() {
-  std::string text = "\nExperiments, each with a report:\n";
-  for (const Experiment& experiment : experiments()) {
-    text += "  " + experiment.name + (experiment.seeds ? ", and over --seeds" : "") +
-            (experiment.as_found ? " (as found: any result is one)" : "") + "\n";
-  }
-  return text + R"(
-They take some minutes on two cores; most of it goes to those over seeds.
-
-Exit codes: 0 every experiment came out as it must, 1 one did not, 2 the input is wrong or the demo
-was interrupted (experiments that were whole by then stay, with their index).
-
-Examples:
-  surefoot demo --seeds 3 --jobs 2 --out out
-  surefoot demo --view                                   walk down the step, in a browser
-)";
-}
-
 // Each seed has a row of its results in memory, each job a process.
 constexpr int kMostSeeds = 1'000'000, kMostJobs = 1000;
 
@@ -186,6 +167,8 @@ void add_run(CLI::App& app, Command& chosen) {
   run->add_option("--report", arguments->report,
                   "Write an HTML report into this folder, and its log unless --record keeps it")
       ->check(some_name());
+  run->add_flag("--no-pictures", arguments->no_pictures,
+                "Leave strip and clip out of the report, which take seconds");
   run->add_option("--video", arguments->video,
                   "Film the run into this file (MP4), as `surefoot video` does of its log")
       ->check(some_name());
@@ -281,24 +264,16 @@ void add_dump(CLI::App& app, Command& chosen) {
   });
 }
 
+/// A Python program, which also reads its own arguments.
 void add_demo(CLI::App& app, Command& chosen) {
   CLI::App* demo =
       app.add_subcommand("demo", "Run the paper's experiments and print them beside its numbers");
-  demo->footer(demo_footer());
-  const auto arguments = std::make_shared<DemoArguments>();
-  demo->add_option("--out", arguments->out, "Folder for the reports; build/demo by default")
-      ->check(some_name());
-  demo->add_option("--seeds", arguments->seeds, "Seeds of each random experiment")
-      ->check(whole_number(1, kMostSeeds))
-      ->capture_default_str();
-  demo->add_option("--jobs", arguments->jobs, "Processes at once")
-      ->check(whole_number(1, kMostJobs))
-      ->capture_default_str();
-  demo->add_flag("--no-pictures", arguments->no_pictures,
-                 "Leave strip and clip out of the reports, which take seconds each");
-  add_view(*demo, arguments->view);
-  demo->callback(
-      [&chosen, arguments] { chosen = [arguments] { return demo_command(*arguments); }; });
+  demo->prefix_command()->set_help_flag();
+  demo->callback([&chosen, demo] {
+    chosen = [words = demo->remaining()]() -> int {
+      become_python("demo", "surefoot_campaign.demo", words);
+    };
+  });
 }
 
 int tell(const std::string& message) {

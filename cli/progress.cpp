@@ -64,26 +64,17 @@ Progress::Progress(std::string label, double total, std::string unit)
 
 Progress::~Progress() { wipe(); }
 
-void Progress::update(double done) { update(done, done / total_); }
-
-void Progress::update(double done, double share) {
+void Progress::update(double done) {
   done_ = done;
-  share_ = share;
   const Clock::time_point now = Clock::now();
   if (terminal_ ? now - last_ < kRedraw : now - last_ < kNextLine) return;
   last_ = now;
   draw();
 }
 
-void Progress::say(const std::string& line) {
-  wipe();
-  std::fprintf(stderr, "%s\n", printable(line).c_str());
-  if (terminal_) draw();
-}
-
 void Progress::draw() const {
   const std::string left =
-      time_left(std::chrono::duration<double>(Clock::now() - begin_).count(), share_);
+      time_left(std::chrono::duration<double>(Clock::now() - begin_).count(), done_ / total_);
   if (!terminal_) {
     std::fprintf(stderr, "%s: %.4g of %.4g %s%s\n", label_.c_str(), done_, total_, unit_.c_str(),
                  left.c_str());

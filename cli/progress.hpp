@@ -25,10 +25,6 @@ class Progress {
   Progress& operator=(const Progress&) = delete;
 
   void update(double done);
-  /// `share` of the work that is done, from 0 to 1, where `done` does not tell it.
-  void update(double done, double share);
-  /// A line of its own, above the bar.
-  void say(const std::string& line);
 
  private:
   using Clock = std::chrono::steady_clock;
@@ -37,7 +33,7 @@ class Progress {
   void wipe() const;
 
   std::string label_, unit_;
-  double total_, done_ = 0.0, share_ = 0.0;
+  double total_, done_ = 0.0;
   bool terminal_;
   Clock::time_point begin_, last_;
 };

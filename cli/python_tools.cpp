@@ -3,6 +3,7 @@
 #include "surefoot/base/error.hpp"
 
 #include <fcntl.h>
+#include <signal.h>
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -11,8 +12,8 @@
 #include <cctype>
 #include <cerrno>
 #include <cstdlib>
+#include <cstring>
 #include <filesystem>
-#include <vector>
 
 namespace surefoot {
 namespace {
@@ -23,16 +24,28 @@ std::string python() {
   return named == nullptr ? "" : named;
 }
 
+std::vector<std::string> command_of(const std::string& module,
+                                    const std::vector<std::string>& words) {
+  std::vector<std::string> command{python(), "-m", module};
+  command.insert(command.end(), words.begin(), words.end());
+  return command;
+}
+
+/// As the system's calls want it.
+std::vector<char*> pointers(std::vector<std::string>& command) {
+  std::vector<char*> arguments;
+  for (std::string& word : command) arguments.push_back(word.data());
+  arguments.push_back(nullptr);
+  return arguments;
+}
+
 /// Runs a Python package and waits for it; what it prints goes nowhere, what it complains of where
 /// this program's complaints go. False if it failed or could not be started.
 bool run_python(const std::string& package, const std::vector<std::string>& words) {
   constexpr int kKeep = 0;  // what the launcher names
   setenv("SUREFOOT_PROGRAM", std::filesystem::read_symlink("/proc/self/exe").c_str(), kKeep);
-  std::vector<std::string> command{python(), "-m", package};
-  command.insert(command.end(), words.begin(), words.end());
-  std::vector<char*> arguments;
-  for (std::string& word : command) arguments.push_back(word.data());
-  arguments.push_back(nullptr);
+  std::vector<std::string> command = command_of(package, words);
+  const std::vector<char*> arguments = pointers(command);
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
   posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
@@ -71,11 +84,24 @@ bool film(const std::string& log, const std::string& file) {
   return run_python("surefoot_log", {"video", log, "--out", file});
 }
 
-bool write_report(const std::string& log, const std::string& folder, const ReportOptions& options) {
+bool write_report(const std::string& log, const std::string& folder, bool pictures) {
   std::vector<std::string> words{log, "--out", folder, "--of-run"};
-  if (!options.pictures) words.emplace_back("--no-pictures");
-  if (options.quiet) words.emplace_back("--quiet");
+  if (!pictures) words.emplace_back("--no-pictures");
   return run_python("surefoot_report", words);
+}
+
+void become_python(const std::string& option, const std::string& module,
+                   const std::vector<std::string>& words) {
+  check_has_python(option);
+  setenv("SUREFOOT_PROGRAM", std::filesystem::read_symlink("/proc/self/exe").c_str(), 1);
+  sigset_t ending;
+  sigemptyset(&ending);
+  sigaddset(&ending, SIGINT);
+  sigaddset(&ending, SIGTERM);
+  sigprocmask(SIG_BLOCK, &ending, nullptr);
+  std::vector<std::string> command = command_of(module, words);
+  execv(python().c_str(), pointers(command).data());
+  throw Error(option + ": " + python() + " can't be started: " + std::strerror(errno));
 }
 
 }  // namespace surefoot

@@ -1,8 +1,9 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
-/// What the Python packages beside the program make of a log: reports and films.
+/// The Python packages beside the program: they make reports and films of logs, and many runs.
 namespace surefoot {
 
 /// Throws Error if they can't be started; `option` is what asks for them.
@@ -14,15 +15,13 @@ void check_can_film(const std::string& file);
 /// Films a log. False if that failed, which is then told on standard error.
 [[nodiscard]] bool film(const std::string& log, const std::string& file);
 
-/// Of a report.
-struct ReportOptions {
-  bool pictures = true;  ///< with strip and clip, which take most of its time
-  bool quiet = false;    ///< does not tell on standard error that the page can be opened meanwhile
-};
+/// Writes the report of a log into a folder that nobody else writes to, with its pictures, which
+/// take most of its time, or without. False if that failed, which is then told on standard error.
+[[nodiscard]] bool write_report(const std::string& log, const std::string& folder, bool pictures);
 
-/// Writes the report of a log into a folder that nobody else writes to. False if that failed,
-/// which is then told on standard error.
-[[nodiscard]] bool write_report(const std::string& log, const std::string& folder,
-                                const ReportOptions& options = {});
+/// Goes on as a Python module that starts this program for each run. ^C and SIGTERM wait until it
+/// takes them. Throws Error if it can't be started; `option` is what asks for it.
+[[noreturn]] void become_python(const std::string& option, const std::string& module,
+                                const std::vector<std::string>& words);
 
 }  // namespace surefoot

@@ -139,14 +139,6 @@ std::string steered(const Json& run) {
          " while it ran, so this is no verdict on the scenario alone\n";
 }
 
-std::string rate_text(const Json& rate) {
-  const Json& interval = rate.at("interval");
-  return std::to_string(rate.at("successes").get<int>()) + " of " +
-         std::to_string(rate.at("trials").get<int>()) +
-         " (95 %: " + number(100.0 * interval[0].get<double>(), "%.0f") + " … " +
-         number(100.0 * interval[1].get<double>(), "%.0f") + " %)";
-}
-
 std::string times(int count) { return count == 1 ? "once" : std::to_string(count) + " times"; }
 
 std::string events_of_run(const Json& run) {
@@ -160,17 +152,6 @@ std::string events_of_run(const Json& run) {
   return table.empty() ? "" : "\n" + aligned(table);
 }
 
-std::string events_of_seeds(const Json& seeds) {
-  Table table;
-  for (const Json& event : seeds.at("events")) {
-    table.push_back({event.at("event").get<std::string>(),
-                     "in " + std::to_string(event.at("runs").get<int>()) + " of " +
-                         std::to_string(seeds.at("runs").size()) + " runs",
-                     times(event.at("count").get<int>()) + " in all"});
-  }
-  return table.empty() ? "" : "\n" + aligned(table);
-}
-
 /// What the name of a metric leaves open.
 std::string remark(const std::string& metric) {
   if (metric == "friction_margin_min") return "of any foot; 0: one slid, be it at a touchdown";
@@ -178,22 +159,15 @@ std::string remark(const std::string& metric) {
   return "";
 }
 
-std::string failures(const Json& runs) {
-  Table table;
-  for (const Json& run : runs) {
-    if (run.value("succeeded", false)) continue;
-    std::string why = run.value("reason", "");
-    for (const Json& criterion : run.value("criteria", Json::array())) {
-      if (criterion.at("passed").get<bool>()) continue;
-      const auto metric = criterion.at("metric").get<std::string>();
-      const Json value = criterion.at("value");
-      why += "; " + metric + " " +
-             (criterion.contains("equals") ? "" : pretty(metric, value) + ", ") + "must be " +
-             asked(criterion);
-    }
-    table.push_back({"seed " + std::to_string(run.value("seed", std::uint64_t{0})), why});
+/// What the run's criteria ask of a metric, and whether it holds: "≤ 0.5 mm ✓"; empty if nothing.
+std::string asked_of(const Json& run, const std::string& metric) {
+  for (const Json& criterion : run.at("criteria")) {
+    const auto name = criterion.at("metric").get<std::string>();
+    if (name == metric) return asked(criterion);
+    if (name.starts_with(metric + "."))
+      return name.substr(metric.size() + 1) + " " + asked(criterion);
   }
-  return table.empty() ? "" : aligned(table) + "\n";
+  return "";
 }
 
 }  // namespace
@@ -211,16 +185,6 @@ std::string pretty(const std::string& metric, const Json& value) {
          with_unit(member("max"), unit_of(metric));
 }
 
-std::string asked_of(const Json& run, const std::string& metric) {
-  for (const Json& criterion : run.at("criteria")) {
-    const auto name = criterion.at("metric").get<std::string>();
-    if (name == metric) return asked(criterion);
-    if (name.starts_with(metric + "."))
-      return name.substr(metric.size() + 1) + " " + asked(criterion);
-  }
-  return "";
-}
-
 std::string run_table(const Scenario& scenario, const Json& run) {
   constexpr std::array<std::string_view, 4> kInTitle{"succeeded", "reason", "seed", "version"};
   Table table{{"", "measured", "must be", "paper", ""}};
@@ -233,28 +197,6 @@ std::string run_table(const Scenario& scenario, const Json& run) {
   }
   return title(scenario, run) + seed_line(run) + "\n" + verdict(run) + steered(run) + "\n" +
          aligned(table) + events_of_run(run);
-}
-
-std::string seeds_line(const Scenario& scenario, const Json& seeds) {
-  const bool has_goal = std::isfinite(scenario.goal.feet_beyond_x);
-  const Json& rates = seeds.at("rates");
-  return (has_goal ? "goal reached " : "succeeded ") +
-         rate_text(rates.at(has_goal ? "goal_reached" : "succeeded")) + ", fell " +
-         std::to_string(rates.at("fell").at("successes").get<int>());
-}
-
-std::string seeds_table(const Scenario& scenario, const Json& seeds) {
-  Table rates;
-  for (const auto& [name, rate] : seeds.at("rates").items())
-    rates.push_back({name, rate_text(rate)});
-  Table table{{"", "median", "worst", "paper", ""}};
-  for (const auto& [metric, summary] : seeds.at("metrics").items()) {
-    table.push_back({metric, with_unit(summary.at("median").get<double>(), unit_of(metric)),
-                     with_unit(summary.at("worst").get<double>(), unit_of(metric)),
-                     paper_of(scenario, metric), remark(metric)});
-  }
-  return title(scenario, seeds) + "\n" + failures(seeds.at("runs")) + aligned(rates) + "\n" +
-         aligned(table) + events_of_seeds(seeds);
 }
 
 }  // namespace surefoot

@@ -7,7 +7,6 @@
 #include "cli/results_json.hpp"
 #include "cli/results_table.hpp"
 #include "cli/run_cost.hpp"
-#include "cli/seed_runs.hpp"
 #include "surefoot/base/error.hpp"
 #include "surefoot/base/printable.hpp"
 #include "surefoot/closed_loop/closed_loop.hpp"
@@ -63,12 +62,6 @@ void check_outputs(const RunArguments& arguments) {
   check_writable_file(arguments.video);
 }
 
-/// A log that was asked for by name is replaced only when the new one is whole.
-void remove_outdated_of(const RunArguments& arguments, const PlannedRun& run) {
-  if (run.report.empty()) return;
-  remove_outdated(run.report, arguments.record.empty() ? run.log : std::filesystem::path());
-}
-
 /// This call's alone, while it writes there. Leaves no folder behind that it made for nothing.
 class ReportFolder {
  public:
@@ -95,37 +88,14 @@ class ReportFolder {
               (log.empty() ? "" : "; the log " + partial_path(log) + " holds the run so far"));
 }
 
-/// The logs that an interrupt cut off.
-std::string cut_logs(const std::vector<PlannedRun>& runs) {
-  std::string names;
-  for (const PlannedRun& run : runs) {
-    const std::string log = partial_path(run.log.string());
-    if (!run.log.empty() && std::filesystem::exists(log)) {
-      names += (names.empty() ? "" : ", ") + log;
-    }
-  }
-  return names;
-}
-
-[[noreturn]] void report_interrupt(const std::vector<PlannedRun>& runs, std::size_t finished,
-                                   bool logs_are_kept) {
-  const std::string logs = logs_are_kept ? cut_logs(runs) : "";
-  throw Error("interrupted: " +
-              (finished == 0 ? "no results"
-                             : std::to_string(finished) + " of " + std::to_string(runs.size()) +
-                                   " seeds are finished and shown") +
-              (logs.empty() ? "" : "; logs that are not whole: " + logs));
-}
-
 void print(const RunArguments& arguments, const Json& json, const std::string& table) {
   std::cout << printable(arguments.json ? json.dump() + "\n" : table, "\n") << std::flush;
 }
 
-/// The same rule for one run and for many.
-int exit_code(const Scenario& scenario, const std::vector<Json>& runs) {
-  if (enough_succeeded(scenario, runs)) return kPassed;
-  const auto stopped = [](const Json& run) { return run.value("safety_stop", false); };
-  return std::ranges::any_of(runs, stopped) ? kSafetyStop : kFailed;
+/// A success rate above 0 is 1 of one run.
+int exit_code(const Scenario& scenario, const RunResult& result) {
+  if (result.metrics.succeeded || scenario.success_rate <= 0.0) return kPassed;
+  return result.safety_stop ? kSafetyStop : kFailed;
 }
 
 /// The run's result stands whatever became of its film. `log`: of the run; empty: it is not kept.
@@ -156,7 +126,7 @@ int watch_one(const RunArguments& arguments) {
       scenario, {.record_path = arguments.record, .progress = {}, .interrupted = interrupted},
       arguments.view, tell);
   if (result.ending == Ending::interrupted) report_interrupt(log);
-  return exit_code(scenario, {run_json(scenario, result)});
+  return exit_code(scenario, result);
 }
 
 int run_one(const RunArguments& arguments) {
@@ -168,8 +138,9 @@ int run_one(const RunArguments& arguments) {
   if (!arguments.report.empty()) check_setup(scenario);
   const ReportFolder folder(arguments.report);
   check_outputs(arguments);
-  remove_outdated_of(arguments,
-                     {.request = {}, .log = log, .report = arguments.report, .video = {}});
+  // A log that was asked for by name is replaced only when the new one is whole.
+  if (!arguments.report.empty())
+    remove_outdated(arguments.report, arguments.record.empty() ? log : "");
   tell_notes(scenario);
   RunResult result;
   {
@@ -179,7 +150,8 @@ int run_one(const RunArguments& arguments) {
                                         .interrupted = interrupted});
   }
   if (result.ending == Ending::interrupted) report_interrupt(place.is_kept() ? log : "");
-  const bool has_report = arguments.report.empty() || write_report(log, arguments.report);
+  const bool has_report =
+      arguments.report.empty() || write_report(log, arguments.report, !arguments.no_pictures);
   if (!arguments.report.empty() && has_report)
     std::fprintf(stderr, "report: %s/index.html\n", arguments.report.c_str());
   if (!arguments.video.empty())
@@ -190,7 +162,7 @@ int run_one(const RunArguments& arguments) {
     throw Error("the report was not written; surefoot report " + log + " --out " +
                 arguments.report + " tries again");
   }
-  return exit_code(scenario, {json});
+  return exit_code(scenario, result);
 }
 
 /// What a run would leave out or change, besides the warnings of the scenario.
@@ -210,6 +182,7 @@ int check_one(const RunArguments& arguments) {
                                            .seed = arguments.seed.value_or(0),
                                            .assignments = arguments.assignments});
   const std::vector<std::string> notes = check_setup(scenario);
+  check_outputs(arguments);
   const RunCost cost = run_cost(scenario);
   tell_notes(scenario);
   Json json = check_json(scenario);
@@ -221,74 +194,19 @@ int check_one(const RunArguments& arguments) {
   return kPassed;
 }
 
-std::vector<PlannedRun> plan_runs(const RunArguments& arguments, const std::filesystem::path& log) {
-  std::vector<PlannedRun> runs;
-  for (int i = 0; i < arguments.seeds; ++i) {
-    PlannedRun run;
-    const std::uint64_t seed = arguments.seed.value_or(1) + static_cast<std::uint64_t>(i);
-    run.request = {
-        .name_or_path = arguments.scenario, .seed = seed, .assignments = arguments.assignments};
-    if (!arguments.video.empty()) run.video = with_seed(arguments.video, seed);
-    if (!log.empty()) run.log = with_seed(log, seed);
-    if (!arguments.report.empty()) {
-      run.report = std::filesystem::path(arguments.report) / ("seed" + std::to_string(seed));
-    }
-    runs.push_back(run);
-  }
-  return runs;
-}
-
-std::string outcome(const Json& row) {
-  const bool succeeded = row.value("succeeded", false);
-  return "seed " + std::to_string(row.value("seed", std::uint64_t{0})) + ": " +
-         (succeeded ? "succeeded" : "did not succeed") + ", " + row.value("reason", "");
-}
-
-/// What can't be typed as --seed could not be run again.
-void check_last_seed(const RunArguments& arguments) {
-  const std::uint64_t first = arguments.seed.value_or(1);
-  const std::uint64_t last = first + static_cast<std::uint64_t>(arguments.seeds) - 1;
-  if (last <= kLargestSeed) return;
-  throw Error("--seeds: " + std::to_string(arguments.seeds) + " from seed " +
-              std::to_string(first) + " on end at " + std::to_string(last) + ", which is above " +
-              std::to_string(kLargestSeed) + ", the largest seed");
-}
-
-int run_seeds(const RunArguments& arguments) {
-  check_last_seed(arguments);
-  const LogPlace place(arguments);
-  const std::vector<PlannedRun> runs = plan_runs(arguments, place.path());
-  const Scenario scenario = load_scenario(runs.front().request);
-  check_setup(scenario);
-  const ReportFolder folder(arguments.report);
-  check_outputs(arguments);
-  for (const PlannedRun& run : runs) {
-    if (!run.log.empty()) check_not_being_written(run.log);
-    remove_outdated_of(arguments, run);
-  }
-  tell_notes(scenario);
-  std::vector<Json> rows;
-  {
-    Progress progress(scenario.name, arguments.seeds, "runs");
-    double done = 0.0;
-    rows = run_all(runs, arguments.jobs, [&](std::size_t, const Json& row) {
-      progress.update(++done);
-      if (is_whole(row)) progress.say(outcome(row));
-    });
-  }
-  const auto not_whole = std::erase_if(rows, [](const Json& row) { return !is_whole(row); });
-  if (rows.empty()) report_interrupt(runs, 0, place.is_kept());
-  if (all_the_same(rows)) {
-    std::fputs(
-        "surefoot: warning: all runs are the same: the scenario draws nothing at random, so "
-        "rates and their intervals mean nothing\n",
-        stderr);
-  }
-  Json json = seeds_json(scenario, rows);
-  if (not_whole > 0) json["interrupted"] = true;
-  print(arguments, json, seeds_table(scenario, json));
-  if (not_whole > 0) report_interrupt(runs, rows.size(), place.is_kept());
-  return exit_code(scenario, rows);
+/// Many runs are Python's, which starts this program for each of them.
+[[noreturn]] void run_seeds(const RunArguments& arguments) {
+  std::vector<std::string> words{
+      arguments.scenario, "--first=" + std::to_string(arguments.seed.value_or(1)),
+      "--seeds=" + std::to_string(arguments.seeds), "--jobs=" + std::to_string(arguments.jobs)};
+  for (const std::string& assignment : arguments.assignments)
+    words.push_back("--set=" + assignment);
+  if (!arguments.record.empty()) words.push_back("--record=" + arguments.record);
+  if (!arguments.report.empty()) words.push_back("--report=" + arguments.report);
+  if (!arguments.video.empty()) words.push_back("--video=" + arguments.video);
+  if (arguments.no_pictures) words.emplace_back("--no-pictures");
+  if (arguments.json) words.emplace_back("--json");
+  become_python("--seeds", "surefoot_campaign.seeds", words);
 }
 
 /// What --view can't go with.
@@ -314,7 +232,8 @@ int run_command(const RunArguments& arguments) {
   if (arguments.view.view) check_watched(arguments);
   if (arguments.check) return check_one(arguments);
   if (arguments.view.view) return watch_one(arguments);
-  return arguments.seeds > 0 ? run_seeds(arguments) : run_one(arguments);
+  if (arguments.seeds > 0) run_seeds(arguments);
+  return run_one(arguments);
 }
 
 }  // namespace surefoot

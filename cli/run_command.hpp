@@ -18,6 +18,7 @@ struct RunArguments {
   std::vector<std::string> assignments;
   std::string record;
   std::string report;
+  bool no_pictures = false;  ///< in the report: they take seconds
   std::string video;
   bool json = false;
   bool check = false;  ///< read the scenario and run nothing

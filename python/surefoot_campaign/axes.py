@@ -2,8 +2,9 @@
 
 from dataclasses import dataclass
 
+from surefoot_campaign.program import yaml_text
 from surefoot_campaign.results import is_number
-from surefoot_campaign.spec import CASE, yaml_text
+from surefoot_campaign.spec import CASE
 from surefoot_campaign.units import label, unit_of_parameter
 
 SEEDS_A_BIN = 10  # points of a grid share their draws: more of them fill no bin better

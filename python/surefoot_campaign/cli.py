@@ -1,15 +1,13 @@
 """The command `surefoot campaign`."""
 
 import argparse
-import contextlib
 import json
 import os
 import pathlib
 import shlex
-import signal
 import sys
 
-from surefoot_campaign.command_line import Parser, folder_name, interrupt, whole_number
+from surefoot_campaign.command_line import WRONG_INPUT, Parser, folder_name, run_command, tell, whole_number
 from surefoot_campaign.errors import InputError
 from surefoot_campaign.journal import Journal, check_campaign, read_rows
 from surefoot_campaign.outcome import ended_from_outside, row_of
@@ -19,10 +17,10 @@ from surefoot_campaign.program import Program, Refused, arguments_of
 from surefoot_campaign.progress import Progress
 from surefoot_campaign.report import short_table, write_all
 from surefoot_campaign.results import records_of
-from surefoot_campaign.scheduler import SCHEDULERS, Task, make_scheduler
+from surefoot_campaign.scheduler import SCHEDULERS, Task, make_scheduler, results_of
 from surefoot_campaign.spec import load_spec
 
-ALL_RIGHT, SOME_BROKE, WRONG_INPUT = 0, 1, 2
+ALL_RIGHT, SOME_BROKE = 0, 1
 BROKEN = ("crashed", "timed_out", "refused")
 
 DESCRIPTION = """Run a grid or a random draw of scenario parameters times seeds, each run in a process of its own.
@@ -111,23 +109,19 @@ def run_missing(plan, missing, scheduler, journal, program):
     tasks = {run.id: Task(run.id, [str(program.path), *arguments_of(run.file, run.seed, run.parameters), "--json"],
                           plan.spec.timeout) for run in missing}  # fmt: skip
     of_id = {run.id: run for run in missing}
-    progress = Progress(plan.spec.name, len(plan.runs) - len(missing), len(plan.runs))
-    ended = 0
-    with contextlib.closing(scheduler.run(tasks.values())) as results:
-        try:
-            for result in results:
-                run = of_id[result.id]
-                if ended_from_outside(result):
-                    ended += 1
-                    continue
-                row = row_of(plan.spec.name, run, tasks[run.id], result)
-                check_unchanged(run, row, program)
-                journal.append(row)
-                progress.update()
-                if row["outcome"] in BROKEN:
-                    progress.say(f"{description(run, plan.spec)}: {row['outcome'].replace('_', ' ')}: {row['reason']}")
-        finally:
-            progress.wipe()
+    ended, done, total = 0, len(plan.runs) - len(missing), len(plan.runs)
+    with Progress(plan.spec.name, done, total) as progress, results_of(scheduler, tasks.values()) as results:
+        for result in results:
+            run = of_id[result.id]
+            if ended_from_outside(result, scheduler.stopped):
+                ended += 1
+                continue
+            row = row_of(plan.spec.name, run, tasks[run.id], result)
+            check_unchanged(run, row, program)
+            journal.append(row)
+            progress.update()
+            if row["outcome"] in BROKEN:
+                progress.say(f"{description(run, plan.spec)}: {row['outcome'].replace('_', ' ')}: {row['reason']}")
     return ended
 
 
@@ -175,21 +169,17 @@ def make_campaign(plan, program, arguments, folder, typed):
         missing = by_seed([run for run in plan.runs if not is_done(run, journal.rows, arguments.retry)])
         tell_what_is_done(plan, missing, journal)
         copy = program.copied_to(folder / "program")
-        trouble = None
         try:
             ended = run_missing(plan, missing, scheduler, journal, Program(copy.absolute()))
-            if ended:
-                trouble = f"{ended} runs were ended from outside"
-        except KeyboardInterrupt:
-            trouble = "interrupted"
-            journal.reload()
+        except OSError as error:
+            raise InputError(f"{error}; rows that are finished are kept") from None
         finally:
             copy.unlink(missing_ok=True)
         status = finish(plan, journal, program, arguments, folder)
-        if trouble is None:
+        if not ended and not scheduler.stopped:
             return status
-        print(f"surefoot: {trouble}: {go_on_message(plan, journal, typed)}", file=sys.stderr)
-        return WRONG_INPUT
+        trouble = "interrupted" if scheduler.stopped else f"{ended} runs were ended from outside"
+        return tell(f"{trouble}: {go_on_message(plan, journal, typed)}")
 
 
 def campaign(typed):
@@ -208,13 +198,4 @@ def campaign(typed):
 
 
 def main(typed):
-    signal.signal(signal.SIGTERM, interrupt)
-    try:
-        return campaign(typed)
-    except InputError as error:
-        print(f"surefoot: {error}", file=sys.stderr)
-    except KeyboardInterrupt:
-        print("surefoot: interrupted", file=sys.stderr)
-    except OSError as error:
-        print(f"surefoot: {error}; rows that are finished are kept", file=sys.stderr)
-    return WRONG_INPUT
+    return run_command(campaign, typed)

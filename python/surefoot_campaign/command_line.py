@@ -2,8 +2,12 @@
 
 import argparse
 import pathlib
+import signal
+import sys
 
 from surefoot_campaign.errors import InputError, valid_names
+
+WRONG_INPUT = 2
 
 
 class Parser(argparse.ArgumentParser):
@@ -18,9 +22,9 @@ class Parser(argparse.ArgumentParser):
         raise InputError(f"{message}; see surefoot {name} --help")
 
 
-def whole_number(text):
-    if not text.isdecimal() or int(text) < 1:
-        raise argparse.ArgumentTypeError(f'"{text}" is not a whole number of at least 1')
+def whole_number(text, most=None):
+    if not text.isdecimal() or int(text) < 1 or (most and int(text) > most):
+        raise argparse.ArgumentTypeError(f'"{text}" is not a whole number {f"from 1 to {most}" if most else "of at least 1"}')
     return int(text)
 
 
@@ -33,3 +37,24 @@ def folder_name(text):
 def interrupt(*_):
     """For signals that end the command as ^C does."""
     raise KeyboardInterrupt
+
+
+def tell(message):
+    print(f"surefoot: {message}", file=sys.stderr)
+    return WRONG_INPUT
+
+
+def run_command(command, typed):
+    """Its exit code; what is wrong with the input is one line on stderr."""
+    ending = (signal.SIGINT, signal.SIGTERM)
+    for number in ending:
+        signal.signal(number, interrupt)
+    try:
+        signal.pthread_sigmask(signal.SIG_UNBLOCK, ending)  # the program keeps them back until here
+        return command(typed)
+    except InputError as error:
+        return tell(error)
+    except KeyboardInterrupt:
+        return tell("interrupted: no results")
+    except OSError as error:
+        return tell(f"{error.filename}: {error.strerror}" if error.filename else error)

@@ -95,10 +95,6 @@ class Journal:
             raise
         self.rows[row["id"]] = row
 
-    def reload(self):
-        """After an interrupt, which may have come between a row on the disk and our note of it."""
-        self.rows = read_rows(self.path)
-
     def close(self):
         os.close(self.fd)
 

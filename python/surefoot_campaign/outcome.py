@@ -34,12 +34,19 @@ def read_result(stdout):
     return result if isinstance(result, dict) and isinstance(result.get("succeeded"), bool) else None
 
 
-def ended_from_outside(result):
-    """Somebody asked the run to end: it tells nothing, and must be made again."""
+def ended_from_outside(result, stopped):
+    """Somebody asked the run to end, or has `stopped` its scheduler: it tells nothing, and must be made again."""
+    if stopped or result.timed_out:
+        return stopped and result.status not in JUDGED
     asked = result.status in (-signal.SIGTERM, -signal.SIGINT)
-    return not result.timed_out and (
-        asked or (result.status == WRONG_INPUT and last_line(result.stderr).startswith("interrupted"))
-    )
+    return asked or (result.status == WRONG_INPUT and last_line(result.stderr).startswith("interrupted"))
+
+
+def number_at(result, name):
+    """A metric that is a number, or None; "tick_us.p99" is a member."""
+    for key in name.split("."):
+        result = result.get(key) if isinstance(result, dict) else None
+    return result if isinstance(result, (int, float)) and not isinstance(result, bool) else None
 
 
 def judge(task, result):

@@ -9,7 +9,8 @@ from dataclasses import dataclass
 
 from surefoot_campaign.draws import draw
 from surefoot_campaign.errors import InputError, valid_names
-from surefoot_campaign.spec import CASE, yaml_text
+from surefoot_campaign.program import yaml_text
+from surefoot_campaign.spec import CASE
 
 
 @dataclass(frozen=True)

@@ -4,14 +4,17 @@ import hashlib
 import json
 import os
 import pathlib
+import re
 import shlex
 import shutil
 import subprocess
 from dataclasses import dataclass
 
 from surefoot_campaign.errors import InputError
-from surefoot_campaign.outcome import WRONG_INPUT
-from surefoot_campaign.spec import yaml_text
+from surefoot_campaign.outcome import WRONG_INPUT, last_line
+
+MAX_SEED = 999_999_999  # of --seed
+PLAIN_WORD = re.compile(r"[A-Za-z_][A-Za-z0-9_./-]*")
 
 
 class Refused(InputError):
@@ -28,6 +31,13 @@ class Check:
     notes: tuple  # what is worth telling, though nothing is wrong
 
 
+def yaml_text(value):
+    """A value as the program's --set reads it."""
+    if isinstance(value, str) and PLAIN_WORD.fullmatch(value):
+        return value
+    return json.dumps(value, ensure_ascii=False)
+
+
 def arguments_of(scenario, seed, parameters):
     assignments = [f"{key}={yaml_text(value)}" for key, value in parameters.items()]
     return ["run", scenario, "--seed", str(seed), *(["--set", *assignments] if assignments else [])]
@@ -39,17 +49,19 @@ class Program:
         self.path = pathlib.Path(path or os.environ.get("SUREFOOT_PROGRAM", "surefoot"))
         self.typed = os.environ.get("SUREFOOT_COMMAND", str(self.path))
         if not self.path.is_file():
-            raise InputError(f"the program {self.path} is not there; start campaigns with bin/surefoot campaign")
+            raise InputError(f"the program {self.path} is not there; bin/surefoot starts it")
 
-    def check(self, scenario, parameters):
-        """Throws what the program says: Refused, if it refuses them."""
-        command = [str(self.path), *arguments_of(scenario, 0, parameters), "--check", "--json"]
+    def about(self, arguments):
+        """What the program says of a run before it begins. Throws its words: Refused, if it refuses the arguments."""
+        command = [str(self.path), *arguments, "--check", "--json"]
         done = subprocess.run(command, stdin=subprocess.DEVNULL, capture_output=True, text=True)
         if done.returncode != 0:
-            lines = done.stderr.strip().splitlines() or [f"the program ended with {done.returncode}"]
             kind = Refused if done.returncode == WRONG_INPUT else InputError
-            raise kind(lines[-1].removeprefix("surefoot: "))
-        found = json.loads(done.stdout)
+            raise kind(last_line(done.stderr) or f"the program ended with {done.returncode}")
+        return json.loads(done.stdout)
+
+    def check(self, scenario, parameters):
+        found = self.about(arguments_of(scenario, 0, parameters))
         return Check(found["sources_hash"], found["metrics"], self._version(found["version"], found["commit"]), tuple(found["notes"]))
 
     def _version(self, version, commit):
@@ -65,6 +77,10 @@ class Program:
         shutil.copy2(self.path, partial)
         partial.replace(path)
         return path
+
+    def pinned(self):
+        """This very file, whatever is built in its place while this process lives."""
+        return Program(f"/proc/{os.getpid()}/fd/{os.open(self.path, os.O_RDONLY)}")
 
     def command(self, scenario, seed, parameters):
         """What to type to run this again, here."""

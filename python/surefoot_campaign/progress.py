@@ -8,6 +8,9 @@ REDRAW = 0.2  # s, on a terminal
 NEXT_LINE = 10.0  # s, elsewhere
 
 
+EARLY, SHORT, LITTLE = 2.0, 60.0, 0.05  # s, s and a share: what is known by then of the time that is left, and what is worth telling
+
+
 def duration_text(seconds):
     if seconds < 90:
         return f"{seconds:.0f} s"
@@ -23,10 +26,17 @@ class Progress:
         self.terminal = self.stream.isatty()
         self.started = self.last = time.monotonic()
 
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        self.wipe()
+
     def left(self):
-        """Seconds, from the pace so far; None before the first run."""
-        made = self.done - self.before
-        return None if made == 0 else (time.monotonic() - self.started) / made * (self.total - self.done)
+        """ ", about 3 min left", from the pace so far; empty where it is too early to tell, or all of it takes less than a minute."""
+        seconds, share = time.monotonic() - self.started, (self.done - self.before) / max(1, self.total - self.before)
+        is_known = seconds >= EARLY and LITTLE <= share < 1 and seconds / share >= SHORT
+        return f", about {duration_text(seconds * (1 - share) / share)} left" if is_known else ""
 
     def update(self):
         self.done += 1
@@ -38,10 +48,11 @@ class Progress:
     def say(self, line):
         self.wipe()
         print(line, file=self.stream, flush=True)
+        if self.terminal:
+            self.draw()
 
     def draw(self):
-        left = self.left()
-        text = f"{self.done} of {self.total} runs" + (f", {duration_text(left)} left" if left is not None else "")
+        text = f"{self.done} of {self.total} runs{self.left()}"
         if self.terminal:
             filled = WIDTH * self.done // max(1, self.total)
             print(f"\r\033[K{self.label} {'█' * filled}{'░' * (WIDTH - filled)} {text}", end="", file=self.stream, flush=True)

@@ -7,12 +7,16 @@ import ray
 
 from surefoot_campaign.scheduler import Result, run_one
 
+POLL = 1.0  # s; also how soon a stop is seen
 LOST = 255  # the status of a task whose worker did not come back
 
 
 class RayScheduler:
     def __init__(self, jobs):
-        self.jobs = jobs
+        self.jobs, self.stopped = jobs, False
+
+    def stop(self):
+        self.stopped = True
 
     def run(self, tasks):
         if not ray.is_initialized():
@@ -21,11 +25,11 @@ class RayScheduler:
         tasks = iter(tasks)
         running = {remote.remote(task): task for task in itertools.islice(tasks, self.jobs)}
         try:
-            while running:
-                done = ray.wait(list(running), num_returns=1)[0][0]
-                task = running.pop(done)
-                running |= {remote.remote(task): task for task in itertools.islice(tasks, 1)}
-                yield result_of(task, done)
+            while running and not self.stopped:
+                for done in ray.wait(list(running), num_returns=1, timeout=POLL)[0]:
+                    task = running.pop(done)
+                    running |= {remote.remote(task): task for task in itertools.islice(tasks, 1)}
+                    yield result_of(task, done)
         finally:
             for reference in running:
                 ray.cancel(reference, force=True)

@@ -7,9 +7,11 @@ import json
 
 from surefoot_campaign.outcome import OUTCOMES
 from surefoot_campaign.pairs import pairs, pairs_rows
+from surefoot_campaign.program import yaml_text
 from surefoot_campaign.results import Table, csv_text, is_number
-from surefoot_campaign.spec import CASE, yaml_text
-from surefoot_campaign.statistics import median, rate_of
+from surefoot_campaign.spec import CASE
+from surefoot_campaign.statistics import rate_of, summary_of
+from surefoot_campaign.text import aligned
 from surefoot_campaign.worst import entry, told, worst, worst_text
 
 
@@ -26,15 +28,9 @@ def columns(plan):
     return [CASE] * bool(plan.spec.cases) + list(plan.spec.grid)
 
 
-def rate_json(records):
-    rate = rate_of(records)
-    return {"successes": rate.successes, "trials": rate.trials, "rate": rate.rate, "interval": list(rate.interval)}
-
-
 def judged(plan, records):
     values = [value for record in records if (value := record.metric(plan.spec.judge)) is not None]
-    least = plan.metrics[plan.spec.judge]["worst"] == "least"
-    return {"median": median(values), "worst": (min if least else max)(values, default=None)}
+    return summary_of(values, plan.metrics[plan.spec.judge]["worst"])
 
 
 def point_json(plan, records):
@@ -42,7 +38,7 @@ def point_json(plan, records):
     parameters = ({CASE: run.case} if plan.spec.cases else {}) | {key: run.parameters[key] for key in plan.spec.grid}
     outcomes = collections.Counter(record.row["outcome"] for record in records)
     counts = {outcome: outcomes[outcome] for outcome in OUTCOMES}
-    return {"scenario": run.scenario, "parameters": parameters, **rate_json(records), "outcomes": counts, "judge": judged(plan, records)}
+    return {"scenario": run.scenario, "parameters": parameters, **rate_of(records).as_json(), "outcomes": counts, "judge": judged(plan, records)}
 
 
 def summary(plan, records, program, table):
@@ -52,7 +48,7 @@ def summary(plan, records, program, table):
         "version": plan.version,
         "runs": {"planned": len(plan.runs), "finished": len(records), **{key: outcomes[key] for key in OUTCOMES}},
         "judge": plan.spec.judge,
-        "all": rate_json(records),
+        "all": rate_of(records).as_json(),
         "points": [point_json(plan, of_point) for of_point in points(plan, records)],
         "worst": [entry(plan, record, program) for record in worst(plan, records)],
         "pairs": pairs(plan, records),
@@ -98,11 +94,6 @@ def rate_cells(entry):
 def others(outcomes):
     """What is not simply a success or a failure."""
     return ", ".join(f"{outcomes[name]} {name.replace('_', ' ')}" for name in OUTCOMES[2:] if outcomes[name])
-
-
-def aligned(rows):
-    widths = [max(map(len, column)) for column in zip(*rows)]
-    return "".join("  ".join(cell.ljust(width) for cell, width in zip(row, widths)).rstrip() + "\n" for row in rows)
 
 
 def short_table(plan, found, folder):

@@ -5,7 +5,9 @@ import hashlib
 import io
 from dataclasses import dataclass
 
-from surefoot_campaign.spec import CASE, yaml_text
+from surefoot_campaign.outcome import number_at
+from surefoot_campaign.program import yaml_text
+from surefoot_campaign.spec import CASE
 
 # Of a result: what other columns say already.
 LEFT_OUT = {"scenario", "stack", "seed", "version", "succeeded", "reason", "sources_hash", "estimation", "foot_force_sensor"}
@@ -24,9 +26,7 @@ class Record:
         return self.row["outcome"] == "succeeded"
 
     def metric(self, name):
-        """A number, or None."""
-        value = flat(self.row["result"] or {}).get(name)
-        return None if value is None or isinstance(value, (bool, str)) else value
+        return number_at(self.row["result"], name)
 
 
 def records_of(plan, rows):

@@ -1,7 +1,9 @@
-"""Runs tasks, some at a time. A scheduler is anything with `run(tasks)` that yields a Result for each, in any order."""
+"""Runs tasks, some at a time: those of a campaign, of `run --seeds` and of the demo."""
 
 import collections
+import contextlib
 import importlib.util
+import math
 import os
 import selectors
 import shutil
@@ -19,14 +21,14 @@ SCHEDULERS = ["local", "ray"]
 
 @dataclass(frozen=True)
 class Task:
-    id: str
+    id: object
     command: list
-    timeout: float  # s of wall clock
+    timeout: float = math.inf  # s of wall clock
 
 
 @dataclass(frozen=True)
 class Result:
-    id: str
+    id: object
     status: int  # exit code; below 0: the signal that ended it
     timed_out: bool
     stdout: str
@@ -35,8 +37,25 @@ class Result:
 
 
 class Scheduler(Protocol):
+    stopped: bool
+
     def run(self, tasks: Iterable[Task]) -> Iterator[Result]:
-        """Starts the tasks in their order and yields each result as it comes; closing the iterator ends what runs."""
+        """Starts the tasks in their order and yields each result as it comes; closing the iterator kills what runs."""
+
+    def stop(self):
+        """Starts no more and asks what runs to end; `run` yields their results. Asked again it kills them. For signal handlers."""
+
+
+@contextlib.contextmanager
+def results_of(scheduler, tasks):
+    """What `scheduler.run` yields. ^C and SIGTERM stop it meanwhile."""
+    before = {number: signal.signal(number, lambda *_: scheduler.stop()) for number in (signal.SIGINT, signal.SIGTERM)}
+    try:
+        with contextlib.closing(scheduler.run(tasks)) as results:
+            yield results
+    finally:
+        for number, handler in before.items():
+            signal.signal(number, handler)
 
 
 # The kernel tells of a parent's end only to a child that has asked for it: one whose parent ended before goes no further.
@@ -63,17 +82,14 @@ class Process:
     def deadline(self):
         return self.started + self.task.timeout
 
-    def kill(self):
-        try:
-            os.killpg(self.process.pid, signal.SIGKILL)
-        except ProcessLookupError:
-            pass
-        self.process.wait()
+    def send(self, number):
+        """To it and all that it started."""
+        with contextlib.suppress(ProcessLookupError):
+            os.killpg(self.process.pid, number)
 
     def result(self, timed_out=False):
         """Of one that has ended, or whose time is over."""
-        if timed_out:
-            self.kill()
+        self.send(signal.SIGKILL)
         status = self.process.wait()
         wall_time = time.monotonic() - self.started
         return Result(self.task.id, status, timed_out, read(self.out), read(self.err), wall_time)
@@ -94,7 +110,7 @@ def run_one(task):
     except subprocess.TimeoutExpired:
         return process.result(timed_out=True)
     except BaseException:
-        process.kill()
+        process.result()
         raise
 
 
@@ -102,33 +118,42 @@ class LocalScheduler:
     """Processes on this machine."""
 
     def __init__(self, jobs):
-        self.jobs = jobs
+        self.jobs, self.running, self.stopped = jobs, {}, False
+
+    def stop(self):
+        for process in list(self.running.values()):
+            process.send(signal.SIGKILL if self.stopped else signal.SIGTERM)
+        self.stopped = True
 
     def run(self, tasks):
-        waiting, running = collections.deque(tasks), {}
+        waiting = collections.deque(tasks)
         with selectors.DefaultSelector() as selector:
             try:
-                while waiting or running:
-                    while waiting and len(running) < self.jobs:
-                        process = Process(waiting.popleft())
-                        fd = os.pidfd_open(process.process.pid)
-                        running[fd] = process
-                        selector.register(fd, selectors.EVENT_READ)
-                    for fd, timed_out in self._ended(selector, running):
+                while self.running or (waiting and not self.stopped):
+                    while waiting and len(self.running) < self.jobs and not self.stopped:
+                        self._start(waiting.popleft(), selector)
+                    for fd, timed_out in self._ended(selector):
                         selector.unregister(fd)
                         os.close(fd)
-                        yield running.pop(fd).result(timed_out)
+                        yield self.running.pop(fd).result(timed_out)
             finally:
-                for fd, process in running.items():
+                for fd, process in self.running.items():
                     os.close(fd)
-                    process.kill()
+                    process.result()
 
-    @staticmethod
-    def _ended(selector, running):
-        left = min(process.deadline() for process in running.values()) - time.monotonic()
-        ended = [key.fd for key, _ in selector.select(max(0.0, left))]
+    def _start(self, task, selector):
+        process = Process(task)
+        fd = os.pidfd_open(process.process.pid)
+        self.running[fd] = process
+        selector.register(fd, selectors.EVENT_READ)
+        if self.stopped:  # since it was asked for
+            process.send(signal.SIGTERM)
+
+    def _ended(self, selector):
+        left = min(process.deadline() for process in self.running.values()) - time.monotonic()
+        ended = [key.fd for key, _ in selector.select(max(0.0, left) if left < math.inf else None)]
         now = time.monotonic()
-        late = [fd for fd, process in running.items() if fd not in ended and process.deadline() <= now]
+        late = [fd for fd, process in self.running.items() if fd not in ended and process.deadline() <= now]
         return [(fd, False) for fd in ended] + [(fd, True) for fd in late]
 
 

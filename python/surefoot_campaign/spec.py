@@ -1,13 +1,13 @@
 """The file that says what a campaign runs. Everything that can be wrong with it alone is told with file and line."""
 
 import itertools
-import json
 import math
 import pathlib
 import re
 from dataclasses import dataclass, field
 
 from surefoot_campaign.errors import InputError, valid_names
+from surefoot_campaign.program import MAX_SEED, yaml_text
 from surefoot_campaign.yaml_tree import read_yaml
 
 KEYS = ["name", "scenario", "seeds", "cases", "grid", "draw", "set", "timeout", "judge", "units"]
@@ -16,16 +16,7 @@ TIMEOUT = 600.0  # s
 RANDOMISE = "randomise."
 LEAST_TIMEOUT = 1.0  # s; no program begins in less
 JUDGE = "com_error_max_m"
-MAX_SEED = 999_999_999  # of the program's --seed
 MOST_SEEDS = 1_000_000  # of a campaign: each is a run, and stands in its table
-PLAIN_WORD = re.compile(r"[A-Za-z_][A-Za-z0-9_./-]*")
-
-
-def yaml_text(value):
-    """A value as the program's --set reads it."""
-    if isinstance(value, str) and PLAIN_WORD.fullmatch(value):
-        return value
-    return json.dumps(value, ensure_ascii=False)
 
 
 @dataclass(frozen=True)

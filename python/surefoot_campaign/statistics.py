@@ -19,9 +19,12 @@ class Rate:
     def interval(self):
         return wilson_interval(self.successes, self.trials)
 
+    def as_json(self):
+        return {"successes": self.successes, "trials": self.trials, "rate": self.rate, "interval": list(self.interval)}
+
 
 def wilson_interval(successes, trials):
-    """Wilson's 95 % score interval, as evaluation/interval.cpp."""
+    """Wilson's 95 % score interval: (p + z²/2n ± z √(p (1 − p)/n + z²/4n²)) / (1 + z²/n), p = successes/trials, n = trials."""
     if trials <= 0:
         return 0.0, 1.0
     p = successes / trials
@@ -48,7 +51,16 @@ def quantile(values, share):
 
 
 def median(values):
-    return quantile(values, 0.5)
+    """The mean of the two in the middle, where their number is even; None of none."""
+    values, half = sorted(values), len(values) // 2
+    if not values:
+        return None
+    return values[half] if len(values) % 2 else (values[half - 1] + values[half]) / 2
+
+
+def summary_of(values, worst):
+    """Median, and the "least" or "greatest" of them."""
+    return {"median": median(values), "worst": (min if worst == "least" else max)(values, default=None)}
 
 
 def median_interval(values):

@@ -1,6 +1,7 @@
 """Units of metrics and of the parameters whose last word leaves no doubt; a spec can name others."""
 
 METRIC_ENDINGS = {"_mps": "m/s", "_rad": "rad", "_nm": "N·m", "_us": "µs", "_s": "s", "_m": "m"}
+IN_METRES = ["distance_m", "base_height_end_m", "limb_extension_max_m"]  # the robot's own size and more; others are errors and the like
 LAST_WORDS = {
     "m": ["height", "edge", "tread", "apex", "half_length", "max_step", "reach_max", "feet_beyond_x", "walk_on"],
     "s": ["duration", "swing_duration", "same_side_duration", "switch_duration", "start_duration", "ramp_up", "ramp_down",
@@ -18,6 +19,13 @@ def metric_label(name):
         if head.endswith(ending):
             return label(".".join([head.removesuffix(ending), *member]), unit)
     return name
+
+
+def unit_of_metric(name):
+    """As people read it, and its scale: always the same of a metric, so that two runs compare."""
+    stem = name.split(".")[0]
+    unit = next((unit for ending, unit in METRIC_ENDINGS.items() if stem.endswith(ending)), "")
+    return ("mm", 1e3) if unit == "m" and stem not in IN_METRES else (unit, 1.0)
 
 
 def unit_of_parameter(name, spec):

@@ -18,13 +18,11 @@ def report(typed):
     made.add_argument("--out", metavar="DIR", type=folder_name, required=True, help="folder to write into")
     made.add_argument("--no-pictures", action="store_true", help="leave strip and clip out, which take most of the time")
     made.add_argument("--of-run", action="store_true", help=argparse.SUPPRESS)  # called by the program, which has locked the folder
-    made.add_argument("--quiet", action="store_true", help=argparse.SUPPRESS)
     arguments = made.parse_args(typed)
     from surefoot_report.report import write_report
 
     def is_there(page):
-        if not arguments.quiet:
-            print(f"report: {page} can be opened; its pictures are being made", file=sys.stderr)
+        print(f"report: {page} can be opened; its pictures are being made", file=sys.stderr)
 
     print(write_report(arguments.log, arguments.out, not arguments.no_pictures, arguments.of_run, is_there))
 

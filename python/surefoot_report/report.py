@@ -1,6 +1,5 @@
 """A report: the page and its figures in a folder."""
 
-import fcntl
 import json
 import os
 import shutil
@@ -12,6 +11,7 @@ from tempfile import TemporaryDirectory
 
 from surefoot_campaign.errors import InputError
 from surefoot_campaign.outcome import last_line
+from surefoot_campaign.output_files import locked
 from surefoot_log.log_file import LogFile
 from surefoot_log.whole_file import partial_name, written_whole
 from surefoot_report import captions, hierarchy_figures, motion_figures, space_figure
@@ -90,20 +90,6 @@ def fresh_folder(folder):
         shutil.rmtree(fresh, ignore_errors=True)
 
 
-@contextmanager
-def locked(folder):
-    """This process's alone while it writes there, as logging/write_lock.hpp has it for runs."""
-    place = os.open(folder, os.O_RDONLY)
-    try:
-        fcntl.flock(place, fcntl.LOCK_EX | fcntl.LOCK_NB)
-    except BlockingIOError:
-        raise InputError(f"{folder}: is being written by another run; wait for it, or choose another name") from None
-    else:
-        yield
-    finally:
-        os.close(place)
-
-
 def write_page(folder, text):
     path = folder / "index.html"
     with written_whole(path) as partial:
@@ -132,7 +118,7 @@ def write_report(log, folder, with_pictures=True, is_locked=False, is_there=lamb
         folder.mkdir(parents=True, exist_ok=True)
     except OSError as error:
         raise InputError(f"{folder}: this folder can't be made: {error.strerror}") from None
-    with nullcontext() if is_locked else locked(folder), TemporaryDirectory(prefix="surefoot_") as scratch:
+    with nullcontext() if is_locked else locked(folder, folder), TemporaryDirectory(prefix="surefoot_") as scratch:
         report.write_figures(folder)
         path = write_page(folder, report.page(Pictures(are_coming=with_pictures)))
         if with_pictures:

@@ -89,13 +89,6 @@ void remove_if_empty(const fs::path& folder) {
   if (fs::is_directory(folder, not_empty)) fs::remove(folder, not_empty);
 }
 
-fs::path with_seed(const fs::path& file, std::uint64_t seed) {
-  fs::path result = file;
-  result.replace_filename(file.stem().string() + "-seed" + std::to_string(seed) +
-                          file.extension().string());
-  return result;
-}
-
 fs::path next_free_log(const fs::path& log) {
   for (int number = 2;; ++number) {
     fs::path next = log;

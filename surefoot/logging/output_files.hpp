@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstdint>
 #include <filesystem>
 #include <string>
 
@@ -27,10 +26,6 @@ void remove_outdated(const std::filesystem::path& report_folder, const std::file
 
 /// Removes the folder if nothing is in it.
 void remove_if_empty(const std::filesystem::path& folder);
-
-/// "run.mcap" → "run-seed7.mcap"
-[[nodiscard]] std::filesystem::path with_seed(const std::filesystem::path& file,
-                                              std::uint64_t seed);
 
 /// "run.mcap" → "run-2.mcap", or the next number of which there is neither a log nor one that was
 /// cut off.

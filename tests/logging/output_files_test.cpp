@@ -102,10 +102,6 @@ TEST(OutputFiles, a_folder_with_something_in_it_stays) {
   EXPECT_TRUE(std::filesystem::exists(folder / "full"));
 }
 
-TEST(OutputFiles, a_seed_stands_before_the_extension) {
-  EXPECT_EQ(with_seed("out/run.mcap", 7), "out/run-seed7.mcap");
-}
-
 TEST(OutputFiles, the_next_log_is_none_that_is_there) {
   const test::TemporaryFolder folder;
   const std::filesystem::path log = folder / "run.mcap";

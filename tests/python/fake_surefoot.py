@@ -1,5 +1,5 @@
 #!/usr/bin/env -S python3 -I -S
-"""Stands for the program: answers `run SCENARIO --seed N --set key=value … --json [--check]` at once.
+"""Stands for the program: answers `run SCENARIO --seed N --set key=value … --json [--check]` at once, also with `--option=value`.
 
 `mode` says what it does: walk, crash, abort, hang, interrupted, babble, refuse or slow. Every run is noted in $FAKE_LOG.
 """
@@ -12,7 +12,7 @@ import signal
 import sys
 import time
 
-KEYS = ["height", "mass", "mode", "gait", "broken_seed"]
+KEYS = ["height", "mass", "mode", "gait", "broken_seed", "noted"]
 METRICS = {
     "com_error_max_m": {"worst": "greatest", "by_clock": False},
     "speed_mps": {"worst": "least", "by_clock": False},
@@ -27,7 +27,7 @@ def refuse(message):
 def main(words):
     if words[0] != "run":
         refuse(f'unknown command "{words[0]}"')
-    scenario, words = words[1], words[2:]
+    scenario, words = words[1], [part for word in words[2:] for part in (word.split("=", 1) if word.startswith("--") else [word])]
     seed, parameters, flags = 0, {}, []
     while words:
         word = words.pop(0)
@@ -48,7 +48,9 @@ def main(words):
     if "--check" in flags:
         if float(parameters.get("mass", 0)) < 0:
             refuse(f"--set mass={parameters['mass']}: mass: \"{parameters['mass']}\" is not a number of at least 0")
-        print(json.dumps({"version": "1", "commit": "abc", "sources_hash": sources_hash, "metrics": METRICS, "notes": []}))
+        print(json.dumps({"version": "1", "commit": "abc", "sources_hash": sources_hash, "metrics": METRICS, "notes": ["a note"] if "noted" in parameters else [],
+                          "scenario": "fake", "stack": "walk", "estimation": "truth", "foot_force_sensor": False, "description": "a fake",
+                          "has_goal": False, "success_rate": 1.0, "paper": {"com_error_max_m": "≤ 3.4 mm"}}))  # fmt: skip
         return 0
     if log := os.environ.get("FAKE_LOG"):
         with open(log, "a") as file:
@@ -81,8 +83,10 @@ def main(words):
         "scenario": "fake", "succeeded": succeeded, "reason": "goal reached" if succeeded else "fell", "fell": not succeeded,
         "goal_reached": None, "com_error_max_m": error, "speed_mps": 0.1, "tick_us": {"median": time.monotonic()},
         "seed": seed, "version": "1", "criteria": [{"metric": "fell", "passed": succeeded}], "drawn": {"friction": 0.5},
-        "sources_hash": sources_hash,
+        "sources_hash": sources_hash, "notes": ["a note"] if "noted" in parameters else [],
     }  # fmt: skip
+    if "noted" in parameters:
+        print("surefoot: warning: a note\nsurefoot: warning: x.mp4 was not filmed", file=sys.stderr)
     print(json.dumps(result))
     return 0 if succeeded else 1
 

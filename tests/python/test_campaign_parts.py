@@ -4,7 +4,10 @@ import functools
 import json
 import math
 import random
+import signal
 import sys
+import threading
+import time
 import types
 
 import pytest
@@ -14,13 +17,13 @@ from campaign_folder import SPEC, CampaignFolder, is_running
 from surefoot_campaign.draws import uniform_of
 from surefoot_campaign.errors import InputError
 from surefoot_campaign.journal import Journal, read_rows
-from surefoot_campaign.outcome import judge
+from surefoot_campaign.outcome import ended_from_outside, judge
 from surefoot_campaign.plan import explain
 from surefoot_campaign.plots import curve_figure, map_figure
 from surefoot_campaign.results import Record
 from surefoot_campaign.scheduler import LocalScheduler, Task, make_scheduler
 from surefoot_campaign.spec import load_spec, yaml_text
-from surefoot_campaign.statistics import Z, median_interval, quantile, wilson_interval
+from surefoot_campaign.statistics import Z, median, median_interval, quantile, wilson_interval
 from surefoot_campaign.units import label, metric_label, unit_of_parameter
 
 
@@ -47,7 +50,8 @@ def test_wilsons_interval_ends_where_the_rate_is_as_far_away_as_its_own_spread_a
 def test_quantiles_lie_between_the_values():
     assert quantile([], 0.5) is None
     assert quantile([3.0], 0.95) == 3.0
-    assert quantile([4.0, 1.0, 2.0, 3.0], 0.5) == 2.5
+    assert quantile([4.0, 1.0, 2.0, 3.0], 0.5) == median([4.0, 1.0, 2.0, 3.0]) == 2.5
+    assert median([]) is None and median([3, 1, 2]) == 2
 
 
 def test_the_interval_of_a_median_has_the_ranks_of_the_binomial_tables():
@@ -217,7 +221,7 @@ class FakeRay(types.ModuleType):
     def remote(self, **_):
         return lambda function: types.SimpleNamespace(remote=lambda task: functools.partial(function, task))
 
-    def wait(self, running, num_returns):
+    def wait(self, running, num_returns, timeout):
         self.most = max(self.most, len(running))
         return running[-1:], running[:-1]
 
@@ -283,6 +287,26 @@ def test_the_local_scheduler_ends_what_runs_when_it_is_left(tmp_path):
     assert is_running(int(pid.read_text()))
     scheduler.close()
     assert not is_running(int(pid.read_text()))
+
+
+@pytest.mark.parametrize("times", [1, 2])
+def test_the_local_scheduler_lets_what_runs_end_when_it_is_stopped_and_kills_it_when_asked_again(tmp_path, times):
+    ready, how = tmp_path / "ready", "exit 3" if times == 1 else ":"
+    stubborn = Task("long", ["sh", "-c", f"trap '{how}' TERM; touch {ready}; while :; do sleep 0.02; done"])
+    scheduler = LocalScheduler(1)
+
+    def stop():
+        while not ready.exists():
+            time.sleep(0.02)
+        for _ in range(times):
+            scheduler.stop()
+
+    thread = threading.Thread(target=stop)
+    thread.start()
+    results = list(scheduler.run([stubborn, Task("never", ["true"])]))
+    thread.join()
+    assert [(result.id, result.status) for result in results] == [("long", 3 if times == 1 else -signal.SIGKILL)] and scheduler.stopped
+    assert ended_from_outside(results[0], scheduler.stopped) == (times == 2)
 
 
 def test_units_stand_where_they_are_known(tmp_path):

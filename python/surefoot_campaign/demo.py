@@ -1,0 +1,167 @@
+"""The command `surefoot demo`."""
+
+import argparse
+import concurrent.futures
+import functools
+import json
+import os
+import pathlib
+import shutil
+import sys
+from dataclasses import dataclass
+
+from surefoot_campaign.command_line import Parser, folder_name, run_command, tell, whole_number
+from surefoot_campaign.demo_page import demo_page
+from surefoot_campaign.errors import InputError
+from surefoot_campaign.experiments import EXPERIMENTS
+from surefoot_campaign.output_files import folder_of_our_own, remove_if_empty, remove_outdated
+from surefoot_campaign.program import Program
+from surefoot_campaign.scheduler import Task
+from surefoot_campaign.seeds import FAILED, PASSED, enough_succeeded, run_rows, seeds_json, seeds_line
+from surefoot_campaign.text import aligned, asked_of, pretty, printable
+
+SEEDS, JOBS = 10, 2
+DEFAULT_FOLDER = pathlib.Path(__file__).resolve().parents[2] / "build/demo"
+MOST_SEEDS, MOST_JOBS = 1_000_000, 1000
+EPILOG = f"""Experiments, each with a report:
+{"".join(f"  {one.name}{', and over --seeds' * one.seeds}{' (as found: any result is one)' * one.as_found}{chr(10)}" for one in EXPERIMENTS)}
+They take some minutes on two cores; most of it goes to those over seeds.
+
+With --view one of them is shown instead, walking down the step; the other options of `surefoot run --view` go
+with it: --no-wait, --port, --listen, --token and --view-clients.
+
+Exit codes: 0 every experiment came out as it must, 1 one did not, 2 the input is wrong or the demo
+was interrupted (experiments that were whole by then stay, with their index).
+
+Examples:
+  surefoot demo --seeds 3 --jobs 2 --out out
+  surefoot demo --view                                   walk down the step, in a browser
+"""
+
+
+@dataclass
+class Row:
+    """A line of the demo's table."""
+
+    name: str
+    description: str
+    measured: str
+    seeds: str
+    paper: str
+    verdict: str  # "✓", "✗", or "as found"
+    report: str  # path of its report, relative to the page; empty: none
+
+
+def parser():
+    made = Parser("surefoot demo", description="Run the paper's experiments and print them beside its numbers.", epilog=EPILOG,
+                  allow_abbrev=False, formatter_class=argparse.RawDescriptionHelpFormatter)  # fmt: skip
+    made.add_argument("--out", type=folder_name, metavar="DIR", help="folder for the reports; build/demo by default")
+    made.add_argument("--seeds", type=functools.partial(whole_number, most=MOST_SEEDS), metavar="N", help=f"seeds of each random experiment; {SEEDS} by default")
+    made.add_argument("--jobs", type=functools.partial(whole_number, most=MOST_JOBS), metavar="N", help=f"processes at once; {JOBS} by default")
+    made.add_argument("--no-pictures", action="store_true", help="leave strip and clip out of the reports, which take seconds each")
+    made.add_argument("--view", action="store_true", help="show one run in a browser, live; ^C ends it")
+    return made
+
+
+def view(program, arguments, others):
+    given = {"--out": arguments.out, "--seeds": arguments.seeds, "--jobs": arguments.jobs, "--no-pictures": arguments.no_pictures}
+    for option, value in given.items():
+        if value:
+            raise InputError(f"--view shows one run and writes nothing, and can't go with {option}; leave out one of them")
+    os.execv(program.path, [str(program.path), "run", "step_down", "--view", *others])
+
+
+def tasks_of(experiment, program, arguments, out):
+    """The nominal run first, with log and report."""
+    words = [str(program.path), *experiment.words(), "--json"]
+    report = [f"--report={out / experiment.name}", *["--no-pictures"] * arguments.no_pictures]
+    seeds = range(1, (arguments.seeds or SEEDS) + 1) if experiment.seeds else []
+    return [Task((experiment.name, 0), words + report), *(Task((experiment.name, seed), [*words, f"--seed={seed}"]) for seed in seeds)]
+
+
+def measured(experiment, run):
+    if "crashed" in run:
+        return run["reason"]
+    texts = []
+    for metric in experiment.shown:
+        limit = asked_of(run, metric)
+        texts.append(("" if metric == "reason" else f"{metric} ") + pretty(metric, run[metric]) + (f" ({limit})" if limit else ""))
+    return ", ".join(texts)
+
+
+def summarise(experiment, about, rows):
+    """The experiment's line, from its rows: nominal, then seeds."""
+    nominal, *seeds = rows
+    passed = nominal["succeeded"] and enough_succeeded(about, seeds)
+    return Row(
+        name=experiment.name,
+        description=about["description"],
+        measured=measured(experiment, nominal),
+        seeds=seeds_line(about, seeds_json(about, seeds)) if seeds else "",
+        paper=", ".join(f"{metric} {figure}" for metric, figure in about["paper"].items() if metric in experiment.shown),
+        verdict="as found" if experiment.as_found else "✓" if passed else "✗",
+        report="" if "crashed" in nominal else f"{experiment.name}/index.html",
+    )
+
+
+def print_rows(rows):
+    """Each experiment as a block, so that a line fits a terminal."""
+    table = []
+    for row in rows:
+        table.append([row.name, row.verdict, "measured", row.measured])
+        table += [["", "", name, text] for name, text in (("seeds", row.seeds), ("paper", row.paper)) if text]
+    print(printable("\n" + aligned(table)), end="")
+
+
+def remove_results(experiment, out):
+    folder = out / experiment.name
+    remove_outdated(folder, folder / "run.mcap")
+    shutil.rmtree(folder / "figures", ignore_errors=True)
+
+
+def make_demo(program, arguments, out):
+    for result in ("index.html", "results.json"):
+        (out / result).unlink(missing_ok=True)
+    for experiment in EXPERIMENTS:  # what an interrupted demo leaves behind must not look like results
+        remove_results(experiment, out)
+    jobs = arguments.jobs or JOBS
+    of = {experiment.name: tasks_of(experiment, program, arguments, out) for experiment in EXPERIMENTS}
+    tasks = [task for of_one in of.values() for task in of_one]
+    print(f"{len(of)} experiments of the paper in {len(tasks)} runs, {jobs} at a time; reports go to {out}", file=sys.stderr)
+    found = run_rows("experiments", tasks, jobs, lambda name, seed, row: [f"{name}: {row['reason']}"] if seed == 0 else [])
+    whole = [one for one in EXPERIMENTS if all(task.id in found for task in of[one.name])]
+    for experiment in EXPERIMENTS:
+        if experiment not in whole:
+            remove_results(experiment, out)
+            remove_if_empty(out / experiment.name)
+    if not whole:
+        return tell("interrupted: no results")
+    with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
+        about = dict(zip([one.name for one in whole], pool.map(lambda one: program.about(one.words()), whole)))
+    rows_of = {one.name: [found[task.id] for task in of[one.name]] for one in whole}
+    rows = [summarise(one, about[one.name], rows_of[one.name]) for one in whole]
+    print_rows(rows)
+    (out / "results.json").write_text(json.dumps(sum(rows_of.values(), []), indent=1, ensure_ascii=False) + "\n")
+    cut = "" if len(whole) == len(of) else "interrupted; "
+    page = demo_page(rows, f"{cut}Bellicoso et al., Humanoids 2016, in simulation; surefoot {about[whole[0].name]['version']}")
+    (out / "index.html").write_text(page)
+    print(f"\nreport: {out / 'index.html'}", flush=True)
+    if cut:
+        return tell(f"interrupted: {len(whole)} of {len(of)} experiments are whole")
+    return FAILED if any(row.verdict == "✗" for row in rows) else PASSED
+
+
+def demo(typed):
+    arguments, others = parser().parse_known_args(typed)
+    program = Program()
+    if arguments.view:
+        view(program, arguments, others)
+    if others:
+        parser().parse_args(typed)  # names what it does not know
+    out = arguments.out or DEFAULT_FOLDER
+    with folder_of_our_own(out):
+        return make_demo(program.pinned(), arguments, out)
+
+
+if __name__ == "__main__":
+    sys.exit(run_command(demo, sys.argv[1:]))

@@ -1,0 +1,61 @@
+"""Metrics and tables as people read them on a terminal."""
+
+import re
+
+from surefoot_campaign.units import unit_of_metric
+
+CONTROL = re.compile("[\x00-\x09\x0b-\x1f\x7f-\x9f]")
+
+
+def printable(text):
+    """Safe for a terminal, as base/printable.hpp has it: control characters, which names may hold, as in JSON."""
+    return CONTROL.sub(lambda found: f"\\u{ord(found[0]):04x}", text)
+
+
+def aligned(rows):
+    """Columns, each as wide as its widest cell; short rows end early."""
+    widths = {}
+    for row in rows:
+        widths |= {column: max(widths.get(column, 0), len(cell)) for column, cell in enumerate(row)}
+    return "".join("   ".join(cell.ljust(widths[column]) for column, cell in enumerate(row)).rstrip() + "\n" for row in rows)
+
+
+def rounded(value):
+    return f"{value:.0f}" if abs(value) >= 100 else f"{value if abs(value) >= 1e-12 else 0.0:.3g}"
+
+
+def with_unit(metric, value):
+    unit, scale = unit_of_metric(metric)
+    return f"{rounded(scale * value)} {unit}".rstrip()
+
+
+def pretty(metric, value):
+    """ "0.12 mm", "yes", "–"."""
+    if value is None:
+        return "–"
+    if isinstance(value, bool):
+        return "yes" if value else "no"
+    if isinstance(value, str) or (isinstance(value, int) and not unit_of_metric(metric)[0]):
+        return str(value)
+    return with_unit(metric, value)
+
+
+def asked(criterion):
+    """What a criterion asks for, and whether it holds: "≤ 0.5 mm ✓"."""
+    limits = [f"{sign} {with_unit(criterion['metric'], criterion[key])}" for sign, key in (("≥", "min"), ("≤", "max")) if key in criterion]
+    wanted = pretty("", criterion["equals"]) if "equals" in criterion else ", ".join(limits)
+    return f"{wanted} {'✓' if criterion['passed'] else '✗'}"
+
+
+def asked_of(run, metric):
+    """The same of a run's metric or of one of its members; empty if nothing is asked."""
+    for criterion in run["criteria"]:
+        name, _, member = criterion["metric"].partition(".")
+        if name == metric:
+            return f"{member} {asked(criterion)}".lstrip()
+    return ""
+
+
+def rate_text(rate):
+    low, high = rate["interval"]
+    return f"{rate['successes']} of {rate['trials']} (95 %: {100 * low:.0f} … {100 * high:.0f} %)"

@@ -1,0 +1,40 @@
+"""The demo's experiments and its page. How it is interrupted: test_interrupts.py."""
+
+import json
+import subprocess
+
+from program import PROGRAM, surefoot
+from surefoot_campaign.demo import Row, measured
+from surefoot_campaign.demo_page import demo_page
+from surefoot_campaign.experiments import EXPERIMENTS
+from surefoot_campaign.program import Program
+
+
+def test_every_experiment_can_be_read_and_shows_metrics_that_exist():
+    run = json.loads(surefoot("run", "walk_flat", "--json", "--set", "duration=0.1").stdout)
+    for experiment in EXPERIMENTS:
+        assert Program(PROGRAM).about(experiment.words())["description"]
+        assert experiment.shown and set(experiment.shown) <= set(run)
+    assert len({experiment.name for experiment in EXPERIMENTS}) == len(EXPERIMENTS)
+
+
+def test_those_over_seeds_have_something_to_draw_and_pair():
+    words = [experiment.words() for experiment in EXPERIMENTS if experiment.seeds]
+    runs = [subprocess.run([PROGRAM, *one, "--seed=1", "--set=duration=0.1", "--json"], capture_output=True, text=True) for one in words]
+    drawn = [json.loads(run.stdout)["drawn"] for run in runs]
+    assert len(drawn) > 1 and drawn[0] and all(one == drawn[0] for one in drawn)
+
+
+def test_what_is_measured_stands_beside_what_is_asked():
+    (walk,) = [experiment for experiment in EXPERIMENTS if experiment.name == "walk_flat"]
+    run = {"com_error_max_m": 0.0004, "com_lateral_sway_m": 0.03, "speed_mps": 0.1,
+           "criteria": [{"metric": "com_error_max_m", "max": 0.0005, "value": 0.0004, "passed": True}]}  # fmt: skip
+    assert measured(walk, run) == "com_error_max_m 0.4 mm (≤ 0.5 mm ✓), com_lateral_sway_m 30 mm, speed_mps 0.1 m/s"
+    assert measured(walk, {"crashed": True, "reason": "killed by SIGSEGV"}) == "killed by SIGSEGV"
+
+
+def test_the_page_names_links_and_escapes():
+    page = demo_page([Row("step <1>", "a & b", "≤ 1 mm", "3 of 4", "14 cm", "✓", "step/index.html")], "all of it")
+    for part in ('<a href="step/index.html">step &lt;1&gt;</a>', "a &amp; b", "3 of 4", '<span class="ok">✓</span>', "<p>all of it</p>"):
+        assert part in page
+    assert "http" not in page
