@@ -108,12 +108,12 @@ std::vector<std::string> drawn_texts(const Json& drawn) {
 
 /// What the seed drew; of 0 that it drew nothing, whatever the scenario's name promises.
 std::string seed_line(const Json& run) {
-  constexpr std::size_t kWidth = 110;
+  constexpr std::size_t kTextWidth = 110;
   const auto seed = run.at("seed").get<std::uint64_t>();
   if (seed == 0) return "seed 0: nothing of `randomise:` is drawn (--seed 1 draws)";
   std::string text = "seed " + std::to_string(seed), line;
   for (const std::string& drawn : drawn_texts(run.at("drawn"))) {
-    const bool is_full = !line.empty() && line.size() + drawn.size() > kWidth;
+    const bool is_full = !line.empty() && line.size() + drawn.size() > kTextWidth;
     if (is_full) text += std::exchange(line, "") + ",\n ";
     line += (!line.empty() ? ", " : is_full ? " " : ": ") + drawn;
   }

@@ -1,15 +1,12 @@
 // The Python module `surefoot`: scenario, plant, controller and solver under the names that they
 // have in C++. One translation unit.
 
+#include "python/explaining.hpp"
 #include "python/signals.hpp"
 #include "python/solving.hpp"
 #include "python/walking.hpp"
 #include "surefoot/base/build_info.hpp"
 #include "surefoot/base/error.hpp"
-#include "surefoot/evaluation/interval.hpp"
-
-#include <string>
-#include <utility>
 
 namespace surefoot::python {
 namespace {
@@ -19,17 +16,6 @@ void bind_errors(nb::module_& module) {
   const nb::exception<Error> error(module, "Error", PyExc_ValueError);
   const nb::exception<FileError> file_error(module, "FileError", error.ptr());
   const nb::exception<UnknownNameError> name_error(module, "UnknownNameError", error.ptr());
-}
-
-void bind_statistics(nb::module_& module) {
-  module.def(
-      "wilson_interval",
-      [](int successes, int trials) {
-        const Interval interval = wilson_interval(successes, trials);
-        return std::pair(interval.low, interval.high);
-      },
-      nb::arg("successes"), nb::arg("trials"),
-      "Wilson's 95 % interval of a success rate, (low, high); (0, 1) without trials.");
 }
 
 }  // namespace
@@ -47,7 +33,6 @@ NB_MODULE(surefoot, module) {
   bind_walking(module);
   bind_explaining(module);
   bind_solving(module);
-  bind_statistics(module);
 }
 
 }  // namespace surefoot::python

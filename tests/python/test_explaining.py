@@ -46,9 +46,3 @@ def test_what_can_not_be_explained_is_an_error_that_says_why(log, tmp_path):
         surefoot.explain(log, float("nan"))
     with pytest.raises(surefoot.FileError, match="none.mcap"):
         surefoot.explain(tmp_path / "none.mcap", 1)
-
-
-def test_wilsons_interval_is_that_of_the_results():
-    low, high = surefoot.wilson_interval(19, 20)
-    assert (low, high) == pytest.approx((0.7639, 0.9911), abs=1e-4)
-    assert surefoot.wilson_interval(0, 0) == (0, 1)

@@ -49,7 +49,7 @@ def described(session):
     return [
         {key: value for key, value in channel.items() if key != "offset"}
         for channel in session["channels"]
-        if not channel["name"].startswith(("hierarchy.level.", "timings.level."))
+        if not channel["name"].startswith(("hierarchy.level.", "timings.level.", "told.level."))
     ]
 
 
