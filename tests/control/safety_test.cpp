@@ -389,6 +389,14 @@ TEST(Safety, ClipsEveryRungToTheTorqueLimits) {
   EXPECT_EQ(safety.command(fast, &strong).torque, JointVector::Constant(kLimit));
 }
 
+TEST(Safety, ClipsEveryJointToItsOwnLimit) {
+  RobotDescription robot = anymal_b();
+  robot.torque_limit = JointVector::LinSpaced(kNumJoints, 1.0, 12.0);
+  Safety safety({}, robot, kFirstFreeLevel, lying(), kPeriod);
+  const Solution strong = solved(JointVector::Constant(-1e3));
+  EXPECT_EQ(safety.command(standing(), &strong).torque, -robot.torque_limit);
+}
+
 TEST(Safety, AStateOfNaNGivesAFiniteCommandOneTickLater) {
   Safety safety = make_safety();
   const Solution good = solved(torques());
