@@ -7,6 +7,7 @@
 #include "surefoot/base/formatted.hpp"
 #include "surefoot/base/printable.hpp"
 #include "surefoot/explain/explain.hpp"
+#include "surefoot/logging/log_reader.hpp"
 #include "surefoot/logging/mend_log.hpp"
 #include "surefoot/logging/output_files.hpp"
 #include "surefoot/logging/partial_log.hpp"
@@ -71,6 +72,9 @@ int run_info(const InfoArguments& arguments, std::ostream& out) {
 int run_mend(const MendArguments& arguments, std::ostream& out) {
   check_not_the_input(arguments.out, arguments.log);
   check_writable_file(arguments.out);
+  {
+    const LogReader has_a_header(arguments.log);
+  }
   const std::string problem = mend_log(arguments.log, arguments.out);
   out << printable(problem.empty() ? "it was whole" : problem) << std::endl;
   return kPassed;

@@ -50,7 +50,8 @@ Example:
 )";
 
 constexpr const char* kMendFooter = R"(
-Any reader of MCAP opens the new log. It says what is lost of the old one.
+Any reader of MCAP opens the new log. The command says what is lost of the old one; the new log does not: let `info`, `explain` and
+`replay --verify` read the old one.
 
 Exit codes: 0 written, 2 the log can't be read or the new one not be written.
 

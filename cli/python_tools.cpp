@@ -1,6 +1,7 @@
 #include "cli/python_tools.hpp"
 
 #include "surefoot/base/error.hpp"
+#include "surefoot/runtime/interrupt.hpp"
 
 #include <fcntl.h>
 #include <signal.h>
@@ -99,6 +100,7 @@ void become_python(const std::string& option, const std::string& module,
   sigaddset(&ending, SIGINT);
   sigaddset(&ending, SIGTERM);
   sigprocmask(SIG_BLOCK, &ending, nullptr);
+  if (interrupted()) throw Error("interrupted: no results");
   std::vector<std::string> command = command_of(module, words);
   execv(python().c_str(), pointers(command).data());
   throw Error(option + ": " + python() + " can't be started: " + std::strerror(errno));

@@ -26,7 +26,12 @@ struct Explanation {
 inline Explanation explain_log(const std::filesystem::path& log, double time, bool exact) {
   if (!std::isfinite(time)) throw Error("time is " + text(time) + "; expected seconds of the log");
   const nb::gil_scoped_release others_may_run;
-  return Explanation::of(explain_tick(log, time, exact ? Costs::exact : Costs::estimated));
+  const auto stops = [] {
+    const nb::gil_scoped_acquire python;
+    if (PyErr_CheckSignals() != 0) throw nb::python_error();
+    return false;
+  };
+  return Explanation::of(explain_tick(log, time, exact ? Costs::exact : Costs::estimated, stops));
 }
 
 inline void bind_explaining(nb::module_& module) {

@@ -120,11 +120,13 @@ def remove_results(experiment, out):
 
 
 def make_demo(program, arguments, out):
+    jobs = arguments.jobs or JOBS
     for result in ("index.html", "results.json"):
         (out / result).unlink(missing_ok=True)
     for experiment in EXPERIMENTS:  # what an interrupted demo leaves behind must not look like results
         remove_results(experiment, out)
-    jobs = arguments.jobs or JOBS
+    with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
+        about = dict(zip([one.name for one in EXPERIMENTS], pool.map(lambda one: program.about(one.words()), EXPERIMENTS)))
     of = {experiment.name: tasks_of(experiment, program, arguments, out) for experiment in EXPERIMENTS}
     tasks = [task for of_one in of.values() for task in of_one]
     print(f"{len(of)} experiments of the paper in {len(tasks)} runs, {jobs} at a time; reports go to {out}", file=sys.stderr)
@@ -136,8 +138,6 @@ def make_demo(program, arguments, out):
             remove_if_empty(out / experiment.name)
     if not whole:
         return tell("interrupted: no results")
-    with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
-        about = dict(zip([one.name for one in whole], pool.map(lambda one: program.about(one.words()), whole)))
     rows_of = {one.name: [found[task.id] for task in of[one.name]] for one in whole}
     rows = [summarise(one, about[one.name], rows_of[one.name]) for one in whole]
     print_rows(rows)

@@ -79,8 +79,10 @@ class Program:
         return path
 
     def pinned(self):
-        """This very file, whatever is built in its place while this process lives."""
-        return Program(f"/proc/{os.getpid()}/fd/{os.open(self.path, os.O_RDONLY)}")
+        """This very file, whatever is built in its place while this process lives; also for those who read its runs' logs."""
+        path = f"/proc/{os.getpid()}/fd/{os.open(self.path, os.O_RDONLY)}"
+        os.environ["SUREFOOT_PROGRAM"] = path
+        return Program(path)
 
     def command(self, scenario, seed, parameters):
         """What to type to run this again, here."""

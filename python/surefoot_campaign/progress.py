@@ -1,4 +1,4 @@
-"""How far a campaign is and how long it will take, on stderr."""
+"""How far many runs are and how long they will take, on stderr."""
 
 import sys
 import time

@@ -5,6 +5,7 @@ import contextlib
 import importlib.util
 import math
 import os
+import resource
 import selectors
 import shutil
 import signal
@@ -119,6 +120,8 @@ class LocalScheduler:
 
     def __init__(self, jobs):
         self.jobs, self.running, self.stopped = jobs, {}, False
+        _, most = resource.getrlimit(resource.RLIMIT_NOFILE)  # a run takes three
+        resource.setrlimit(resource.RLIMIT_NOFILE, (most, most))
 
     def stop(self):
         for process in list(self.running.values()):
@@ -132,6 +135,8 @@ class LocalScheduler:
                 while self.running or (waiting and not self.stopped):
                     while waiting and len(self.running) < self.jobs and not self.stopped:
                         self._start(waiting.popleft(), selector)
+                    if not self.running:  # stopped before the next one began
+                        break
                     for fd, timed_out in self._ended(selector):
                         selector.unregister(fd)
                         os.close(fd)

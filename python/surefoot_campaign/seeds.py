@@ -8,7 +8,7 @@ import sys
 
 from surefoot_campaign.command_line import run_command, tell
 from surefoot_campaign.errors import InputError
-from surefoot_campaign.outcome import ended_from_outside, judge, number_at
+from surefoot_campaign.outcome import ended_from_outside, judge, number_at, read_result
 from surefoot_campaign.output_files import check_not_being_written, folder_of_our_own, remove_outdated, with_seed
 from surefoot_campaign.program import MAX_SEED, Program
 from surefoot_campaign.progress import Progress
@@ -41,6 +41,7 @@ def run_rows(label, tasks, jobs, told):
             if ended_from_outside(result, scheduler.stopped):
                 continue
             _, reason, found = judge(of_id[result.id], result)
+            found = found or read_result(result.stdout)  # of a run whose report could not be written, say
             row = rows[result.id] = found or {"seed": result.id[1], "succeeded": False, "crashed": True, "reason": reason}
             progress.update()
             for line in (complaints(result, row) if found else []) + told(*result.id, row):

@@ -96,7 +96,7 @@ def test_seeds_that_change_nothing_are_warned_of(scenario):
 
 def test_json_is_exactly_one_object_on_stdout():
     result = surefoot("run", "walk_flat", "--json", *SHORT)
-    run = json.loads(result.stdout)  # tests/app knows its members
+    run = json.loads(result.stdout)  # tests/cli knows its members
     assert set(run["tick_us"]) == set(run["solve_us"]) == {"median", "p99", "max"}
 
 

@@ -31,12 +31,12 @@ def test_a_solution_is_explained_as_the_program_does(budget, tmp_path):
         assert "status: iteration_cap, at its budget" in ours.text
 
 
-def test_a_tick_of_a_log_is_explained_as_the_program_does(log):
+def test_a_tick_of_a_log_is_explained_as_the_program_does(steps_down):
     for exact in (False, True):
-        ours = surefoot.explain(log, 1.0, exact=exact)
-        assert ours.facts["time"] == 1.0 and ours.facts["costs_are_exact"] in (False, exact)
-    assert ours.text == program("explain", log, "--at", 1)
-    assert ours.facts == json.loads(program("explain", log, "--at", 1, "--json"))
+        ours = surefoot.explain(steps_down, 13.0, exact=exact)
+        assert ours.facts["time"] == 13.0 and ours.facts["costs_are_exact"] is exact and len(ours.facts["gave_way"]) > 1
+    assert ours.text == program("explain", steps_down, "--at", 13)
+    assert ours.facts == json.loads(program("explain", steps_down, "--at", 13, "--json"))
 
 
 def test_what_can_not_be_explained_is_an_error_that_says_why(log, tmp_path):

@@ -1,4 +1,4 @@
-"""`surefoot solve` as its user calls it, and the same from Python. What a line may hold tests/app and tests/config try."""
+"""`surefoot solve` as its user calls it, and the same from Python. What a line may hold tests/cli and tests/config try."""
 
 import json
 import subprocess
