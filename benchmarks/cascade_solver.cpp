@@ -61,14 +61,15 @@ class Problems {
  private:
   [[nodiscard]] double mean_active() const {
     int active = 0;
-    for (const CascadeSolver& solver : solvers_) {
-      for (const LevelResult& level : solver.solution().levels) active += level.num_active();
+    for (const solver::CascadeSolver& solver : solvers_) {
+      for (const solver::LevelResult& level : solver.solution().levels)
+        active += level.num_active();
     }
     return static_cast<double>(active) / static_cast<double>(solvers_.size());
   }
 
-  std::vector<Hierarchy> hierarchies_;
-  std::vector<CascadeSolver> solvers_;
+  std::vector<solver::Hierarchy> hierarchies_;
+  std::vector<solver::CascadeSolver> solvers_;
 };
 
 /// Argument: share of aggression in percent, from few to many active limits.

@@ -91,13 +91,13 @@ double microseconds(Action&& action) {
 /// MuJoCo on the plant's model and from the plant's states, without anything of ours around it.
 class PhysicsAlone {
  public:
-  PhysicsAlone(const Plant& plant, double control_period)
+  PhysicsAlone(const simulation::Plant& plant, double control_period)
       : model_(compile(plant.model_xml())),
         data_(mj_makeData(model_.get())),
         steps_(static_cast<int>(std::lround(control_period / model_->opt.timestep))) {}
 
   /// Time for the control period that begins at this state.
-  double period(const GroundTruth& truth) {
+  double period(const simulation::GroundTruth& truth) {
     std::ranges::copy(truth.qpos, data_->qpos);
     std::ranges::copy(truth.qvel, data_->qvel);
     std::ranges::copy(truth.ctrl, data_->ctrl);
@@ -147,12 +147,13 @@ class Unit {
 /// Everything of one run, wired together.
 class Loop {
  public:
-  explicit Loop(const Scenario& scenario)
+  explicit Loop(const config::Scenario& scenario)
       : scenario_(scenario),
         plant_(scenario.robot, scenario.plant),
         controller_(scenario.robot, scenario.controller,
-                    make_estimator(scenario.estimation, {scenario.robot, scenario.controller.period,
-                                                         plant_, scenario.estimator})),
+                    simulation::make_estimator(
+                        scenario.estimation,
+                        {scenario.robot, scenario.controller.period, plant_, scenario.estimator})),
         physics_(plant_, scenario.controller.period) {
     controller_.set_stage_observer(&timer_);
   }
@@ -183,12 +184,12 @@ class Loop {
     return {t.estimate, t.model, t.plan, t.stack, t.solve, command, t.total, 0.0, 0.0, 0.0, 0.0};
   }
 
-  const Scenario& scenario_;
-  Plant plant_;
-  Controller controller_;
+  const config::Scenario& scenario_;
+  simulation::Plant plant_;
+  control::Controller controller_;
   PhysicsAlone physics_;
   Unit unit_;
-  StageTimer timer_;
+  runtime::StageTimer timer_;
   JointCommand command_;
 };
 
@@ -215,7 +216,8 @@ long involuntary_switches() {
 }
 
 /// One more run of the same loop; `torques` are those of the first.
-void run_once(const Scenario& scenario, std::vector<JointVector>& torques, Measurement& result) {
+void run_once(const config::Scenario& scenario, std::vector<JointVector>& torques,
+              Measurement& result) {
   Loop loop(scenario);
   const bool is_first = torques.empty();
   for (std::size_t tick = 0; tick < result.least.size(); ++tick) {
@@ -234,7 +236,7 @@ void run_once(const Scenario& scenario, std::vector<JointVector>& torques, Measu
   result.physics_steps = loop.physics_steps();
 }
 
-Measurement measure(const Scenario& scenario, int runs) {
+Measurement measure(const config::Scenario& scenario, int runs) {
   Measurement result;
   Sample infinite;
   infinite.fill(std::numeric_limits<double>::infinity());
@@ -273,7 +275,7 @@ Json ratio(const Distribution& of, const Distribution& to) {
           {"mean", of.mean / to.mean}};
 }
 
-Json to_json(const Scenario& scenario, int runs, const Measurement& measurement) {
+Json to_json(const config::Scenario& scenario, int runs, const Measurement& measurement) {
   std::array<Distribution, kNumItems> items;
   Json times;
   for (std::size_t i = 0; i < kNumItems; ++i) {
@@ -340,7 +342,7 @@ void print_table(const Json& json) {
 
 void run(const Arguments& arguments) {
   for (const std::string& name : arguments.scenarios) {
-    const Scenario scenario = load_scenario(
+    const config::Scenario scenario = config::load_scenario(
         {.name_or_path = name, .seed = arguments.seed, .assignments = arguments.assignments});
     const Json json = to_json(scenario, arguments.runs, measure(scenario, arguments.runs));
     if (arguments.json) {

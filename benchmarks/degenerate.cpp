@@ -30,9 +30,9 @@ using Histogram = std::map<int, long>;
 
 constexpr double kExact = 1e-9;
 
-int iterations(const Solution& solution) {
+int iterations(const solver::Solution& solution) {
   int sum = 0;
-  for (const LevelResult& level : solution.levels) sum += level.iterations;
+  for (const solver::LevelResult& level : solution.levels) sum += level.iterations;
   return sum;
 }
 
@@ -42,9 +42,9 @@ class Trial {
     RandomMatrices random(seed);
     const Eigen::Index unknowns = random.integer(2, 8);
     const HierarchyData levels = test::degenerate_levels(random, unknowns);
-    const Hierarchy hierarchy = test::make_hierarchy(unknowns, levels);
-    CascadeSolver cascade(hierarchy);
-    LexicographicSolver solver(hierarchy);
+    const solver::Hierarchy hierarchy = test::make_hierarchy(unknowns, levels);
+    solver::CascadeSolver cascade(hierarchy);
+    solver::LexicographicSolver solver(hierarchy);
     check(seed, "cascade", hierarchy, cascade.solve(hierarchy));
     ++cascade_[iterations(cascade.solution())];
     check(seed, "cold", hierarchy, solver.solve(hierarchy));
@@ -68,10 +68,10 @@ class Trial {
   }
 
  private:
-  void check(std::uint64_t seed, const char* what, const Hierarchy& hierarchy,
-             const Solution& solution) {
-    if (solution.status != SolveStatus::optimal) return fail(seed, what, -1.0);
-    const double distance = worst_stationarity(certify(hierarchy, solution.x));
+  void check(std::uint64_t seed, const char* what, const solver::Hierarchy& hierarchy,
+             const solver::Solution& solution) {
+    if (solution.status != solver::SolveStatus::optimal) return fail(seed, what, -1.0);
+    const double distance = solver::worst_stationarity(solver::certify(hierarchy, solution.x));
     if (!(distance <= kExact)) fail(seed, what, distance);
   }
 

@@ -135,15 +135,15 @@ int open_page(int port, bool reads) {
 }
 
 /// A feed, and how many watch it.
-class CountedFeed final : public WebContent {
+class CountedFeed final : public server::WebContent {
  public:
-  explicit CountedFeed(LiveFeed& feed) : feed_(feed) {}
-  WebAnswer get(std::string_view path, const Query& query) override {
+  explicit CountedFeed(server::LiveFeed& feed) : feed_(feed) {}
+  server::WebAnswer get(std::string_view path, const Query& query) override {
     return feed_.get(path, query);
   }
   [[nodiscard]] bool is_live() const override { return true; }
-  std::vector<SharedBlock> welcome() override { return feed_.welcome(); }
-  std::vector<SharedBlock> blocks() override { return feed_.blocks(); }
+  std::vector<server::SharedBlock> welcome() override { return feed_.welcome(); }
+  std::vector<server::SharedBlock> blocks() override { return feed_.blocks(); }
   std::vector<std::string> messages(std::size_t clients) override {
     watching = static_cast<int>(clients);
     return feed_.messages(clients);
@@ -153,7 +153,7 @@ class CountedFeed final : public WebContent {
   std::atomic<int> watching{0};
 
  private:
-  LiveFeed& feed_;
+  server::LiveFeed& feed_;
 };
 
 /// How often others took the processor from the calling thread.
@@ -170,10 +170,10 @@ double thread_microseconds() {
 }
 
 /// Steers walks as a live view does, asks for pages and for none by turns, and times the ticks.
-class Stretches final : public RunSteering {
+class Stretches final : public closed_loop::RunSteering {
  public:
-  Stretches(const Arguments& arguments, double period, LiveView& view, const CountedFeed& feed,
-            Common& common)
+  Stretches(const Arguments& arguments, double period, server::LiveView& view,
+            const CountedFeed& feed, Common& common)
       : clients_(arguments.clients),
         length_(static_cast<int>(arguments.stretch / period)),
         settling_(static_cast<int>(arguments.settling / period)),
@@ -184,12 +184,12 @@ class Stretches final : public RunSteering {
     for (auto& list : ticks) list.reserve(most);
   }
 
-  void begin(const RunParts& parts) override {
+  void begin(const closed_loop::RunParts& parts) override {
     view_.begin(parts);
     tick_ = 0;
     ++walk_;
   }
-  RunOrder before_tick(double time) override {
+  closed_loop::RunOrder before_tick(double time) override {
     if (tick_ % length_ == 0) common_.pages = has_pages() ? clients_ : 0;
     return view_.before_tick(time);
   }
@@ -199,7 +199,7 @@ class Stretches final : public RunSteering {
     begun_ = thread_microseconds();
     return command;
   }
-  void after_tick(const TickRecord& tick, const GroundTruth& truth,
+  void after_tick(const TickRecord& tick, const simulation::GroundTruth& truth,
                   const TickTiming& timing) override {
     const double cpu = thread_microseconds() - begun_;
     const bool interrupted = interruptions() > interruptions_;
@@ -225,7 +225,7 @@ class Stretches final : public RunSteering {
   }
 
   const int clients_, length_, settling_;
-  LiveView& view_;
+  server::LiveView& view_;
   const CountedFeed& feed_;
   Common& common_;
   int tick_ = 0, walk_ = -1;
@@ -292,19 +292,19 @@ int run(const Arguments& arguments) {
     watch(common);
   }
   use_cores(0, 1);
-  const Scenario scenario =
-      load_scenario({arguments.scenario, 0, {"duration=" + std::to_string(arguments.walk)}});
-  LiveOperator wishes(scenario, ViewLimits());
-  LiveFeed feed(scenario, wishes, "");
+  const config::Scenario scenario = config::load_scenario(
+      {arguments.scenario, 0, {"duration=" + std::to_string(arguments.walk)}});
+  server::LiveOperator wishes(scenario, server::ViewLimits());
+  server::LiveFeed feed(scenario, wishes, "");
   CountedFeed counted(feed);
-  LiveView view(wishes, feed, [] { return false; });
+  server::LiveView view(wishes, feed, [] { return false; });
   Stretches stretches(arguments, scenario.controller.period, view, counted, common);
-  std::optional<WebServer> server;
-  ClosedLoopOptions options;
+  std::optional<server::WebServer> server;
+  closed_loop::ClosedLoopOptions options;
   options.steering = &stretches;
   options.ready = [&] {
     if (server) return;
-    server.emplace(WebServerOptions{.max_clients = arguments.clients + 1}, counted);
+    server.emplace(server::WebServerOptions{.max_clients = arguments.clients + 1}, counted);
     common.port = server->port();
   };
   std::array<double, 3> load{};
@@ -312,8 +312,8 @@ int run(const Arguments& arguments) {
   const int walks = 2 * std::max(1, static_cast<int>(30.0 * arguments.minutes / arguments.walk));
   std::printf("%d walks of %g s, load %.1f before the first\n", walks, arguments.walk, load[0]);
   for (int walk = 0; walk < walks; ++walk) {
-    const RunResult result = run_closed_loop(scenario, options);
-    if (result.ending != Ending::finished)
+    const closed_loop::RunResult result = closed_loop::run_closed_loop(scenario, options);
+    if (result.ending != closed_loop::Ending::finished)
       throw Error("a walk ended early: " + result.metrics.reason);
     std::fprintf(stderr, "walk %d of %d\n", walk + 1, walks);
   }

@@ -13,15 +13,15 @@ using namespace surefoot;
 
 enum Ground : std::int64_t { kPlane, kBoxes, kRandomBoxes, kHeightField };
 
-std::vector<TerrainElement> terrain(std::int64_t ground) {
-  TerrainBox upper, lower;
+std::vector<simulation::TerrainElement> terrain(std::int64_t ground) {
+  simulation::TerrainBox upper, lower;
   upper.position = Vec3(0.0, 0.0, -0.1);
   upper.size = Vec3(4.0, 4.0, 0.2);
   lower.position = Vec3(4.0, 0.0, -0.24);
   lower.size = Vec3(4.0, 4.0, 0.2);
-  TerrainRandomBoxes random;
+  simulation::TerrainRandomBoxes random;
   random.max_height = 0.02;
-  TerrainHeightField field;
+  simulation::TerrainHeightField field;
   field.size_x = field.size_y = 6.0;
   field.amplitude = 0.02;
   switch (ground) {
@@ -36,20 +36,20 @@ std::vector<TerrainElement> terrain(std::int64_t ground) {
   }
 }
 
-PlantOptions standing_on(std::int64_t ground) {
-  PlantOptions options;
+simulation::PlantOptions standing_on(std::int64_t ground) {
+  simulation::PlantOptions options;
   options.initial.q = test::anymal_b().q_nominal;
   options.terrain.elements = terrain(ground);
   return options;
 }
 
-JointVector held(const GroundTruth& truth, const JointVector& q_nominal) {
+JointVector held(const simulation::GroundTruth& truth, const JointVector& q_nominal) {
   return 300.0 * (q_nominal - truth.q) - 4.0 * truth.qd;
 }
 
 void plant_tick(benchmark::State& state) {
-  const RobotDescription robot = test::anymal_b();
-  Plant plant(robot, standing_on(state.range(0)));
+  const model::RobotDescription robot = test::anymal_b();
+  simulation::Plant plant(robot, standing_on(state.range(0)));
   JointCommand command;
   for (auto _ : state) {
     command.torque = held(plant.truth(), robot.q_nominal);
@@ -58,8 +58,8 @@ void plant_tick(benchmark::State& state) {
 }
 
 void mujoco_alone_tick(benchmark::State& state) {
-  const RobotDescription robot = test::anymal_b();
-  Plant plant(robot, standing_on(state.range(0)));
+  const model::RobotDescription robot = test::anymal_b();
+  simulation::Plant plant(robot, standing_on(state.range(0)));
   const std::string xml = plant.model_xml();
   mjSpec* spec = mj_parseXMLString(xml.c_str(), nullptr, nullptr, 0);
   mjModel* model = mj_compile(spec, nullptr);
@@ -78,7 +78,8 @@ void mujoco_alone_tick(benchmark::State& state) {
 
 void construction(benchmark::State& state) {
   for (auto _ : state)
-    benchmark::DoNotOptimize(Plant(test::anymal_b(), standing_on(state.range(0))).time());
+    benchmark::DoNotOptimize(
+        simulation::Plant(test::anymal_b(), standing_on(state.range(0))).time());
 }
 
 BENCHMARK(plant_tick)

@@ -29,31 +29,31 @@ class Example {
     dynamics_ =
         model_.update(Random(1).standing_state(model_.description().q_nominal), Vec3::UnitZ());
     support_.update(dynamics_, plan_);
-    const TaskInput input{dynamics_, plan_, support_, model_.description()};
-    const EquationsOfMotion equations_of_motion;
-    const NoContactMotion no_contact_motion({});
+    const tasks::TaskInput input{dynamics_, plan_, support_, model_.description()};
+    const tasks::EquationsOfMotion equations_of_motion;
+    const tasks::NoContactMotion no_contact_motion({});
     hierarchy_.add_level("equations_of_motion", kNumVelocities);
     hierarchy_.add_level("no_contact_motion", kNumJoints);
     equations_of_motion.write(input, hierarchy_.level(0));
     no_contact_motion.write(input, hierarchy_.level(1));
   }
 
-  [[nodiscard]] const Dynamics& dynamics() const { return dynamics_; }
-  [[nodiscard]] const SupportDynamics& support() const { return support_; }
-  [[nodiscard]] const Hierarchy& hierarchy() const { return hierarchy_; }
+  [[nodiscard]] const model::Dynamics& dynamics() const { return dynamics_; }
+  [[nodiscard]] const model::SupportDynamics& support() const { return support_; }
+  [[nodiscard]] const solver::Hierarchy& hierarchy() const { return hierarchy_; }
 
  private:
-  RobotModel model_;
+  model::RobotModel model_;
   MotionPlan plan_;
-  Dynamics dynamics_;
-  SupportDynamics support_;
-  Hierarchy hierarchy_;
+  model::Dynamics dynamics_;
+  model::SupportDynamics support_;
+  solver::Hierarchy hierarchy_;
 };
 
 void BM_ClosedForm(benchmark::State& state) {
   const Example example(static_cast<int>(state.range(0)));
   const Eigen::VectorXd contact = example.hierarchy().level(1).lower();
-  PhysicsSubstitution substitution;
+  tasks::PhysicsSubstitution substitution;
   for (auto _ : state) {
     benchmark::DoNotOptimize(substitution.update(example.dynamics(), example.support(), contact));
   }
@@ -78,18 +78,18 @@ BENCHMARK(BM_QR)->DenseRange(0, 4);
 
 void BM_Sweep(benchmark::State& state) {
   const Example example(static_cast<int>(state.range(0)));
-  LexicographicSolver solver(example.hierarchy());
+  solver::LexicographicSolver solver(example.hierarchy());
   for (auto _ : state) benchmark::DoNotOptimize(solver.solve(example.hierarchy()).x.data());
 }
 BENCHMARK(BM_Sweep)->DenseRange(0, 4);
 
 /// Rows a leg of both tasks.
-constexpr int kForceRows = FrictionCone::kRowsPerLeg + 3;
+constexpr int kForceRows = tasks::FrictionCone::kRowsPerLeg + 3;
 
 void BM_EachForceRow(benchmark::State& state) {
   const Example example(static_cast<int>(state.range(0)));
-  PhysicsSubstitution physics;
-  const Substitution& substitution =
+  tasks::PhysicsSubstitution physics;
+  const solver::Substitution& substitution =
       *physics.update(example.dynamics(), example.support(), example.hierarchy().level(1).lower());
   const Eigen::MatrixXd rows =
       Eigen::MatrixXd::Random(kForceRows * example.support().num_contacts(), kNumUnknowns);
@@ -103,8 +103,8 @@ BENCHMARK(BM_EachForceRow)->DenseRange(2, 4);
 
 void BM_ForcesOnce(benchmark::State& state) {
   const Example example(static_cast<int>(state.range(0)));
-  PhysicsSubstitution physics;
-  const Substitution& substitution =
+  tasks::PhysicsSubstitution physics;
+  const solver::Substitution& substitution =
       *physics.update(example.dynamics(), example.support(), example.hierarchy().level(1).lower());
   const int legs = example.support().num_contacts();
   const Eigen::Matrix<double, kForceRows, 3> of_a_leg = Eigen::MatrixXd::Random(kForceRows, 3);

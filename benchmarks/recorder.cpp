@@ -34,12 +34,12 @@ double median(std::vector<double> values) {
 }
 
 struct Log {
-  LogHeader header;
+  logging::LogHeader header;
   std::vector<TickRecord> ticks;
 };
 
 Log read(const std::string& path) {
-  LogReader reader(path);
+  logging::LogReader reader(path);
   Log log{reader.header(), {}};
   for (TickRecord tick; reader.next(tick);) log.ticks.push_back(tick);
   log.header.row_name = [names = reader.row_names()](int level, std::int32_t id) {
@@ -61,7 +61,7 @@ Log without_blockers(Log log) {
 double record(const Log& log, double& bytes) {
   const std::string path = (std::filesystem::temp_directory_path() / "benchmark.mcap").string();
   const double begin = cpu_time();
-  Recorder recorder(path, log.header);
+  logging::Recorder recorder(path, log.header);
   for (const TickRecord& tick : log.ticks) recorder.record(tick);
   recorder.close();
   const double seconds = cpu_time() - begin;
@@ -72,7 +72,7 @@ double record(const Log& log, double& bytes) {
 
 /// CPU time of a tick of the controller [µs], the reading of the log included.
 double replay(const std::string& path, bool explains) {
-  LogReplay log(path);
+  replay::LogReplay log(path);
   log.explain_levels(explains);
   const double begin = cpu_time();
   int ticks = 0;

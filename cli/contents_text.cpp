@@ -5,7 +5,7 @@
 #include "surefoot/base/text_table.hpp"
 #include "surefoot/explain/outcome.hpp"
 
-namespace surefoot {
+namespace surefoot::cli {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -19,7 +19,7 @@ std::string size(std::uint64_t bytes) {
 }
 
 std::string result(const LogContents& contents) {
-  const Outcome outcome = read_outcome(contents.summary);
+  const explain::Outcome outcome = explain::read_outcome(contents.summary);
   if (!outcome.known) return "not known: the log has no summary";
   if (outcome.interrupted) return "the run was " + outcome.reason + "; not judged";
   return std::string(outcome.succeeded ? "succeeded: " : "did not succeed: ") +
@@ -36,9 +36,9 @@ std::string duration(const LogContents& contents) {
                    contents.last_time);
 }
 
-std::string drawn(const LogHeader& header) {
+std::string drawn(const logging::LogHeader& header) {
   std::string out;
-  for (const LogDraw& draw : header.drawn)
+  for (const logging::LogDraw& draw : header.drawn)
     out += (out.empty() ? "" : ", ") + draw.path + formatted(" %.4g", draw.value);
   return out;
 }
@@ -54,16 +54,16 @@ std::string steered(const LogContents& contents) {
 std::string lost(const LogContents& contents) {
   if (contents.losses.empty()) return "";
   std::uint64_t bytes = 0;
-  for (const McapLoss& loss : contents.losses) bytes += loss.size;
+  for (const logging::McapLoss& loss : contents.losses) bytes += loss.size;
   const bool is_one = contents.losses.size() == 1;
   return std::to_string(contents.lost_ticks) + (contents.lost_ticks == 1 ? " tick" : " ticks") +
          ", in " + std::to_string(contents.losses.size()) + (is_one ? " place" : " places") +
          " of the file (" + size(bytes) + ")";
 }
 
-Json losses_json(const std::vector<McapLoss>& losses) {
+Json losses_json(const std::vector<logging::McapLoss>& losses) {
   Json json = Json::array();
-  for (const McapLoss& loss : losses) {
+  for (const logging::McapLoss& loss : losses) {
     json.push_back({{"offset", loss.offset}, {"bytes", loss.size}, {"why", loss.why}});
     if (!loss.has_times) continue;
     json.back()["first_time"] = 1e-9 * static_cast<double>(loss.first_time);
@@ -73,26 +73,27 @@ Json losses_json(const std::vector<McapLoss>& losses) {
 }
 
 std::string facts(const LogContents& contents) {
-  const LogHeader& header = contents.header;
-  Table rows{{"scenario", header.scenario + ", seed " + std::to_string(header.seed) +
-                              (header.description.empty() ? "" : ": " + header.description)},
-             {"robot",
-              header.robot.name + ", stack " + header.stack + ", estimation " + header.estimation},
-             {"result", result(contents)},
-             {"duration", duration(contents)},
-             {"lost", lost(contents)},
-             {"recorded by", "surefoot " + header.version +
-                                 (header.commit.empty() ? "" : ", commit " + header.commit) +
-                                 "; log version " + header.log_version},
-             {"", header.is_newer() ? "this program knows version " + std::string(kLogVersion) +
-                                          ": what is new since then is passed over"
-                                    : ""},
-             {"again by", header.command},
-             {"", contents.problem.empty() || !contents.summary.empty()
-                      ? ""
-                      : "that run goes on where this log ends"},
-             {"steered", steered(contents)},
-             {"drawn", drawn(header)}};
+  const logging::LogHeader& header = contents.header;
+  Table rows{
+      {"scenario", header.scenario + ", seed " + std::to_string(header.seed) +
+                       (header.description.empty() ? "" : ": " + header.description)},
+      {"robot",
+       header.robot.name + ", stack " + header.stack + ", estimation " + header.estimation},
+      {"result", result(contents)},
+      {"duration", duration(contents)},
+      {"lost", lost(contents)},
+      {"recorded by", "surefoot " + header.version +
+                          (header.commit.empty() ? "" : ", commit " + header.commit) +
+                          "; log version " + header.log_version},
+      {"", header.is_newer() ? "this program knows version " + std::string(logging::kLogVersion) +
+                                   ": what is new since then is passed over"
+                             : ""},
+      {"again by", header.command},
+      {"", contents.problem.empty() || !contents.summary.empty()
+               ? ""
+               : "that run goes on where this log ends"},
+      {"steered", steered(contents)},
+      {"drawn", drawn(header)}};
   for (const std::string& note : header.notes) rows.push_back({"note", note});
   std::string out;
   for (const std::vector<std::string>& row : rows)
@@ -137,7 +138,7 @@ std::string contents_text(const std::string& path, const LogContents& contents) 
 }
 
 Json contents_json(const std::string& path, const LogContents& contents) {
-  const LogHeader& header = contents.header;
+  const logging::LogHeader& header = contents.header;
   Json json = {{"log", path},
                {"bytes", contents.file_bytes},
                {"whole", contents.problem.empty()},
@@ -156,7 +157,7 @@ Json contents_json(const std::string& path, const LogContents& contents) {
                {"first_time", contents.first_time},
                {"last_time", contents.last_time}};
   json["drawn"] = Json::object();
-  for (const LogDraw& draw : header.drawn) json["drawn"][draw.path] = draw.value;
+  for (const logging::LogDraw& draw : header.drawn) json["drawn"][draw.path] = draw.value;
   json["topics"] = Json::object();
   for (const TopicContents& topic : contents.topics)
     json["topics"][topic.topic] = {{"schema", topic.schema},
@@ -175,4 +176,4 @@ Json contents_json(const std::string& path, const LogContents& contents) {
   return json;
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::cli

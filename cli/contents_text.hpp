@@ -6,11 +6,11 @@
 
 #include <string>
 
-namespace surefoot {
+namespace surefoot::cli {
 
 /// What `info` prints.
 [[nodiscard]] std::string contents_text(const std::string& path, const LogContents& contents);
 [[nodiscard]] nlohmann::ordered_json contents_json(const std::string& path,
                                                    const LogContents& contents);
 
-}  // namespace surefoot
+}  // namespace surefoot::cli

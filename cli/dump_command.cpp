@@ -19,7 +19,7 @@
 #include <ostream>
 #include <sstream>
 
-namespace surefoot {
+namespace surefoot::cli {
 namespace {
 
 namespace fs = std::filesystem;
@@ -36,11 +36,11 @@ class Dump {
   Dump(const DumpArguments& arguments, std::ostream& out) : arguments_(arguments), out_(out) {}
 
   /// False once no later tick is wanted.
-  bool add(double time, const Controller& controller) {
+  bool add(double time, const control::Controller& controller) {
     const double begin = arguments_.from - kHalfNanosecond;
     if (time >= arguments_.to - kHalfNanosecond) return false;
     last_ = time;
-    if (time < begin || !was_solved(controller.record().hierarchy)) return true;
+    if (time < begin || !logging::was_solved(controller.record().hierarchy)) return true;
     if (num_met_++ % arguments_.every != 0) return true;
     write(controller);
     return true;
@@ -57,9 +57,9 @@ class Dump {
  private:
   static constexpr double kHalfNanosecond = 5e-10;  // [s]; times are sums of periods
 
-  void write(const Controller& controller) {
-    const Hierarchy& hierarchy = controller.hierarchy();
-    out_ << format_hierarchy(
+  void write(const control::Controller& controller) {
+    const solver::Hierarchy& hierarchy = controller.hierarchy();
+    out_ << config::format_hierarchy(
                 hierarchy,
                 [&](std::size_t level, Eigen::Index row) {
                   return controller.row_name(static_cast<int>(level),
@@ -79,18 +79,18 @@ class Dump {
 };
 
 void check_not_interrupted() {
-  if (interrupted()) throw Error("interrupted: nothing is kept");
+  if (runtime::interrupted()) throw Error("interrupted: nothing is kept");
 }
 
 void dump_scenario(const DumpArguments& arguments, Dump& dump) {
-  const Scenario scenario = load_scenario({.name_or_path = arguments.source,
-                                           .seed = arguments.seed.value_or(0),
-                                           .assignments = arguments.assignments});
-  Plant plant(scenario.robot, scenario.plant);
-  Controller controller(
+  const config::Scenario scenario = config::load_scenario({.name_or_path = arguments.source,
+                                                           .seed = arguments.seed.value_or(0),
+                                                           .assignments = arguments.assignments});
+  simulation::Plant plant(scenario.robot, scenario.plant);
+  control::Controller controller(
       scenario.robot, scenario.controller,
-      make_estimator(scenario.estimation,
-                     {scenario.robot, scenario.controller.period, plant, scenario.estimator}));
+      simulation::make_estimator(scenario.estimation, {scenario.robot, scenario.controller.period,
+                                                       plant, scenario.estimator}));
   const auto ticks = static_cast<long>(std::ceil(scenario.duration / scenario.controller.period));
   for (long tick = 0; tick < ticks; ++tick) {
     check_not_interrupted();
@@ -102,7 +102,7 @@ void dump_scenario(const DumpArguments& arguments, Dump& dump) {
 }
 
 void dump_log(const DumpArguments& arguments, Dump& dump, std::ostream& err) {
-  LogReplay replay(arguments.source);
+  replay::LogReplay replay(arguments.source);
   double different_from = std::numeric_limits<double>::quiet_NaN();
   while (replay.step()) {
     check_not_interrupted();
@@ -153,9 +153,9 @@ void write(const DumpArguments& arguments, bool log, std::ostream& out, std::ost
 
 /// The file has its name only once it is whole.
 void write_to_file(const DumpArguments& arguments, bool log, std::ostream& err) {
-  check_not_the_input(arguments.out, arguments.source);
-  check_writable_file(arguments.out);
-  WholeFile file(arguments.out);
+  logging::check_not_the_input(arguments.out, arguments.source);
+  logging::check_writable_file(arguments.out);
+  logging::WholeFile file(arguments.out);
   write(arguments, log, file.stream(), err);
   file.finish();
 }
@@ -165,7 +165,7 @@ void write_to_file(const DumpArguments& arguments, bool log, std::ostream& err) 
 int run_dump(const DumpArguments& arguments, std::ostream& out, std::ostream& err) {
   const bool log = is_log(arguments.source);
   check(arguments, log);
-  watch_for_interrupt();
+  runtime::watch_for_interrupt();
   if (log) tell_partial_beside(arguments.source);
   if (arguments.out.empty()) {
     write(arguments, log, out, err);
@@ -175,4 +175,4 @@ int run_dump(const DumpArguments& arguments, std::ostream& out, std::ostream& er
   return kPassed;
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::cli

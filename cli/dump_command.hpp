@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace surefoot {
+namespace surefoot::cli {
 
 /// `surefoot dump`, as typed.
 struct DumpArguments {
@@ -30,4 +30,4 @@ struct DumpArguments {
 /// the range.
 int run_dump(const DumpArguments& arguments, std::ostream& out, std::ostream& err);
 
-}  // namespace surefoot
+}  // namespace surefoot::cli

@@ -1,6 +1,6 @@
 #pragma once
 
-namespace surefoot {
+namespace surefoot::cli {
 
 /// What the program tells its caller.
 enum ExitCode : int {
@@ -11,4 +11,4 @@ enum ExitCode : int {
   kNotWhole = 4,    ///< a log is not whole; all that could be verified is the same
 };
 
-}  // namespace surefoot
+}  // namespace surefoot::cli

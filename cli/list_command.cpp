@@ -19,7 +19,7 @@
 #include <algorithm>
 #include <iostream>
 
-namespace surefoot {
+namespace surefoot::cli {
 namespace {
 
 using Table = std::vector<std::vector<std::string>>;
@@ -28,45 +28,46 @@ std::string number(double value) { return formatted("%g", value); }
 
 Table robots() {
   Table table;
-  for (const std::string& name : list_data("robots")) {
-    table.push_back({name, load_robot(name).urdf_path});
+  for (const std::string& name : config::list_data("robots")) {
+    table.push_back({name, config::load_robot(name).urdf_path});
   }
   return table;
 }
 
-std::string levels_of(const StackOptions& stack) {
+std::string levels_of(const control::StackOptions& stack) {
   std::string levels;
-  for (const LevelSpec& level : stack.levels) levels += (levels.empty() ? "" : " > ") + level.name;
+  for (const control::LevelSpec& level : stack.levels)
+    levels += (levels.empty() ? "" : " > ") + level.name;
   return levels;
 }
 
 Table stacks() {
   Table table;
-  for (const std::string& name : list_data("stacks")) {
-    table.push_back({name, describe_data("stacks", name)});
-    table.push_back({"", levels_of(load_stack(name))});
+  for (const std::string& name : config::list_data("stacks")) {
+    table.push_back({name, config::describe_data("stacks", name)});
+    table.push_back({"", levels_of(config::load_stack(name))});
   }
   return table;
 }
 
 Table scenarios() {
   Table table;
-  for (const std::string& name : list_data("scenarios")) {
-    table.push_back({name, describe_data("scenarios", name)});
+  for (const std::string& name : config::list_data("scenarios")) {
+    table.push_back({name, config::describe_data("scenarios", name)});
   }
   return table;
 }
 
 Table tasks() {
   Table table;
-  for (const TaskInfo& task : task_catalog()) {
+  for (const tasks::TaskInfo& task : tasks::task_catalog()) {
     table.push_back(
         {std::string(task.name), std::string(task.equation), std::string(task.summary)});
-    for (const TaskParameter& parameter : task.parameters) {
+    for (const tasks::TaskParameter& parameter : task.parameters) {
       table.push_back({"  " + std::string(parameter.name), number(parameter.default_value),
                        std::string(parameter.unit) + "  " + std::string(parameter.help)});
     }
-    for (const TaskChoice& choice : task.choices) {
+    for (const tasks::TaskChoice& choice : task.choices) {
       std::string values;
       for (const std::string_view value : choice.values)
         values += (values.empty() ? "" : " | ") + std::string(value);
@@ -81,28 +82,29 @@ Table tasks() {
 Table randomisations() {
   constexpr const char* kFolder = "randomisations";
   Table table;
-  for (const std::string& name : list_data(kFolder)) {
+  for (const std::string& name : config::list_data(kFolder)) {
     table.push_back({name});
-    for (const auto& [path, range] : parse_yaml_file(find_data_file(kFolder, name)).members) {
-      table.push_back({"  " + path, to_json(range)});
+    for (const auto& [path, range] :
+         config::parse_yaml_file(config::find_data_file(kFolder, name)).members) {
+      table.push_back({"  " + path, config::to_json(range)});
     }
   }
   return table;
 }
 
-Table options(const std::vector<OptionRow>& rows) {
+Table options(const std::vector<config::OptionRow>& rows) {
   Table table;
-  for (const OptionRow& row : rows)
+  for (const config::OptionRow& row : rows)
     table.push_back(
         {row.key, row.value + (row.unit.empty() ? "" : " " + row.unit), row.range, row.help});
   return table;
 }
 
-std::string options_json(const std::vector<OptionRow>& rows) {
+std::string options_json(const std::vector<config::OptionRow>& rows) {
   std::string text;
-  JsonText json(text);
+  logging::JsonText json(text);
   json.array();
-  for (const OptionRow& row : rows) {
+  for (const config::OptionRow& row : rows) {
     json.object().member("key", row.key).member("default", row.value).member("unit", row.unit);
     json.member("range", row.range).member("help", row.help).end_object();
   }
@@ -111,17 +113,17 @@ std::string options_json(const std::vector<OptionRow>& rows) {
 }
 
 int list_options_command(const ListFilter& filter) {
-  const std::vector<OptionRow> rows = list_options(filter.about);
+  const std::vector<config::OptionRow> rows = config::list_options(filter.about);
   if (rows.empty()) throw Error("no option begins with \"" + filter.about + "\"");
   std::cout << (filter.json ? options_json(rows) : printable(aligned(options(rows)), "\n"));
   return kPassed;
 }
 
 int list_schema_command(const std::string& kind) {
-  const std::vector<std::string>& kinds = kinds_of_files();
+  const std::vector<std::string>& kinds = config::kinds_of_files();
   if (std::ranges::find(kinds, kind) == kinds.end())
-    throw Error("a schema is of a kind of file; " + valid_names(kind, kinds));
-  std::cout << json_schema(kind) << "\n";
+    throw Error("a schema is of a kind of file; " + config::valid_names(kind, kinds));
+  std::cout << config::json_schema(kind) << "\n";
   return kPassed;
 }
 
@@ -147,4 +149,4 @@ int list_command(const std::string& what, const ListFilter& filter) {
   return kPassed;
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::cli

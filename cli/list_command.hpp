@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-namespace surefoot {
+namespace surefoot::cli {
 
 /// What `surefoot list` can list.
 [[nodiscard]] const std::vector<std::string>& listable();
@@ -18,4 +18,4 @@ struct ListFilter {
 /// that makes no sense.
 int list_command(const std::string& what, const ListFilter& filter = {});
 
-}  // namespace surefoot
+}  // namespace surefoot::cli

@@ -19,12 +19,12 @@
 #include <ostream>
 #include <vector>
 
-namespace surefoot {
+namespace surefoot::cli {
 namespace {
 
-std::string events_text(const std::vector<NearbyEvent>& events) {
+std::string events_text(const std::vector<explain::NearbyEvent>& events) {
   std::string out = events.empty() ? "" : "\n";
-  for (const NearbyEvent& event : events)
+  for (const explain::NearbyEvent& event : events)
     out += formatted("%9.4f s  ", event.time) + (event.leg.empty() ? "" : event.leg + ": ") +
            event.text + "\n";
   return out;
@@ -33,7 +33,7 @@ std::string events_text(const std::vector<NearbyEvent>& events) {
 }  // namespace
 
 void tell_partial_beside(const std::string& log) {
-  const std::string partial = partial_beside(log);
+  const std::string partial = logging::partial_beside(log);
   if (partial.empty() || !std::filesystem::exists(log)) return;
   std::fprintf(stderr, "surefoot: note: %s is of a later run, which goes on or was cut off\n",
                printable(partial).c_str());
@@ -44,7 +44,7 @@ int run_explain(const ExplainArguments& arguments, std::ostream& out) {
   tell_partial_beside(arguments.log);
   std::optional<Waiting> waiting(std::in_place,
                                  "computing " + arguments.log + " again up to the tick");
-  const TickExplanation explanation = explain_tick(arguments.log, arguments.at);
+  const explain::TickExplanation explanation = explain::explain_tick(arguments.log, arguments.at);
   waiting.reset();
   if (arguments.json) {
     out << printable(explanation.json().dump()) << std::endl;
@@ -57,10 +57,11 @@ int run_explain(const ExplainArguments& arguments, std::ostream& out) {
 int run_info(const InfoArguments& arguments, std::ostream& out) {
   tell_partial_beside(arguments.log);
   const LogContents contents = read_contents(arguments.log);
-  const auto events = arguments.events ? read_events(arguments.log) : std::vector<NearbyEvent>();
+  const auto events =
+      arguments.events ? explain::read_events(arguments.log) : std::vector<explain::NearbyEvent>();
   if (arguments.json) {
     auto json = contents_json(arguments.log, contents);
-    if (arguments.events) json["events"] = events_json(events);
+    if (arguments.events) json["events"] = explain::events_json(events);
     out << printable(json.dump()) << std::endl;
   } else {
     out << printable(contents_text(arguments.log, contents) + events_text(events), "\n")
@@ -70,14 +71,14 @@ int run_info(const InfoArguments& arguments, std::ostream& out) {
 }
 
 int run_mend(const MendArguments& arguments, std::ostream& out) {
-  check_not_the_input(arguments.out, arguments.log);
-  check_writable_file(arguments.out);
+  logging::check_not_the_input(arguments.out, arguments.log);
+  logging::check_writable_file(arguments.out);
   {
-    const LogReader has_a_header(arguments.log);
+    const logging::LogReader has_a_header(arguments.log);
   }
-  const std::string problem = mend_log(arguments.log, arguments.out);
+  const std::string problem = logging::mend_log(arguments.log, arguments.out);
   out << printable(problem.empty() ? "it was whole" : problem) << std::endl;
   return kPassed;
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::cli

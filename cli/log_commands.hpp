@@ -3,7 +3,7 @@
 #include <iosfwd>
 #include <string>
 
-namespace surefoot {
+namespace surefoot::cli {
 
 /// Says on stderr where the log of a later run, which goes on or was cut off, lies beside one that
 /// is asked for.
@@ -39,4 +39,4 @@ struct MendArguments {
 /// is lost. Returns an ExitCode; throws Error on wrong input.
 int run_mend(const MendArguments& arguments, std::ostream& out);
 
-}  // namespace surefoot
+}  // namespace surefoot::cli

@@ -7,12 +7,12 @@
 #include <filesystem>
 #include <limits>
 
-namespace surefoot {
+namespace surefoot::cli {
 namespace {
 
 double seconds(std::uint64_t nanoseconds) { return 1e-9 * static_cast<double>(nanoseconds); }
 
-TopicContents& topic_of(const McapMessage& message, std::vector<TopicContents>& topics) {
+TopicContents& topic_of(const logging::McapMessage& message, std::vector<TopicContents>& topics) {
   const auto found = std::ranges::find(topics, message.channel->topic, &TopicContents::topic);
   if (found != topics.end()) return *found;
   topics.push_back({.topic = message.channel->topic, .schema = message.channel->schema_name});
@@ -26,7 +26,7 @@ class Ticks {
   explicit Ticks(double period) : clock_(period) {}
 
   /// A tick is whole from its readings to its command.
-  void add(const McapMessage& message, LogContents& contents) {
+  void add(const logging::McapMessage& message, LogContents& contents) {
     const std::string& topic = message.channel->topic;
     if (topic == "/readings") begun_ = message.log_time;
     if (topic != "/command" || begun_ != message.log_time) return;
@@ -36,13 +36,13 @@ class Ticks {
     contents.last_time = time;
   }
 
-  void add(const McapLoss& loss) {
-    if (loss.may_hold_messages) clock_.lose(first_time(loss));
+  void add(const logging::McapLoss& loss) {
+    if (loss.may_hold_messages) clock_.lose(logging::first_time(loss));
   }
 
   /// Those behind the last that were in a lost chunk.
   void end(LogContents& contents) {
-    for (const McapLoss& loss : contents.losses) {
+    for (const logging::McapLoss& loss : contents.losses) {
       if (!loss.has_times) continue;
       add(loss);
       clock_.end(seconds(loss.last_time));
@@ -52,7 +52,7 @@ class Ticks {
   }
 
  private:
-  TickClock clock_;
+  logging::TickClock clock_;
   std::uint64_t begun_ =
       std::numeric_limits<std::uint64_t>::max();  // time of the last readings [ns]
 };
@@ -61,13 +61,13 @@ class Ticks {
 
 LogContents read_contents(const std::string& path) {
   LogContents contents;
-  contents.header = LogReader(path).header();  // refuses what is not ours
+  contents.header = logging::LogReader(path).header();  // refuses what is not ours
   contents.header.attachments.clear();
   contents.file_bytes = std::filesystem::file_size(path);
-  McapReader file(path);
+  logging::McapReader file(path);
   Ticks ticks(contents.header.control_period);
   std::size_t known_losses = 0;
-  for (McapMessage message; file.next(message);) {
+  for (logging::McapMessage message; file.next(message);) {
     while (known_losses < file.losses().size()) ticks.add(file.losses()[known_losses++]);
     TopicContents& topic = topic_of(message, contents.topics);
     ++topic.messages;
@@ -86,4 +86,4 @@ LogContents read_contents(const std::string& path) {
   return contents;
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::cli

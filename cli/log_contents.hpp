@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace surefoot {
+namespace surefoot::cli {
 
 /// What a log holds on one topic.
 struct TopicContents {
@@ -25,7 +25,7 @@ struct AttachmentContents {
 
 /// What is in a log.
 struct LogContents {
-  LogHeader header;  ///< without its attachments
+  logging::LogHeader header;  ///< without its attachments
   std::uint64_t file_bytes = 0;
   double first_time = 0.0, last_time = 0.0;  ///< of the ticks [s]; both 0 without any
   std::uint64_t ticks = 0;
@@ -33,13 +33,13 @@ struct LogContents {
   std::vector<AttachmentContents> attachments;
   std::string summary;  ///< JSON; empty without one
   std::string problem;  ///< why not all of it could be read; empty if it is whole
-  std::vector<McapLoss> losses;
+  std::vector<logging::McapLoss> losses;
   int changes = 0;               ///< by an operator while it ran
   std::uint64_t lost_ticks = 0;  ///< that are known to be missing
-  ClockSkips clock;
+  logging::ClockSkips clock;
 };
 
 /// Reads a log through. Throws FileError as LogReader does.
 [[nodiscard]] LogContents read_contents(const std::string& path);
 
-}  // namespace surefoot
+}  // namespace surefoot::cli

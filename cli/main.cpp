@@ -1,3 +1,3 @@
 #include "cli/program.hpp"
 
-int main(int argc, char** argv) { return surefoot::run_program(argc, argv); }
+int main(int argc, char** argv) { return surefoot::cli::run_program(argc, argv); }

@@ -19,7 +19,7 @@
 #include <algorithm>
 #include <iostream>
 
-namespace surefoot {
+namespace surefoot::cli {
 namespace {
 
 constexpr const char* kFooter = R"(
@@ -150,7 +150,7 @@ void add_run(CLI::App& app, Command& chosen) {
       ->required();
   run->add_option("--seed", arguments->seed,
                   "Seed of what the scenario randomises and of the noise, 0 to " +
-                      std::to_string(kLargestSeed) +
+                      std::to_string(config::kLargestSeed) +
                       "; 0 (default): nothing is randomised but the noise")
       ->check(seed_number());
   run->add_option("--seeds", arguments->seeds, "Run this many seeds, from --seed (default 1) on")
@@ -252,7 +252,7 @@ void add_dump(CLI::App& app, Command& chosen) {
   dump->add_option("--out", arguments->out, "File to write; standard output by default")
       ->check(some_name());
   dump->add_option("--seed", arguments->seed,
-                   "Seed of a scenario, 0 to " + std::to_string(kLargestSeed) +
+                   "Seed of a scenario, 0 to " + std::to_string(config::kLargestSeed) +
                        "; 0 (default) draws nothing")
       ->check(seed_number());
   dump->add_option("--set", arguments->assignments,
@@ -290,7 +290,7 @@ std::string unknown_option(const CLI::App& command) {
       std::ranges::find_if(unknown, [](const std::string& word) { return word.starts_with('-'); });
   const std::string name = found == unknown.end() ? unknown.front() : *found;
   return "unknown argument \"" + name + "\" of " + command.get_name() + "; " +
-         valid_names(name, valid);
+         config::valid_names(name, valid);
 }
 
 std::string unknown_command(const CLI::App& app, int argc, char** argv) {
@@ -300,7 +300,7 @@ std::string unknown_command(const CLI::App& app, int argc, char** argv) {
   }
   const std::string given = argc > 1 ? argv[1] : "";
   return (given.empty() ? "no command is given" : "unknown command \"" + given + "\"") + "; " +
-         valid_names(given, valid);
+         config::valid_names(given, valid);
 }
 
 /// Help and version go through CLI11; everything else that is wrong with the arguments is one line.
@@ -317,8 +317,8 @@ int tell_parsing(const CLI::App& app, const CLI::ParseError& error, int argc, ch
 
 int run_program(int argc, char** argv) {
   CLI::App app("Whole-body control of legged robots by strict task hierarchies.", "surefoot");
-  app.set_version_flag("--version", std::string(build_info().version) +
-                                        " (solver: " + fastest_kernels().name + " instructions)");
+  app.set_version_flag("--version", std::string(build_info().version) + " (solver: " +
+                                        solver::fastest_kernels().name + " instructions)");
   app.require_subcommand(1);
   app.set_help_all_flag("--help-all", "Help on all commands");
   Command chosen;
@@ -345,4 +345,4 @@ int run_program(int argc, char** argv) {
   }
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::cli

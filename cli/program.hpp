@@ -1,9 +1,9 @@
 #pragma once
 
-namespace surefoot {
+namespace surefoot::cli {
 
 /// The whole program: reads its arguments, runs the command, tells errors in one line on stderr.
 /// Returns an ExitCode.
 int run_program(int argc, char** argv);
 
-}  // namespace surefoot
+}  // namespace surefoot::cli

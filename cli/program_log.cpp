@@ -9,7 +9,7 @@
 #include <iostream>
 #include <memory>
 
-namespace surefoot {
+namespace surefoot::cli {
 namespace {
 
 constexpr const char* kReplayFooter = R"(
@@ -144,4 +144,4 @@ void add_python_command(CLI::App& app, Command& chosen, const std::string& name,
   });
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::cli

@@ -5,7 +5,7 @@
 #include <functional>
 #include <string>
 
-namespace surefoot {
+namespace surefoot::cli {
 
 /// A command: fills its arguments while parsing, then runs.
 using Command = std::function<int()>;
@@ -17,4 +17,4 @@ void add_log_commands(CLI::App& app, Command& chosen);
 void add_python_command(CLI::App& app, Command& chosen, const std::string& name,
                         const std::string& help);
 
-}  // namespace surefoot
+}  // namespace surefoot::cli

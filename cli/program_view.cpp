@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <charconv>
 
-namespace surefoot {
+namespace surefoot::cli {
 
 namespace {
 
@@ -36,11 +36,11 @@ CLI::Validator whole_number(int min, int max, const char* largest) {
   return CLI::Validator(check, "");
 }
 
-static_assert(kLargestSeed == kNoMax);  // or it would have to be told otherwise
+static_assert(config::kLargestSeed == kNoMax);  // or it would have to be told otherwise
 
-CLI::Validator seed_number() { return whole_number(0, kLargestSeed, "the largest seed"); }
+CLI::Validator seed_number() { return whole_number(0, config::kLargestSeed, "the largest seed"); }
 
-void add_server(CLI::App& command, ViewArguments& view) {
+void add_server(CLI::App& command, server::ViewArguments& view) {
   command.add_option("--port", view.port, "Port of the page; 0: any that is free")
       ->check(whole_number(0, 65535))
       ->capture_default_str();
@@ -54,7 +54,7 @@ void add_server(CLI::App& command, ViewArguments& view) {
       ->capture_default_str();
 }
 
-void add_view(CLI::App& command, ViewArguments& view) {
+void add_view(CLI::App& command, server::ViewArguments& view) {
   command.add_flag("--view", view.view,
                    "Run at real time and serve a page on this machine that shows it; ^C ends it");
   command.add_flag("--no-wait", view.no_wait,
@@ -63,4 +63,4 @@ void add_view(CLI::App& command, ViewArguments& view) {
   add_server(command, view);
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::cli

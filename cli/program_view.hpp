@@ -5,7 +5,7 @@
 
 #include <CLI/CLI.hpp>
 
-namespace surefoot {
+namespace surefoot::cli {
 
 inline constexpr int kNoMax = 999'999'999;
 
@@ -17,9 +17,9 @@ inline constexpr int kNoMax = 999'999'999;
 [[nodiscard]] CLI::Validator seed_number();
 
 /// Options of a command that serves the viewer's page.
-void add_server(CLI::App& command, ViewArguments& view);
+void add_server(CLI::App& command, server::ViewArguments& view);
 
 /// The same, with `--view`, which asks for the page.
-void add_view(CLI::App& command, ViewArguments& view);
+void add_view(CLI::App& command, server::ViewArguments& view);
 
-}  // namespace surefoot
+}  // namespace surefoot::cli

@@ -11,7 +11,7 @@
 #include <mutex>
 #include <utility>
 
-namespace surefoot {
+namespace surefoot::cli {
 namespace {
 
 constexpr int kWidth = 30;
@@ -99,4 +99,4 @@ Waiting::Waiting(std::string label, std::chrono::milliseconds every)
         count_seconds(stop, label, every);
       }) {}
 
-}  // namespace surefoot
+}  // namespace surefoot::cli

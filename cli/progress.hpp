@@ -4,7 +4,7 @@
 #include <string>
 #include <thread>
 
-namespace surefoot {
+namespace surefoot::cli {
 
 /// "85 s", "3 min", "5 h", "12 days".
 [[nodiscard]] std::string duration_text(double seconds);
@@ -54,4 +54,4 @@ class Waiting {
   std::jthread thread_;
 };
 
-}  // namespace surefoot
+}  // namespace surefoot::cli

@@ -16,7 +16,7 @@
 #include <cstring>
 #include <filesystem>
 
-namespace surefoot {
+namespace surefoot::cli {
 namespace {
 
 /// The Python that the launcher names; empty where the program was started without it.
@@ -100,10 +100,10 @@ void become_python(const std::string& option, const std::string& module,
   sigaddset(&ending, SIGINT);
   sigaddset(&ending, SIGTERM);
   sigprocmask(SIG_BLOCK, &ending, nullptr);
-  if (interrupted()) throw Error("interrupted: no results");
+  if (runtime::interrupted()) throw Error("interrupted: no results");
   std::vector<std::string> command = command_of(module, words);
   execv(python().c_str(), pointers(command).data());
   throw Error(option + ": " + python() + " can't be started: " + std::strerror(errno));
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::cli

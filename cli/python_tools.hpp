@@ -4,7 +4,7 @@
 #include <vector>
 
 /// The Python packages beside the program: they make reports and films of logs, and many runs.
-namespace surefoot {
+namespace surefoot::cli {
 
 /// Throws Error if they can't be started; `option` is what asks for them.
 void check_has_python(const std::string& option);
@@ -24,4 +24,4 @@ void check_can_film(const std::string& file);
 [[noreturn]] void become_python(const std::string& option, const std::string& module,
                                 const std::vector<std::string>& words);
 
-}  // namespace surefoot
+}  // namespace surefoot::cli

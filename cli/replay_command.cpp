@@ -19,7 +19,7 @@
 #include <iterator>
 #include <ostream>
 
-namespace surefoot {
+namespace surefoot::cli {
 namespace {
 
 void check(const ReplayArguments& arguments) {
@@ -29,7 +29,7 @@ void check(const ReplayArguments& arguments) {
     throw Error("--csv writes the ticks of --stack, which is not given");
   if (arguments.json && !arguments.verify && arguments.stack.empty())
     throw Error("--json is for --verify and --stack; without them replay serves a page");
-  if (says_where(arguments.view) && (arguments.verify || !arguments.stack.empty()))
+  if (server::says_where(arguments.view) && (arguments.verify || !arguments.stack.empty()))
     throw Error(
         "--port, --listen, --token and --view-clients are of the page, which --verify and "
         "--stack don't serve; leave them out");
@@ -48,8 +48,8 @@ class TickTable {
   explicit TickTable(const std::string& path) : whole_(path), file_(whole_.stream()) {}
 
   /// `other` is null where it was not asked.
-  void add(const LogHeader& header, const TickRecord& logged, const StackAnswer* other,
-           const std::vector<OtherLevel>& other_levels) {
+  void add(const logging::LogHeader& header, const TickRecord& logged,
+           const control::StackAnswer* other, const std::vector<replay::OtherLevel>& other_levels) {
     if (!has_head_) write_head(header, other_levels);
     has_head_ = true;
     const bool is_answered = other != nullptr && other->is_usable();
@@ -65,14 +65,15 @@ class TickTable {
     for (std::size_t k = 0; k < header.level_names.size(); ++k)
       number(is_of(logged, k) ? logged.hierarchy.levels[k].residual : std::nan(""));
     for (std::size_t k = 0; k < other_levels.size(); ++k)
-      number(is_answered ? computed_residual(other->hierarchy, k) : std::nan(""));
+      number(is_answered ? logging::computed_residual(other->hierarchy, k) : std::nan(""));
     file_ << '\n';
   }
 
   void close() { whole_.finish(); }
 
  private:
-  void write_head(const LogHeader& header, const std::vector<OtherLevel>& other_levels) {
+  void write_head(const logging::LogHeader& header,
+                  const std::vector<replay::OtherLevel>& other_levels) {
     file_ << "time[s]";
     for (const char* side : {"", "other."})
       file_ << ',' << side << "command.mode," << side << "hierarchy.status";
@@ -81,17 +82,17 @@ class TickTable {
         file_ << ',' << side << "command.torque." << joint << "[N·m]";
     for (std::ptrdiff_t k = 0; k < std::ssize(header.level_names); ++k)
       write_level("", {.name = header.level_name(k), .unit = header.level_unit(k)});
-    for (const OtherLevel& level : other_levels) write_level("other.", level);
+    for (const replay::OtherLevel& level : other_levels) write_level("other.", level);
     file_ << '\n';
   }
 
-  void write_level(const char* side, const OtherLevel& level) {
+  void write_level(const char* side, const replay::OtherLevel& level) {
     file_ << ',' << side << "hierarchy.level." << level.name << ".residual";
     if (!level.unit.empty()) file_ << '[' << level.unit << ']';
   }
 
   static bool is_of(const TickRecord& tick, std::size_t level) {
-    return was_used(tick) && static_cast<std::int32_t>(level) < tick.hierarchy.num_levels;
+    return logging::was_used(tick) && static_cast<std::int32_t>(level) < tick.hierarchy.num_levels;
   }
 
   /// Which rung of the ladder commands, and how the solve ended.
@@ -106,13 +107,13 @@ class TickTable {
     if (!std::isnan(value)) file_ << shortest(value);
   }
 
-  WholeFile whole_;
+  logging::WholeFile whole_;
   std::ostream& file_;
   bool has_head_ = false;
 };
 
 int verify(const ReplayArguments& arguments, std::ostream& out) {
-  const Verification result = verify_log(arguments.log);
+  const replay::Verification result = replay::verify_log(arguments.log);
   if (arguments.json) {
     out << printable(verification_json(arguments.log, result).dump()) << std::endl;
   } else {
@@ -122,18 +123,18 @@ int verify(const ReplayArguments& arguments, std::ostream& out) {
   return result.is_all() && result.is_whole() ? kPassed : kNotWhole;
 }
 
-StackComparison compare(const ReplayArguments& arguments) {
-  if (arguments.csv.empty()) return compare_stack(arguments.log, arguments.stack);
-  check_not_the_input(arguments.csv, arguments.log);
-  check_writable_file(arguments.csv);
-  const LogHeader header = LogReader(arguments.log).header();
+replay::StackComparison compare(const ReplayArguments& arguments) {
+  if (arguments.csv.empty()) return replay::compare_stack(arguments.log, arguments.stack);
+  logging::check_not_the_input(arguments.csv, arguments.log);
+  logging::check_writable_file(arguments.csv);
+  const logging::LogHeader header = logging::LogReader(arguments.log).header();
   TickTable table(arguments.csv);
-  const StackComparison result =
-      compare_stack(arguments.log, arguments.stack,
-                    [&](const TickRecord& logged, const StackAnswer* other,
-                        const std::vector<OtherLevel>& other_levels) {
-                      table.add(header, logged, other, other_levels);
-                    });
+  const replay::StackComparison result =
+      replay::compare_stack(arguments.log, arguments.stack,
+                            [&](const TickRecord& logged, const control::StackAnswer* other,
+                                const std::vector<replay::OtherLevel>& other_levels) {
+                              table.add(header, logged, other, other_levels);
+                            });
   table.close();
   return result;
 }
@@ -142,14 +143,14 @@ StackComparison compare(const ReplayArguments& arguments) {
 
 int run_replay(const ReplayArguments& arguments, std::ostream& out) {
   check(arguments);
-  watch_for_interrupt();
+  runtime::watch_for_interrupt();
   tell_partial_beside(arguments.log);
   if (!arguments.verify && arguments.stack.empty()) {
-    serve_log(arguments.log, arguments.view);
+    server::serve_log(arguments.log, arguments.view);
     return kPassed;
   }
   if (arguments.verify) return verify(arguments, out);
-  const StackComparison result = compare(arguments);
+  const replay::StackComparison result = compare(arguments);
   if (arguments.json) {
     out << printable(comparison_json(arguments.log, result).dump()) << std::endl;
   } else {
@@ -158,4 +159,4 @@ int run_replay(const ReplayArguments& arguments, std::ostream& out) {
   return kPassed;
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::cli

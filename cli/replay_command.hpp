@@ -5,7 +5,7 @@
 #include <iosfwd>
 #include <string>
 
-namespace surefoot {
+namespace surefoot::cli {
 
 /// `surefoot replay`, as typed.
 struct ReplayArguments {
@@ -13,8 +13,8 @@ struct ReplayArguments {
   bool verify = false;
   std::string stack;  ///< another hierarchy to ask; empty: none
   bool json = false;
-  std::string csv;     ///< file for the ticks of `stack`; empty: none
-  ViewArguments view;  ///< of the page, where neither is asked for
+  std::string csv;             ///< file for the ticks of `stack`; empty: none
+  server::ViewArguments view;  ///< of the page, where neither is asked for
 };
 
 /// `surefoot replay RUN.mcap`: serves a page that shows the log, until ^C. `--verify`: runs the
@@ -23,4 +23,4 @@ struct ReplayArguments {
 /// throws Error on wrong input.
 int run_replay(const ReplayArguments& arguments, std::ostream& out);
 
-}  // namespace surefoot
+}  // namespace surefoot::cli

@@ -8,19 +8,19 @@
 
 #include <cmath>
 
-namespace surefoot {
+namespace surefoot::cli {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
 std::string seconds(double time) { return formatted("%.4f s", time); }
 
-std::string built_from(const LogHeader& header) {
+std::string built_from(const logging::LogHeader& header) {
   return "surefoot " + header.version +
          (header.commit.empty() ? ", commit not known" : ", commit " + header.commit);
 }
 
-std::string headline(const std::string& path, const LogHeader& header) {
+std::string headline(const std::string& path, const logging::LogHeader& header) {
   return path + ": " + header.scenario + ", seed " + std::to_string(header.seed) + ", stack " +
          header.stack + " (" + built_from(header) + ")\n";
 }
@@ -34,7 +34,7 @@ std::string not_whole(const std::string& problem) {
   return problem.empty() ? "" : "The log is not whole: " + problem + ".\n";
 }
 
-std::string behind_gap(const std::optional<LogGap>& gap, const std::string& done) {
+std::string behind_gap(const std::optional<replay::LogGap>& gap, const std::string& done) {
   if (!gap) return "";
   const std::string to = seconds(gap->to);
   return (gap->from ? "Behind " + seconds(*gap->from) + " nothing" : "Nothing") + " could be " +
@@ -44,7 +44,7 @@ std::string behind_gap(const std::optional<LogGap>& gap, const std::string& done
          " from then on).\n";
 }
 
-std::string not_compared(const Verification& result) {
+std::string not_compared(const replay::Verification& result) {
   std::string out = behind_gap(result.gap, "compared");
   if (result.may_go_on)
     out +=
@@ -52,11 +52,11 @@ std::string not_compared(const Verification& result) {
   return out;
 }
 
-std::string all_compared(const Verification& result) {
+std::string all_compared(const replay::Verification& result) {
   return result.is_all() && !result.is_whole() ? "All of its ticks were compared.\n" : "";
 }
 
-std::string place(const LogHeader& header, const TorqueDifference& difference) {
+std::string place(const logging::LogHeader& header, const replay::TorqueDifference& difference) {
   return "tick " + std::to_string(difference.tick) + ", " + seconds(difference.time) + ", " +
          header.robot.joint_names[static_cast<std::size_t>(difference.joint)] + ": " +
          formatted("%.17g", difference.logged) + " N·m in the log, " +
@@ -65,9 +65,9 @@ std::string place(const LogHeader& header, const TorqueDifference& difference) {
 }
 
 /// The first stage that came out otherwise says where to look.
-std::string first_cause(const Verification& result) {
+std::string first_cause(const replay::Verification& result) {
   std::string out;
-  for (const MessageDifferences& topic : result.messages) {
+  for (const replay::MessageDifferences& topic : result.messages) {
     if (topic.ticks == 0) continue;
     out += "  " + std::string(topic.topic) + " is another one at " + std::to_string(topic.ticks) +
            " ticks, first at " + seconds(topic.first) + "\n";
@@ -75,7 +75,7 @@ std::string first_cause(const Verification& result) {
   return out;
 }
 
-std::string another_build(const LogHeader& header) {
+std::string another_build(const logging::LogHeader& header) {
   const BuildInfo& build = build_info();
   if (header.version == build.version && header.commit == build.commit) return "";
   return "The log was recorded by " + built_from(header) + ", this is surefoot " +
@@ -83,7 +83,7 @@ std::string another_build(const LogHeader& header) {
          ": another build may compute other bits.\n";
 }
 
-Json joint_json(const LogHeader& header, const TorqueDifference& difference) {
+Json joint_json(const logging::LogHeader& header, const replay::TorqueDifference& difference) {
   return {{"tick", difference.tick},
           {"time", difference.time},
           {"joint", header.robot.joint_names[static_cast<std::size_t>(difference.joint)]},
@@ -91,13 +91,13 @@ Json joint_json(const LogHeader& header, const TorqueDifference& difference) {
           {"computed", difference.computed}};
 }
 
-Json gap_json(const LogGap& gap) {
+Json gap_json(const replay::LogGap& gap) {
   return {{"from", gap.from ? Json(to_nanosecond(*gap.from)) : Json(nullptr)},
           {"to", to_nanosecond(gap.to)},
           {"ticks_behind", gap.ticks_behind}};
 }
 
-Json run_json(const std::string& path, const LogHeader& header) {
+Json log_json(const std::string& path, const logging::LogHeader& header) {
   return {{"log", path},           {"scenario", header.scenario}, {"seed", header.seed},
           {"stack", header.stack}, {"version", header.version},   {"commit", header.commit}};
 }
@@ -123,23 +123,23 @@ std::string torque(const char* format, double value) {
 constexpr const char* kMark = " *";
 
 /// Of a largest difference; marked where the run said nothing of its walk any more.
-std::string largest_at(const StackComparison& result, double time) {
+std::string largest_at(const replay::StackComparison& result, double time) {
   const bool is_behind = result.walk_end && time >= result.walk_end->time - 1e-9;
   return seconds(time) + (is_behind ? kMark : "");
 }
 
 /// Below `tables`, of which it explains the marks.
-std::string walk_end(const StackComparison& result, const std::string& tables) {
+std::string walk_end(const replay::StackComparison& result, const std::string& tables) {
   if (!result.walk_end) return "";
   return (tables.find(kMark) == std::string::npos ? "From " : "* From ") +
          seconds(result.walk_end->time) +
          " on the run says nothing of its walk: " + result.walk_end->why + ".\n\n";
 }
 
-std::string joint_table(const StackComparison& result) {
+std::string joint_table(const replay::StackComparison& result) {
   std::vector<std::vector<std::string>> table{{"torque, other − logged", "rms", "largest", "at"}};
   for (std::size_t i = 0; i < result.joints.size(); ++i) {
-    const JointComparison& joint = result.joints[i];
+    const replay::JointComparison& joint = result.joints[i];
     const bool is_none = std::abs(joint.largest) < kResidualRounding;
     table.push_back({result.header.robot.joint_names[i], torque("%.3g", joint.rms),
                      torque("%+.3g", joint.largest),
@@ -148,10 +148,10 @@ std::string joint_table(const StackComparison& result) {
   return aligned(table);
 }
 
-std::string level_table(const StackComparison& result) {
+std::string level_table(const replay::StackComparison& result) {
   std::vector<std::vector<std::string>> table{
       {"residual", "rms, logged", "other", "largest, logged", "at", "other", "at"}};
-  for (const LevelComparison& level : result.levels) {
+  for (const replay::LevelComparison& level : result.levels) {
     const auto shown = [&](bool is_there, double value) {
       return is_there ? residual(value, level.unit) : std::string("–");
     };
@@ -172,19 +172,19 @@ std::string number_of_ticks(long ticks) {
 }
 
 /// "3 ticks, first at 1.0000 s".
-std::string counted(const TickCount& count) {
+std::string counted(const replay::TickCount& count) {
   return number_of_ticks(count.ticks) +
          (count.ticks > 0 ? ", first at " + seconds(count.first) : "");
 }
 
 /// Above the tables, what they are made of.
-std::string compared(const StackComparison& result) {
+std::string compared(const replay::StackComparison& result) {
   if (result.compared == result.ticks) return "Both answered every tick.\n";
   return "Both answered " + number_of_ticks(result.compared) + " of " +
          std::to_string(result.ticks) + ", from which the tables are made.\n";
 }
 
-std::string unanswered(const StackComparison& result) {
+std::string unanswered(const replay::StackComparison& result) {
   std::string out;
   if (result.not_asked.ticks > 0)
     out += "Not asked at " + counted(result.not_asked) +
@@ -199,7 +199,7 @@ std::string unanswered(const StackComparison& result) {
   return out;
 }
 
-std::string optimality(const StackComparison& result) {
+std::string optimality(const replay::StackComparison& result) {
   std::string out = "Not optimal: " + number_of_ticks(result.logged_not_optimal.ticks) +
                     " in the log, " + counted(result.other_not_optimal) +
                     (result.other_not_optimal.ticks > 0 ? ", of the other hierarchy.\n"
@@ -215,7 +215,7 @@ std::string optimality(const StackComparison& result) {
   return out;
 }
 
-Json count_json(const TickCount& count) {
+Json count_json(const replay::TickCount& count) {
   Json json = {{"ticks", count.ticks}};
   if (count.ticks > 0) json["first"] = to_nanosecond(count.first);
   if (!count.why.empty()) json["why"] = count.why;
@@ -224,7 +224,7 @@ Json count_json(const TickCount& count) {
 
 }  // namespace
 
-std::string verification_text(const std::string& path, const Verification& result) {
+std::string verification_text(const std::string& path, const replay::Verification& result) {
   std::string out = headline(path, result.header);
   out += result.estimated ? "Estimator and controller ran again on the logged readings.\n"
                           : "The controller ran again on the logged readings and states.\n";
@@ -244,8 +244,8 @@ std::string verification_text(const std::string& path, const Verification& resul
          not_compared(result) + all_compared(result) + not_whole(result.problem);
 }
 
-Json verification_json(const std::string& path, const Verification& result) {
-  Json json = run_json(path, result.header);
+Json verification_json(const std::string& path, const replay::Verification& result) {
+  Json json = log_json(path, result.header);
   json["estimated"] = result.estimated;
   json["ticks"] = result.ticks;
   json["first_time"] = result.first_time;
@@ -259,7 +259,7 @@ Json verification_json(const std::string& path, const Verification& result) {
   if (result.first) json["first"] = joint_json(result.header, *result.first);
   if (result.largest) json["largest"] = joint_json(result.header, *result.largest);
   json["different_messages"] = Json::object();
-  for (const MessageDifferences& topic : result.messages)
+  for (const replay::MessageDifferences& topic : result.messages)
     if (topic.ticks > 0)
       json["different_messages"][topic.topic] = {{"ticks", topic.ticks}, {"first", topic.first}};
   json["all_compared"] = result.is_all();
@@ -269,7 +269,7 @@ Json verification_json(const std::string& path, const Verification& result) {
   return json;
 }
 
-std::string comparison_text(const std::string& path, const StackComparison& result) {
+std::string comparison_text(const std::string& path, const replay::StackComparison& result) {
   const std::string tables = joint_table(result) + "\n" + level_table(result);
   return headline(path, result.header) + "Asked at each tick on the same states and plan: stack " +
          result.other + "; its torques are compared only, those of the log moved the robot.\n" +
@@ -278,20 +278,20 @@ std::string comparison_text(const std::string& path, const StackComparison& resu
          behind_gap(result.gap, "asked") + not_whole(result.problem);
 }
 
-Json comparison_json(const std::string& path, const StackComparison& result) {
-  Json json = run_json(path, result.header);
+Json comparison_json(const std::string& path, const replay::StackComparison& result) {
+  Json json = log_json(path, result.header);
   json["other"] = result.other;
   json["ticks"] = result.ticks;
   json["first_time"] = to_nanosecond(result.first_time);
   json["last_time"] = to_nanosecond(result.last_time);
   json["compared"] = result.compared;
   for (std::size_t i = 0; i < result.joints.size(); ++i) {
-    const JointComparison& joint = result.joints[i];
+    const replay::JointComparison& joint = result.joints[i];
     json["torque_difference"][result.header.robot.joint_names[i]] =
         difference_json(joint.rms, joint.largest, joint.time);
   }
   json["levels"] = Json::array();
-  for (const LevelComparison& level : result.levels) {
+  for (const replay::LevelComparison& level : result.levels) {
     Json one = {{"name", level.name}, {"unit", level.unit}};
     if (level.in_log)
       one["logged"] = difference_json(level.logged_rms, level.logged_max, level.logged_time);
@@ -315,4 +315,4 @@ Json comparison_json(const std::string& path, const StackComparison& result) {
   return json;
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::cli

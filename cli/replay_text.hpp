@@ -7,16 +7,18 @@
 
 #include <string>
 
-namespace surefoot {
+namespace surefoot::cli {
 
 /// What `replay --verify` prints.
-[[nodiscard]] std::string verification_text(const std::string& path, const Verification& result);
+[[nodiscard]] std::string verification_text(const std::string& path,
+                                            const replay::Verification& result);
 [[nodiscard]] nlohmann::ordered_json verification_json(const std::string& path,
-                                                       const Verification& result);
+                                                       const replay::Verification& result);
 
 /// What `replay --stack` prints.
-[[nodiscard]] std::string comparison_text(const std::string& path, const StackComparison& result);
+[[nodiscard]] std::string comparison_text(const std::string& path,
+                                          const replay::StackComparison& result);
 [[nodiscard]] nlohmann::ordered_json comparison_json(const std::string& path,
-                                                     const StackComparison& result);
+                                                     const replay::StackComparison& result);
 
-}  // namespace surefoot
+}  // namespace surefoot::cli

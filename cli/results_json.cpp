@@ -10,7 +10,7 @@
 #include <cmath>
 #include <string_view>
 
-namespace surefoot {
+namespace surefoot::cli {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -24,16 +24,16 @@ constexpr std::array<std::string_view, 5> kMoreIsBetter{"distance_m", "speed_mps
 constexpr std::array<std::string_view, 3> kByClock{"tick_us", "solve_us", "realtime_factor"};
 
 /// What a result must say of itself: truth and sensors that the robot does not have are no secret.
-Json heading(const Scenario& scenario) {
+Json heading(const config::Scenario& scenario) {
   return {{"scenario", scenario.name},
           {"stack", scenario.controller.stack.name},
           {"estimation", name(scenario.estimation)},
           {"foot_force_sensor", scenario.controller.contact_force.use_foot_sensor}};
 }
 
-Json criteria_json(const std::vector<CriterionResult>& results) {
+Json criteria_json(const std::vector<evaluation::CriterionResult>& results) {
   Json list = Json::array();
-  for (const CriterionResult& result : results) {
+  for (const evaluation::CriterionResult& result : results) {
     Json entry{{"metric", result.criterion.metric}};
     if (result.criterion.min) entry["min"] = *result.criterion.min;
     if (result.criterion.max) entry["max"] = *result.criterion.max;
@@ -48,11 +48,11 @@ Json criteria_json(const std::vector<CriterionResult>& results) {
 /// Paths of the metrics that are numbers; of a distribution each member, as criteria call them.
 std::vector<std::string> numeric_metrics() {
   std::vector<std::string> names;
-  for (const auto& [name, example] : values(Metrics())) {
+  for (const auto& [name, example] : evaluation::values(evaluation::Metrics())) {
     const std::string metric(name);
     if (std::holds_alternative<double>(example) || std::holds_alternative<int>(example))
       names.push_back(metric);
-    if (std::holds_alternative<Quantiles>(example))
+    if (std::holds_alternative<evaluation::Quantiles>(example))
       for (const char* member : {".median", ".p99", ".max"}) names.push_back(metric + member);
   }
   return names;
@@ -71,15 +71,15 @@ std::string hex(std::uint64_t number) {
 }
 
 /// What happened to feet, sensors and torques, in the order in which it happened first.
-Json run_events_json(const RunResult& result) {
+Json run_events_json(const closed_loop::RunResult& result) {
   std::vector<Json> list;
-  for (const EventCount& event : result.events) {
+  for (const evaluation::EventCount& event : result.events) {
     list.push_back({{"event", name(event.event)},
                     {"leg", event.leg ? Json(kLegNames[index(*event.leg)]) : Json()},
                     {"count", event.count},
                     {"first_s", event.first}});
   }
-  for (const TroubleCount& trouble : result.troubles) {
+  for (const closed_loop::TroubleCount& trouble : result.troubles) {
     list.push_back({{"event", trouble.what},
                     {"leg", nullptr},
                     {"count", trouble.count},
@@ -92,7 +92,7 @@ Json run_events_json(const RunResult& result) {
 
 }  // namespace
 
-Json run_json(const Scenario& scenario, const RunResult& result) {
+Json run_json(const config::Scenario& scenario, const closed_loop::RunResult& result) {
   Json json = heading(scenario);
   json.update(Json::parse(to_json(result.metrics)));
   json["safety_stop"] = result.safety_stop;
@@ -100,14 +100,14 @@ Json run_json(const Scenario& scenario, const RunResult& result) {
   json["criteria"] = criteria_json(result.criteria);
   json["events"] = run_events_json(result);
   json["drawn"] = Json::object();
-  for (const RandomDraw& draw : result.drawn) json["drawn"][draw.path] = draw.value;
+  for (const config::RandomDraw& draw : result.drawn) json["drawn"][draw.path] = draw.value;
   json["notes"] = result.notes;
   json["torques_hash"] = hex(result.torques_hash);
   json["sources_hash"] = hex(scenario.sources_hash);
   return json;
 }
 
-Json check_json(const Scenario& scenario) {
+Json check_json(const config::Scenario& scenario) {
   Json json = heading(scenario);
   json["version"] = build_info().version;
   json["commit"] = build_info().commit;
@@ -117,7 +117,8 @@ Json check_json(const Scenario& scenario) {
   json["has_goal"] = std::isfinite(scenario.goal.feet_beyond_x);
   json["success_rate"] = scenario.success_rate;
   json["paper"] = Json::object();
-  for (const PaperFigure& figure : scenario.paper) json["paper"][figure.metric] = figure.text;
+  for (const config::PaperFigure& figure : scenario.paper)
+    json["paper"][figure.metric] = figure.text;
   json["metrics"] = Json::object();
   for (const std::string& metric : numeric_metrics()) {
     json["metrics"][metric] = {{"worst", more_is_better(metric) ? "least" : "greatest"},
@@ -126,4 +127,4 @@ Json check_json(const Scenario& scenario) {
   return json;
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::cli

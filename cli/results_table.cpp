@@ -12,7 +12,7 @@
 #include <cmath>
 #include <utility>
 
-namespace surefoot {
+namespace surefoot::cli {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -66,12 +66,12 @@ std::string asked(const Json& criterion) {
   return text + (criterion.at("passed").get<bool>() ? " ✓" : " ✗");
 }
 
-std::string paper_of(const Scenario& scenario, const std::string& metric) {
-  const auto found = std::ranges::find(scenario.paper, metric, &PaperFigure::metric);
+std::string paper_of(const config::Scenario& scenario, const std::string& metric) {
+  const auto found = std::ranges::find(scenario.paper, metric, &config::PaperFigure::metric);
   return found == scenario.paper.end() ? "" : found->text;
 }
 
-std::string title(const Scenario& scenario, const Json& json) {
+std::string title(const config::Scenario& scenario, const Json& json) {
   return json.at("scenario").get<std::string>() + ", stack " + json.at("stack").get<std::string>() +
          ", estimation " + json.at("estimation").get<std::string>() +
          (json.at("foot_force_sensor").get<bool>() ? ", foot force sensors" : "") +
@@ -185,10 +185,10 @@ std::string pretty(const std::string& metric, const Json& value) {
          with_unit(member("max"), unit_of(metric));
 }
 
-std::string run_table(const Scenario& scenario, const Json& run) {
+std::string run_table(const config::Scenario& scenario, const Json& run) {
   constexpr std::array<std::string_view, 4> kInTitle{"succeeded", "reason", "seed", "version"};
   Table table{{"", "measured", "must be", "paper", ""}};
-  for (const auto& [name, value] : values(Metrics())) {
+  for (const auto& [name, value] : evaluation::values(evaluation::Metrics())) {
     const std::string metric(name);
     const auto found = run.find(metric);
     if (found == run.end() || std::ranges::find(kInTitle, name) != kInTitle.end()) continue;
@@ -199,4 +199,4 @@ std::string run_table(const Scenario& scenario, const Json& run) {
          aligned(table) + events_of_run(run);
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::cli

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace surefoot {
+namespace surefoot::cli {
 
 /// A metric's value for people: "0.12 mm", "yes", "–". A metric has
 /// one unit, whatever its value.
@@ -15,6 +15,7 @@ namespace surefoot {
 
 /// One run as a table: metrics with units, what the criteria ask for, the paper's figures, and the
 /// notable events.
-[[nodiscard]] std::string run_table(const Scenario& scenario, const nlohmann::ordered_json& run);
+[[nodiscard]] std::string run_table(const config::Scenario& scenario,
+                                    const nlohmann::ordered_json& run);
 
-}  // namespace surefoot
+}  // namespace surefoot::cli

@@ -22,12 +22,12 @@
 #include <iostream>
 #include <optional>
 
-namespace surefoot {
+namespace surefoot::cli {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-void tell_notes(const Scenario& scenario) {
+void tell_notes(const config::Scenario& scenario) {
   for (const std::string& note : scenario.notes)
     std::fprintf(stderr, "surefoot: warning: %s\n", note.c_str());
 }
@@ -48,7 +48,7 @@ class LogPlace {
   [[nodiscard]] bool is_kept() const { return !scratch_; }
 
  private:
-  std::optional<ScratchFolder> scratch_;
+  std::optional<logging::ScratchFolder> scratch_;
   std::filesystem::path path_;
 };
 
@@ -56,10 +56,10 @@ class LogPlace {
 /// before any file is touched.
 void check_outputs(const RunArguments& arguments) {
   if (!arguments.report.empty()) check_has_python("--report");
-  if (!arguments.record.empty()) check_writable_file(arguments.record);
+  if (!arguments.record.empty()) logging::check_writable_file(arguments.record);
   if (arguments.video.empty()) return;
   check_can_film(arguments.video);
-  check_writable_file(arguments.video);
+  logging::check_writable_file(arguments.video);
 }
 
 /// This call's alone, while it writes there. Leaves no folder behind that it made for nothing.
@@ -68,11 +68,11 @@ class ReportFolder {
   explicit ReportFolder(std::filesystem::path folder)
       : folder_(std::move(folder)), is_new_(!std::filesystem::exists(folder_)) {
     if (folder_.empty()) return;
-    prepare_folder(folder_);
+    logging::prepare_folder(folder_);
     lock_.emplace(folder_.string(), folder_.string());
   }
   ~ReportFolder() {
-    if (is_new_) remove_if_empty(folder_);
+    if (is_new_) logging::remove_if_empty(folder_);
   }
   ReportFolder(const ReportFolder&) = delete;
   ReportFolder& operator=(const ReportFolder&) = delete;
@@ -80,12 +80,13 @@ class ReportFolder {
  private:
   std::filesystem::path folder_;
   bool is_new_;
-  std::optional<WriteLock> lock_;
+  std::optional<logging::WriteLock> lock_;
 };
 
 [[noreturn]] void report_interrupt(const std::string& log) {
-  throw Error("interrupted: no results" +
-              (log.empty() ? "" : "; the log " + partial_path(log) + " holds the run so far"));
+  throw Error(
+      "interrupted: no results" +
+      (log.empty() ? "" : "; the log " + logging::partial_path(log) + " holds the run so far"));
 }
 
 void print(const RunArguments& arguments, const Json& json, const std::string& table) {
@@ -93,7 +94,7 @@ void print(const RunArguments& arguments, const Json& json, const std::string& t
 }
 
 /// A success rate above 0 is 1 of one run.
-int exit_code(const Scenario& scenario, const RunResult& result) {
+int exit_code(const config::Scenario& scenario, const closed_loop::RunResult& result) {
   if (result.metrics.succeeded || scenario.success_rate <= 0.0) return kPassed;
   return result.safety_stop ? kSafetyStop : kFailed;
 }
@@ -113,43 +114,46 @@ void tell_film(bool done, const std::string& file, const std::string& log) {
 
 /// A run before the eyes of those who open its page.
 int watch_one(const RunArguments& arguments) {
-  const Scenario scenario = load_scenario({.name_or_path = arguments.scenario,
-                                           .seed = arguments.seed.value_or(0),
-                                           .assignments = arguments.assignments});
+  const config::Scenario scenario = config::load_scenario({.name_or_path = arguments.scenario,
+                                                           .seed = arguments.seed.value_or(0),
+                                                           .assignments = arguments.assignments});
   check_outputs(arguments);
   tell_notes(scenario);
-  const auto tell = [&](const RunResult& result) {
+  const auto tell = [&](const closed_loop::RunResult& result) {
     const Json json = run_json(scenario, result);
     print(arguments, json, run_table(scenario, json));
   };
-  const auto [result, log] = run_live(
-      scenario, {.record_path = arguments.record, .progress = {}, .interrupted = interrupted},
+  const auto [result, log] = server::run_live(
+      scenario,
+      {.record_path = arguments.record, .progress = {}, .interrupted = runtime::interrupted},
       arguments.view, tell);
-  if (result.ending == Ending::interrupted) report_interrupt(log);
+  if (result.ending == closed_loop::Ending::interrupted) report_interrupt(log);
   return exit_code(scenario, result);
 }
 
 int run_one(const RunArguments& arguments) {
-  const Scenario scenario = load_scenario({.name_or_path = arguments.scenario,
-                                           .seed = arguments.seed.value_or(0),
-                                           .assignments = arguments.assignments});
+  const config::Scenario scenario = config::load_scenario({.name_or_path = arguments.scenario,
+                                                           .seed = arguments.seed.value_or(0),
+                                                           .assignments = arguments.assignments});
   const LogPlace place(arguments);
   const std::string log = place.path().string();
-  if (!arguments.report.empty()) check_setup(scenario);
+  if (!arguments.report.empty()) closed_loop::check_setup(scenario);
   const ReportFolder folder(arguments.report);
   check_outputs(arguments);
   // A log that was asked for by name is replaced only when the new one is whole.
   if (!arguments.report.empty())
-    remove_outdated(arguments.report, arguments.record.empty() ? log : "");
+    logging::remove_outdated(arguments.report, arguments.record.empty() ? log : "");
   tell_notes(scenario);
-  RunResult result;
+  closed_loop::RunResult result;
   {
     Progress progress(scenario.name, scenario.duration, "s");
-    result = run_closed_loop(scenario, {.record_path = log,
-                                        .progress = [&](double time) { progress.update(time); },
-                                        .interrupted = interrupted});
+    result = closed_loop::run_closed_loop(scenario,
+                                          {.record_path = log,
+                                           .progress = [&](double time) { progress.update(time); },
+                                           .interrupted = runtime::interrupted});
   }
-  if (result.ending == Ending::interrupted) report_interrupt(place.is_kept() ? log : "");
+  if (result.ending == closed_loop::Ending::interrupted)
+    report_interrupt(place.is_kept() ? log : "");
   const bool has_report =
       arguments.report.empty() || write_report(log, arguments.report, !arguments.no_pictures);
   if (!arguments.report.empty() && has_report)
@@ -166,7 +170,7 @@ int run_one(const RunArguments& arguments) {
 }
 
 /// What a run would leave out or change, besides the warnings of the scenario.
-std::string check_text(const Scenario& scenario, const RunCost& cost,
+std::string check_text(const config::Scenario& scenario, const RunCost& cost,
                        const std::vector<std::string>& notes) {
   std::string said =
       scenario.name + ": nothing is wrong with it; a run is " + cost_text(cost) + "\n";
@@ -178,10 +182,10 @@ std::string check_text(const Scenario& scenario, const RunCost& cost,
 }
 
 int check_one(const RunArguments& arguments) {
-  const Scenario scenario = load_scenario({.name_or_path = arguments.scenario,
-                                           .seed = arguments.seed.value_or(0),
-                                           .assignments = arguments.assignments});
-  const std::vector<std::string> notes = check_setup(scenario);
+  const config::Scenario scenario = config::load_scenario({.name_or_path = arguments.scenario,
+                                                           .seed = arguments.seed.value_or(0),
+                                                           .assignments = arguments.assignments});
+  const std::vector<std::string> notes = closed_loop::check_setup(scenario);
   check_outputs(arguments);
   const RunCost cost = run_cost(scenario);
   tell_notes(scenario);
@@ -227,7 +231,7 @@ void check_watched(const RunArguments& arguments) {
 }  // namespace
 
 int run_command(const RunArguments& arguments) {
-  watch_for_interrupt();
+  runtime::watch_for_interrupt();
   check(arguments.view);
   if (arguments.view.view) check_watched(arguments);
   if (arguments.check) return check_one(arguments);
@@ -236,4 +240,4 @@ int run_command(const RunArguments& arguments) {
   return run_one(arguments);
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::cli

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace surefoot {
+namespace surefoot::cli {
 
 /// `surefoot run`, as typed.
 struct RunArguments {
@@ -22,11 +22,11 @@ struct RunArguments {
   std::string video;
   bool json = false;
   bool check = false;  ///< read the scenario and run nothing
-  ViewArguments view;
+  server::ViewArguments view;
 };
 
 /// Runs a scenario once, or once for each of several seeds. Returns an ExitCode; throws Error on
 /// wrong input.
 int run_command(const RunArguments& arguments);
 
-}  // namespace surefoot
+}  // namespace surefoot::cli

@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-namespace surefoot {
+namespace surefoot::cli {
 namespace {
 
 // A tick's share [bytes]: its times, of which quantiles are told, and what docs/log.md has
@@ -20,10 +20,10 @@ std::string size(double bytes) {
 
 }  // namespace
 
-RunCost run_cost(const Scenario& scenario) {
+RunCost run_cost(const config::Scenario& scenario) {
   const double ticks = std::ceil(scenario.duration / scenario.controller.period);
   return {.ticks = ticks,
-          .wall_seconds = ticks * measure_tick(scenario),
+          .wall_seconds = ticks * closed_loop::measure_tick(scenario),
           .memory = ticks * kMemoryOfTick,
           .log = ticks * kLogOfTick};
 }
@@ -35,4 +35,4 @@ std::string cost_text(const RunCost& cost) {
          ", and " + size(cost.log) + " of log with --record";
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::cli

@@ -4,7 +4,7 @@
 
 #include <string>
 
-namespace surefoot {
+namespace surefoot::cli {
 
 /// What a run takes that goes on to the end of its duration.
 struct RunCost {
@@ -15,10 +15,10 @@ struct RunCost {
 };
 
 /// Throws Error, as a run would at its start, if plant or controller can't be made.
-[[nodiscard]] RunCost run_cost(const Scenario& scenario);
+[[nodiscard]] RunCost run_cost(const config::Scenario& scenario);
 
 /// "at most 8000 ticks: about 2 s here, and 23 MB of log with --record"; memory only where it is
 /// much.
 [[nodiscard]] std::string cost_text(const RunCost& cost);
 
-}  // namespace surefoot
+}  // namespace surefoot::cli

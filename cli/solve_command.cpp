@@ -24,7 +24,7 @@
 #include <iostream>
 #include <optional>
 
-namespace surefoot {
+namespace surefoot::cli {
 namespace {
 
 using Eigen::Index;
@@ -34,13 +34,13 @@ using Json = nlohmann::ordered_json;
 constexpr Index kMostUnknowns = 500;
 constexpr Index kMostRows = 5000;
 
-Index num_rows(const Hierarchy& hierarchy) {
+Index num_rows(const solver::Hierarchy& hierarchy) {
   Index rows = 0;
   for (std::size_t k = 0; k < hierarchy.num_levels(); ++k) rows += hierarchy.level(k).num_rows();
   return rows;
 }
 
-void check_size(const Hierarchy& hierarchy, const std::string& place) {
+void check_size(const solver::Hierarchy& hierarchy, const std::string& place) {
   const std::string limit = "; expected at most " + std::to_string(kMostUnknowns) +
                             " unknowns and " + std::to_string(kMostRows) + " rows in a line";
   if (hierarchy.unknowns() > kMostUnknowns) {
@@ -61,8 +61,8 @@ constexpr int kMostNotes = 10;  // on `err`
 
 /// Throws Error for a method that there isn't, and for a budget that it can't keep.
 void check_method(const SolveArguments& arguments) {
-  const bool is_cascade = arguments.method == name(SolverMethod::cascade);
-  if (!is_cascade && arguments.method != name(SolverMethod::lexicographic)) {
+  const bool is_cascade = arguments.method == name(control::SolverMethod::cascade);
+  if (!is_cascade && arguments.method != name(control::SolverMethod::lexicographic)) {
     throw Error("unknown method \"" + arguments.method + "\"; there are: lexicographic, cascade");
   }
   if (!(arguments.budget >= 0.0)) throw Error("a budget is a number of flops, at least 0");
@@ -73,7 +73,8 @@ void check_method(const SolveArguments& arguments) {
                 "; expected the number of a level, counted from 1");
   if (!arguments.weights.empty() && !arguments.weighted_from)
     throw Error("--weights go with --weighted, the level from which on they are");
-  for (const double weight : arguments.weights) check_weight(weight, "the weight of a level");
+  for (const double weight : arguments.weights)
+    solver::check_weight(weight, "the weight of a level");
   if (is_cascade && (std::isfinite(arguments.budget) || std::isfinite(arguments.budget_us))) {
     throw Error(
         "the cascade has no budget; --budget and --budget-us go with the lexicographic method");
@@ -106,69 +107,71 @@ class SolveCommand {
   }
 
  private:
-  [[nodiscard]] bool is_cascade() const { return arguments_.method == name(SolverMethod::cascade); }
+  [[nodiscard]] bool is_cascade() const {
+    return arguments_.method == name(control::SolverMethod::cascade);
+  }
 
   /// The set that the kernels of the lexicographic solver use.
-  static std::string instructions() { return fastest_kernels().name; }
+  static std::string instructions() { return solver::fastest_kernels().name; }
 
   /// Lines that are wrong have no answer: its line says which problem is meant.
-  [[nodiscard]] Json with_place(Json line, const Solution& solution) const {
+  [[nodiscard]] Json with_place(Json line, const solver::Solution& solution) const {
     line["line"] = line_;
     if (!is_cascade()) {
       line["instructions"] = instructions();
       line["flops"] = solution.flops;
     }
     if (solution.borderline) line["borderline"] = true;
-    if (solution.status == SolveStatus::iteration_cap)
+    if (solution.status == solver::SolveStatus::iteration_cap)
       line["cut_off_by"] = is_budget_spent(solution) ? "budget" : "cap";
     return line;
   }
 
   /// Otherwise the solver's own cap has ended what is not at its end.
-  [[nodiscard]] bool is_budget_spent(const Solution& solution) const {
+  [[nodiscard]] bool is_budget_spent(const solver::Solution& solution) const {
     const bool is_late =
         std::isfinite(arguments_.budget_us) && solution.time >= 1e-6 * arguments_.budget_us;
     return solution.flops >= arguments_.budget || is_late;
   }
 
-  [[nodiscard]] Solution solve(const Hierarchy& hierarchy) const {
+  [[nodiscard]] solver::Solution solve(const solver::Hierarchy& hierarchy) const {
     const bool is_timed = arguments_.explain || std::isfinite(arguments_.budget_us);
-    double (*clock)() = is_timed ? steady_seconds : nullptr;
+    double (*clock)() = is_timed ? runtime::steady_seconds : nullptr;
     if (is_cascade()) {
-      return solve_in_even_units<CascadeSolver>(hierarchy,
-                                                CascadeOptions{.rank = {}, .clock = clock});
+      return solver::solve_in_even_units<solver::CascadeSolver>(
+          hierarchy, solver::CascadeOptions{.rank = {}, .clock = clock});
     }
-    LexicographicOptions options;
+    solver::LexicographicOptions options;
     options.budget.flops = arguments_.budget;
     options.budget.seconds = 1e-6 * arguments_.budget_us;
     options.clock = clock;
-    return solve_in_even_units<LexicographicSolver>(hierarchy, options);
+    return solver::solve_in_even_units<solver::LexicographicSolver>(hierarchy, options);
   }
 
-  static std::string waiting_for(const std::string& place, const Hierarchy& hierarchy) {
+  static std::string waiting_for(const std::string& place, const solver::Hierarchy& hierarchy) {
     return "solving " + place + " (" + std::to_string(hierarchy.unknowns()) + " unknowns, " +
            std::to_string(num_rows(hierarchy)) + " rows)";
   }
 
   void solve_line(const std::string& line, const std::string& place) {
-    const NamedHierarchy strict = parse_hierarchy(line, place);
+    const config::NamedHierarchy strict = config::parse_hierarchy(line, place);
     check_size(strict.hierarchy, place);
-    const NamedHierarchy question =
-        arguments_.weighted_from
-            ? weighted_question(strict, *arguments_.weighted_from, arguments_.weights, place)
-            : strict;
+    const config::NamedHierarchy question =
+        arguments_.weighted_from ? config::weighted_question(strict, *arguments_.weighted_from,
+                                                             arguments_.weights, place)
+                                 : strict;
     std::optional<Waiting> waiting(std::in_place, waiting_for(place, question.hierarchy));
-    const Solution solution = solve(question.hierarchy);
-    if (solution.status == SolveStatus::invalid_input) {
+    const solver::Solution solution = solve(question.hierarchy);
+    if (solution.status == solver::SolveStatus::invalid_input) {
       throw FileError(
           place +
           ": the answer is beyond the range of doubles; expected rows and bounds of similar size");
     }
     const std::size_t num_levels = question.hierarchy.num_levels();
-    const std::size_t finished = num_finished(solution, num_levels);
-    std::vector<LevelCertificate> certificates;
+    const std::size_t finished = explain::num_finished(solution, num_levels);
+    std::vector<solver::LevelCertificate> certificates;
     if (arguments_.certify)
-      certificates = certify(question.hierarchy, solution.x, {.levels = finished});
+      certificates = solver::certify(question.hierarchy, solution.x, {.levels = finished});
     waiting.reset();
     if (arguments_.explain) {
       explain_line(place, question, solution, certificates, strict.hierarchy);
@@ -179,26 +182,29 @@ class SolveCommand {
       out_ << printable(with_notes(answer, question.hierarchy).dump()) << std::endl;
     }
     tell_levels_without_rows(place, question.hierarchy);
-    if (verdict(certificates) != Verdict::proven) {
-      err_ << place << ": " << verdict_text(question.hierarchy, solution.x, certificates) << '\n';
+    if (solver::verdict(certificates) != solver::Verdict::proven) {
+      err_ << place << ": " << explain::verdict_text(question.hierarchy, solution.x, certificates)
+           << '\n';
       exit_code_ = std::max(exit_code_, static_cast<int>(kFailed));
     }
-    const bool is_cut_off = solution.status == SolveStatus::iteration_cap;
+    const bool is_cut_off = solution.status == solver::SolveStatus::iteration_cap;
     const bool is_capped = is_cut_off && !is_budget_spent(solution);
     if (is_capped || (arguments_.certify && finished < num_levels))
       tell_cut_off(place, finished, num_levels, is_budget_spent(solution));
   }
 
-  [[nodiscard]] Json with_strict_residuals(Json line, const Hierarchy& strict,
-                                           const Solution& solution) const {
-    if (arguments_.weighted_from) line["strict_residuals"] = residuals_at(strict, solution.x);
+  [[nodiscard]] Json with_strict_residuals(Json line, const solver::Hierarchy& strict,
+                                           const solver::Solution& solution) const {
+    if (arguments_.weighted_from)
+      line["strict_residuals"] = config::residuals_at(strict, solution.x);
     return line;
   }
 
-  void explain_line(const std::string& place, const NamedHierarchy& question,
-                    const Solution& solution, const std::vector<LevelCertificate>& certificates,
-                    const Hierarchy& strict) {
-    SolutionExplanation explanation = explained(place, question, solution);
+  void explain_line(const std::string& place, const config::NamedHierarchy& question,
+                    const solver::Solution& solution,
+                    const std::vector<solver::LevelCertificate>& certificates,
+                    const solver::Hierarchy& strict) {
+    explain::SolutionExplanation explanation = explained(place, question, solution);
     explanation.certificates = certificates;
     explanation.is_budget_spent = is_budget_spent(solution);
     if (arguments_.json) {
@@ -212,29 +218,31 @@ class SolveCommand {
   }
 
   /// Many rows that hold many levels back take long, one solve each.
-  static SolutionExplanation explained(const std::string& place, const NamedHierarchy& question,
-                                       const Solution& solution) {
+  static explain::SolutionExplanation explained(const std::string& place,
+                                                const config::NamedHierarchy& question,
+                                                const solver::Solution& solution) {
     const auto num_levels = static_cast<double>(question.hierarchy.num_levels());
     Progress progress("explaining " + place, num_levels, "levels");
-    return explain_solution(question, solution, [&](double done) { progress.update(done); });
+    return explain::explain_solution(question, solution,
+                                     [&](double done) { progress.update(done); });
   }
 
-  static std::string without_rows(const Hierarchy& hierarchy, std::size_t level) {
+  static std::string without_rows(const solver::Hierarchy& hierarchy, std::size_t level) {
     const std::string number = "level " + std::to_string(level + 1);
     const std::string& name = hierarchy.level(level).name();
     return number + (name == number ? "" : " (" + name + ")") +
            " has no rows, so it asks for nothing";
   }
 
-  static Json with_notes(Json line, const Hierarchy& hierarchy) {
-    for (const std::size_t level : levels_without_rows(hierarchy))
+  static Json with_notes(Json line, const solver::Hierarchy& hierarchy) {
+    for (const std::size_t level : explain::levels_without_rows(hierarchy))
       line["notes"].push_back(without_rows(hierarchy, level));
     return line;
   }
 
   /// The lines of a recorded walk are thousands with the same empty level.
-  void tell_levels_without_rows(const std::string& place, const Hierarchy& hierarchy) {
-    for (const std::size_t level : levels_without_rows(hierarchy)) {
+  void tell_levels_without_rows(const std::string& place, const solver::Hierarchy& hierarchy) {
+    for (const std::size_t level : explain::levels_without_rows(hierarchy)) {
       if (++num_notes_ <= kMostNotes)
         err_ << place << ": note: " << printable(without_rows(hierarchy, level)) << '\n';
     }
@@ -252,7 +260,7 @@ class SolveCommand {
     const std::string what = is_unproven ? ": not proven, cut off" : ": cut off";
     err_ << place << what;
     if (finished < num_levels) err_ << " in level " << finished + 1 << " of " << num_levels;
-    err_ << " " << what_ended(is_budget_spent) << "; ";
+    err_ << " " << explain::what_ended(is_budget_spent) << "; ";
     if (finished == num_levels)
       err_ << "all levels are optimal, x is not yet the shortest\n";
     else
@@ -261,25 +269,25 @@ class SolveCommand {
     exit_code_ = std::max(exit_code_, static_cast<int>(kFailed));
   }
 
-  static Json json_line(const NamedHierarchy& question, const Solution& solution,
-                        const std::vector<LevelCertificate>& certificates) {
+  static Json json_line(const config::NamedHierarchy& question, const solver::Solution& solution,
+                        const std::vector<solver::LevelCertificate>& certificates) {
     Json levels = Json::array();
     const std::size_t num_levels = question.hierarchy.num_levels();
-    const std::size_t finished = num_finished(solution, num_levels);
+    const std::size_t finished = explain::num_finished(solution, num_levels);
     for (std::size_t k = 0; k < num_levels; ++k) {
       Json level = Json::object();
-      if (k >= finished) level["status"] = k == finished ? kCutOff : kNotReached;
+      if (k >= finished) level["status"] = k == finished ? explain::kCutOff : explain::kNotReached;
       if (k <= finished) level["residual"] = solution.levels[k].residual;
       if (k < certificates.size()) {
         level["certificate"] = certificates[k].stationarity;
-        level["verdict"] = name(verdict(certificates[k]));
+        level["verdict"] = name(solver::verdict(certificates[k]));
         if (certificates[k].rests_on >= 0) level["rests_on"] = certificates[k].rests_on + 1;
       }
       levels.push_back(std::move(level));
     }
     const std::vector<double> x(solution.x.data(), solution.x.data() + solution.x.size());
     Json line = {{"x", x}, {"levels", std::move(levels)}};
-    if (solution.status == SolveStatus::iteration_cap) line["status"] = "iteration_cap";
+    if (solution.status == solver::SolveStatus::iteration_cap) line["status"] = "iteration_cap";
     return line;
   }
 
@@ -308,4 +316,4 @@ int run_solve(const SolveArguments& arguments, std::ostream& out, std::ostream& 
   return command.solve_lines(input, name);
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::cli

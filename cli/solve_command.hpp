@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace surefoot {
+namespace surefoot::cli {
 
 struct SolveArguments {
   std::string file;      ///< "-": standard input
@@ -60,4 +60,4 @@ struct SolveArguments {
 /// FileError if the file can't be read or has no line.
 int run_solve(const SolveArguments& arguments, std::ostream& out, std::ostream& err);
 
-}  // namespace surefoot
+}  // namespace surefoot::cli

@@ -10,13 +10,14 @@
 #include <cstdio>
 #include <memory>
 
-using surefoot::Controller, surefoot::JointCommand, surefoot::LegInertialEstimator, surefoot::Plant,
-    surefoot::Scenario, surefoot::SensorReading, surefoot::Vec3;
+using surefoot::control::Controller, surefoot::JointCommand,
+    surefoot::estimation::LegInertialEstimator, surefoot::simulation::Plant,
+    surefoot::config::Scenario, surefoot::SensorReading, surefoot::Vec3;
 
 int main() {
   // Robot, task hierarchy, gait and ground, read from scenarios/walk_flat.yaml. Only set-up throws.
   const Scenario scenario =
-      surefoot::load_scenario({.name_or_path = "walk_flat", .seed = 0, .assignments = {}});
+      surefoot::config::load_scenario({.name_or_path = "walk_flat", .seed = 0, .assignments = {}});
   Plant plant(scenario.robot, scenario.plant);
   Controller controller(scenario.robot, scenario.controller,
                         std::make_unique<LegInertialEstimator>(scenario.robot, scenario.estimator,

@@ -7,20 +7,20 @@
 #include <cstdio>
 
 int main() {
-  surefoot::Hierarchy hierarchy(4);
+  surefoot::solver::Hierarchy hierarchy(4);
   for (const char* name : {"friction", "balance"}) hierarchy.add_level(name, 4);
 
-  surefoot::Rows friction = hierarchy.level(0).add(4, 0);   // ±x ≤ 0.5 z
-  friction.A << 1.0, -0.5, 0.0, 0.0, -1.0, -0.5, 0.0, 0.0,  //
+  surefoot::solver::Rows friction = hierarchy.level(0).add(4, 0);  // ±x ≤ 0.5 z
+  friction.A << 1.0, -0.5, 0.0, 0.0, -1.0, -0.5, 0.0, 0.0,         //
       0.0, 0.0, 1.0, -0.5, 0.0, 0.0, -1.0, -0.5;
   friction.lower.setConstant(-INFINITY);
   friction.upper.setZero();
 
-  surefoot::Rows balance = hierarchy.level(1).add(3, 0);  // of push, weight and moment
+  surefoot::solver::Rows balance = hierarchy.level(1).add(3, 0);  // of push, weight and moment
   balance.A << 1.0, 0.0, 1.0, 0.0, 0.0, 1.0, 0.0, 1.0, 0.5, -0.3, 0.5, 0.3;
   balance.lower = balance.upper = Eigen::Vector3d(-60.0, 20.0 * 9.81, 0.0);
 
-  surefoot::LexicographicSolver solver(hierarchy);
+  surefoot::solver::LexicographicSolver solver(hierarchy);
   const Eigen::VectorXd& x = solver.solve(hierarchy).x;
   std::printf("rear (%.1f, %.1f) N, front (%.1f, %.1f) N\n", x[0], x[1], x[2], x[3]);
   return solver.solution().levels[1].residual < 1e-9 ? 0 : 1;

@@ -31,7 +31,8 @@ inline Explanation explain_log(const std::filesystem::path& log, double time, bo
     if (PyErr_CheckSignals() != 0) throw nb::python_error();
     return false;
   };
-  return Explanation::of(explain_tick(log, time, exact ? Costs::exact : Costs::estimated, stops));
+  return Explanation::of(explain::explain_tick(
+      log, time, exact ? explain::Costs::exact : explain::Costs::estimated, stops));
 }
 
 inline void bind_explaining(nb::module_& module) {

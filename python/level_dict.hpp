@@ -51,7 +51,7 @@ Array numbers_of(nb::handle given, const std::string& name, std::size_t axes, co
 struct Block {
   std::string key;
   std::vector<std::string> names;
-  Rows::RowMajor A;
+  solver::Rows::RowMajor A;
   Eigen::VectorXd lower, upper, weights;
 };
 
@@ -80,15 +80,15 @@ class LevelDict {
     if (!has("damping")) return 0.0;
     double damping = 0.0;
     const bool is_number = nb::try_cast(dict_["damping"], damping);
-    if (is_number && damping > 0.0 && damping <= kLargestNumber) return damping;
-    fail("damping " + not_positive(text(nb::repr(dict_["damping"]))));
+    if (is_number && damping > 0.0 && damping <= config::kLargestNumber) return damping;
+    fail("damping " + config::not_positive(text(nb::repr(dict_["damping"]))));
   }
 
   /// In the order A, D.
   [[nodiscard]] std::vector<Block> blocks() const {
     const bool has_bounds = has("lower") || has("f");
     if (has("upper") || (has("A") && !has("b") && !has("D") && has_bounds))
-      fail(kRowsWithBounds + given());
+      fail(config::kRowsWithBounds + given());
     if (has("A") != has("b")) fail("A goes with b (A x = b)" + given());
     if (has("D") != has_bounds) fail("D goes with lower, f or both (lower ≤ D x ≤ f)" + given());
     for (const std::string matrix : {"A", "D"}) {
@@ -115,7 +115,7 @@ class LevelDict {
                                          "A_names", "D_names",   "A_ids",     "D_ids"};
     for (const nb::handle key : dict_.keys()) {
       if (text(key) == "upper" || std::ranges::find(valid, text(key)) != valid.end()) continue;
-      fail("unknown key \"" + text(key) + "\"; " + valid_names(text(key), valid));
+      fail("unknown key \"" + text(key) + "\"; " + config::valid_names(text(key), valid));
     }
   }
 
@@ -131,24 +131,24 @@ class LevelDict {
                       [this](const std::string& message) { fail(message); });
   }
 
-  [[nodiscard]] Rows::RowMajor matrix(const std::string& key) const {
+  [[nodiscard]] solver::Rows::RowMajor matrix(const std::string& key) const {
     const Array numbers = array(key, 2);
     if (numbers.size() == 0) return {};
-    Rows::RowMajor result = Eigen::Map<const Rows::RowMajor>(
+    solver::Rows::RowMajor result = Eigen::Map<const solver::Rows::RowMajor>(
         numbers.data(), static_cast<Eigen::Index>(numbers.shape(0)),
         static_cast<Eigen::Index>(numbers.shape(1)));
     for (Eigen::Index i = 0; i < result.size(); ++i) {
       const double number = result.data()[i];
-      if (std::abs(number) <= kLargestNumber) continue;
+      if (std::abs(number) <= config::kLargestNumber) continue;
       const std::string place = key + "[" + std::to_string(i / result.cols()) + ", " +
                                 std::to_string(i % result.cols()) + "] ";
-      if (std::isfinite(number)) fail(place + too_large(text(number)));
+      if (std::isfinite(number)) fail(place + config::too_large(text(number)));
       fail(place + "is " + text(number) + "; expected a finite number");
     }
     for (Eigen::Index i = 0; i < result.rows(); ++i) {
       const double largest = result.row(i).lpNorm<Eigen::Infinity>();
-      if (largest == 0.0 || largest >= kSmallestRow) continue;
-      fail(key + "[" + std::to_string(i) + "] " + too_small(text(largest)));
+      if (largest == 0.0 || largest >= config::kSmallestRow) continue;
+      fail(key + "[" + std::to_string(i) + "] " + config::too_small(text(largest)));
     }
     return result;
   }
@@ -179,8 +179,8 @@ class LevelDict {
     for (Eigen::Index i = 0; i < result.size(); ++i) {
       const std::string place = key + "[" + std::to_string(i) + "] ";
       if (std::isnan(result[i])) fail(place + "is nan; expected a number");
-      if (std::isfinite(result[i]) && std::abs(result[i]) > kLargestNumber)
-        fail(place + too_large(text(result[i])));
+      if (std::isfinite(result[i]) && std::abs(result[i]) > config::kLargestNumber)
+        fail(place + config::too_large(text(result[i])));
     }
     return result;
   }
@@ -219,16 +219,19 @@ class LevelDict {
   void check_weight(const Block& block, Eigen::Index row) const {
     const double weight = block.weights[row];
     const std::string place = block.key + "_weights[" + std::to_string(row) + "] ";
-    if (!(weight > 0.0 && weight <= kLargestNumber)) fail(place + not_positive(text(weight)));
+    if (!(weight > 0.0 && weight <= config::kLargestNumber))
+      fail(place + config::not_positive(text(weight)));
     double largest = block.A.row(row).lpNorm<Eigen::Infinity>();
-    if (is_weighted_away(largest, weight))
-      fail(place + weighted_away(text(weight), block.key + "[" + std::to_string(row) + "]"));
+    if (config::is_weighted_away(largest, weight))
+      fail(place +
+           config::weighted_away(text(weight), block.key + "[" + std::to_string(row) + "]"));
     largest *= weight;
-    if (largest != 0.0 && largest < kSmallestRow)
-      fail(place + "makes a row that " + too_small(text(largest)));
+    if (largest != 0.0 && largest < config::kSmallestRow)
+      fail(place + "makes a row that " + config::too_small(text(largest)));
     for (const double bound : {block.lower[row], block.upper[row]})
       if (std::isfinite(bound)) largest = std::max(largest, std::abs(weight * bound));
-    if (largest > kLargestNumber) fail(place + "makes a number that " + too_large(text(largest)));
+    if (largest > config::kLargestNumber)
+      fail(place + "makes a number that " + config::too_large(text(largest)));
   }
 
   void check_bounds(const Block& block, Eigen::Index row) const {

@@ -29,25 +29,25 @@ struct LevelOutcome {
   std::optional<int> rests_on = std::nullopt;  ///< `LevelCertificate::rests_on`
 };
 
-inline std::string state_name(RowState state) {
+inline std::string state_name(solver::RowState state) {
   switch (state) {
-    case RowState::below_lower:
+    case solver::RowState::below_lower:
       return "below lower";
-    case RowState::at_lower:
+    case solver::RowState::at_lower:
       return "at lower";
-    case RowState::at_upper:
+    case solver::RowState::at_upper:
       return "at upper";
-    case RowState::above_upper:
+    case solver::RowState::above_upper:
       return "above upper";
-    case RowState::inactive:
-    case RowState::equality:
+    case solver::RowState::inactive:
+    case solver::RowState::equality:
       break;
   }
   return "";
 }
 
 /// The levels of a controller at its last tick.
-inline std::vector<LevelOutcome> outcomes(const Controller& controller) {
+inline std::vector<LevelOutcome> outcomes(const control::Controller& controller) {
   const HierarchyReport& report = controller.record().hierarchy;
   const std::vector<std::string> names = controller.level_names();
   std::vector<LevelOutcome> levels;
@@ -61,13 +61,14 @@ inline std::vector<LevelOutcome> outcomes(const Controller& controller) {
   for (std::size_t i = 0; i < static_cast<std::size_t>(report.num_active); ++i) {
     const ActiveRow& row = report.active[i];
     levels[static_cast<std::size_t>(row.level)].active.emplace_back(
-        controller.row_name(row.level, row.id), state_name(static_cast<RowState>(row.state)));
+        controller.row_name(row.level, row.id),
+        state_name(static_cast<solver::RowState>(row.state)));
   }
   return levels;
 }
 
 /// A level that was solved by itself; `row_names` by row.
-inline LevelOutcome outcome(const std::string& name, const LevelResult& result,
+inline LevelOutcome outcome(const std::string& name, const solver::LevelResult& result,
                             const std::vector<std::string>& row_names) {
   LevelOutcome level{.name = name, .report = {}, .active = {}, .certificate = {}, .verdict = {}};
   level.report.residual = result.residual;

@@ -54,8 +54,10 @@ inline void bind_signals(nb::module_& module) {
   signal<ModelRecord>(module, "ModelRecord",
                       "What the controller's model says of the robot at one tick.");
   signal<TickTiming>(module, "TickTiming", "Wall-clock time of the stages of one tick [µs].");
-  signal<TrueContact>(module, "TrueContact", "What really touches the ground at a foot.");
-  signal<GroundTruth>(module, "GroundTruth", "What the simulator knows and no sensor says.");
+  signal<simulation::TrueContact>(module, "TrueContact",
+                                  "What really touches the ground at a foot.");
+  signal<simulation::GroundTruth>(module, "GroundTruth",
+                                  "What the simulator knows and no sensor says.");
 }
 
 }  // namespace surefoot::python

@@ -24,18 +24,18 @@ namespace surefoot::python {
 
 /// `Solution` in Python.
 struct NamedSolution {
-  NamedHierarchy question;
-  Solution solution;
+  config::NamedHierarchy question;
+  solver::Solution solution;
   double budget = 0.0;  ///< that it had [flops]
   std::vector<LevelOutcome> levels;
   std::optional<int> failed_level;  ///< counted from 0
-  std::vector<LevelCertificate> certificates;
+  std::vector<solver::LevelCertificate> certificates;
   std::optional<std::string> verdict;
 };
 
-inline void append(const Block& block, Level& level, std::vector<std::string>& row_names,
+inline void append(const Block& block, solver::Level& level, std::vector<std::string>& row_names,
                    std::vector<double>& weights) {
-  Rows rows = level.add(block.A.rows(), static_cast<int>(level.num_rows()));
+  solver::Rows rows = level.add(block.A.rows(), static_cast<int>(level.num_rows()));
   rows.A = block.A;
   rows.lower = block.lower;
   rows.upper = block.upper;
@@ -68,7 +68,8 @@ inline std::optional<Eigen::VectorXd> read_reference(const nb::object& given,
     const std::string place = "x_ref[" + std::to_string(i) + "] ";
     if (!std::isfinite(x_ref[i]))
       throw Error(place + "is " + text(x_ref[i]) + "; expected a finite number");
-    if (std::abs(x_ref[i]) > kLargestNumber) throw Error(place + too_large(text(x_ref[i])));
+    if (std::abs(x_ref[i]) > config::kLargestNumber)
+      throw Error(place + config::too_large(text(x_ref[i])));
   }
   return x_ref;
 }
@@ -92,7 +93,7 @@ inline Eigen::Index check_unknowns(const std::vector<LevelDict>& levels,
 }
 
 inline void append_level(const LevelDict& level, const std::vector<Block>& blocks,
-                         const Eigen::VectorXd& x_ref, NamedHierarchy& result) {
+                         const Eigen::VectorXd& x_ref, config::NamedHierarchy& result) {
   Eigen::Index rows = 0;
   for (const Block& block : blocks) rows += block.A.rows();
   const double damping = level.damping();
@@ -103,12 +104,13 @@ inline void append_level(const LevelDict& level, const std::vector<Block>& block
   result.units.push_back(level.unit());
   for (const Block& block : blocks) append(block, result.hierarchy.level(index), names, weights);
   if (damping == 0.0) return;
-  add_damping(result.hierarchy.level(index), damping, x_ref, static_cast<int>(rows));
+  solver::add_damping(result.hierarchy.level(index), damping, x_ref, static_cast<int>(rows));
   append_names("damping", rows, names);
   weights.resize(names.size(), 1.0);
 }
 
-inline NamedHierarchy read_hierarchy(const nb::list& given, const nb::object& given_reference) {
+inline config::NamedHierarchy read_hierarchy(const nb::list& given,
+                                             const nb::object& given_reference) {
   std::vector<LevelDict> levels;
   std::vector<std::vector<Block>> blocks;
   for (const nb::handle level : given) {
@@ -118,12 +120,12 @@ inline NamedHierarchy read_hierarchy(const nb::list& given, const nb::object& gi
   const Eigen::Index unknowns = check_unknowns(levels, blocks);
   const std::optional<Eigen::VectorXd> x_ref = read_reference(given_reference, unknowns);
   const Eigen::VectorXd reference = x_ref.value_or(Eigen::VectorXd::Zero(unknowns));
-  NamedHierarchy result{Hierarchy(unknowns), {}, {}};
+  config::NamedHierarchy result{solver::Hierarchy(unknowns), {}, {}};
   for (std::size_t k = 0; k < levels.size(); ++k)
     append_level(levels[k], blocks[k], reference, result);
   if (!x_ref) return result;
-  add_reference(result.hierarchy.level(result.hierarchy.add_level("x_ref", unknowns)), reference,
-                0);
+  solver::add_reference(result.hierarchy.level(result.hierarchy.add_level("x_ref", unknowns)),
+                        reference, 0);
   append_names("x", unknowns, result.row_names.emplace_back());
   result.weights.emplace_back(static_cast<std::size_t>(unknowns), 1.0);
   result.units.emplace_back();
@@ -132,8 +134,8 @@ inline NamedHierarchy read_hierarchy(const nb::list& given, const nb::object& gi
 }
 
 inline void check_method(const std::string& method, double budget) {
-  const bool is_cascade = method == name(SolverMethod::cascade);
-  if (!is_cascade && method != name(SolverMethod::lexicographic)) {
+  const bool is_cascade = method == name(control::SolverMethod::cascade);
+  if (!is_cascade && method != name(control::SolverMethod::lexicographic)) {
     throw Error("unknown method \"" + method + "\"; there are: lexicographic, cascade");
   }
   if (!(budget >= 0.0)) throw Error("a budget is a number of flops, at least 0");
@@ -142,22 +144,23 @@ inline void check_method(const std::string& method, double budget) {
   }
 }
 
-inline Solution solve(const Hierarchy& hierarchy, const std::string& method, double budget) {
+inline solver::Solution solve(const solver::Hierarchy& hierarchy, const std::string& method,
+                              double budget) {
   const nb::gil_scoped_release others_may_run;
-  if (method == name(SolverMethod::cascade))
-    return solve_in_even_units<CascadeSolver>(hierarchy,
-                                              CascadeOptions{.rank = {}, .clock = steady_seconds});
-  LexicographicOptions options;
+  if (method == name(control::SolverMethod::cascade))
+    return solver::solve_in_even_units<solver::CascadeSolver>(
+        hierarchy, solver::CascadeOptions{.rank = {}, .clock = runtime::steady_seconds});
+  solver::LexicographicOptions options;
   options.budget.flops = budget;
-  options.clock = steady_seconds;
-  return solve_in_even_units<LexicographicSolver>(hierarchy, options);
+  options.clock = runtime::steady_seconds;
+  return solver::solve_in_even_units<solver::LexicographicSolver>(hierarchy, options);
 }
 
 /// Where the search ended early: levels below were not reached, so nothing is known of them.
 inline void tell_end(NamedSolution& result) {
-  const Solution& solution = result.solution;
+  const solver::Solution& solution = result.solution;
   const auto num_levels = static_cast<int>(result.levels.size());
-  if (solution.status == SolveStatus::optimal || solution.failed_level < 0 ||
+  if (solution.status == solver::SolveStatus::optimal || solution.failed_level < 0 ||
       solution.failed_level >= num_levels)
     return;
   result.failed_level = solution.failed_level;
@@ -172,29 +175,30 @@ inline void tell_end(NamedSolution& result) {
 
 /// Of the levels that are finished.
 inline void tell_certificates(NamedSolution& result) {
-  const Hierarchy& hierarchy = result.question.hierarchy;
+  const solver::Hierarchy& hierarchy = result.question.hierarchy;
   const std::size_t finished =
       result.failed_level ? static_cast<std::size_t>(*result.failed_level) : hierarchy.num_levels();
-  std::vector<LevelCertificate>& certificates = result.certificates;
+  std::vector<solver::LevelCertificate>& certificates = result.certificates;
   {
     const nb::gil_scoped_release others_may_run;
-    certificates = certify(hierarchy, result.solution.x, {.levels = finished});
+    certificates = solver::certify(hierarchy, result.solution.x, {.levels = finished});
   }
   for (std::size_t k = 0; k < certificates.size(); ++k) {
     result.levels[k].certificate = certificates[k].stationarity;
-    result.levels[k].verdict = std::string(name(verdict(certificates[k])));
+    result.levels[k].verdict = std::string(name(solver::verdict(certificates[k])));
     if (certificates[k].rests_on >= 0) result.levels[k].rests_on = certificates[k].rests_on;
   }
-  const Verdict worst = result.failed_level ? Verdict::not_proven : verdict(certificates);
+  const solver::Verdict worst =
+      result.failed_level ? solver::Verdict::not_proven : solver::verdict(certificates);
   result.verdict = std::string(name(worst));
 }
 
 inline NamedSolution solve_levels(const nb::list& levels, const nb::object& x_ref,
                                   const std::string& method, double budget, bool is_certified) {
   check_method(method, budget);
-  NamedHierarchy question = read_hierarchy(levels, x_ref);
-  Solution solution = solve(question.hierarchy, method, budget);
-  if (solution.status == SolveStatus::invalid_input) {
+  config::NamedHierarchy question = read_hierarchy(levels, x_ref);
+  solver::Solution solution = solve(question.hierarchy, method, budget);
+  if (solution.status == solver::SolveStatus::invalid_input) {
     throw Error(
         "the answer is beyond the range of doubles; expected rows and bounds of similar size");
   }
@@ -210,7 +214,7 @@ inline NamedSolution solve_levels(const nb::list& levels, const nb::object& x_re
 
 inline Explanation explain(const NamedSolution& solved) {
   const nb::gil_scoped_release others_may_run;
-  SolutionExplanation told = explain_solution(solved.question, solved.solution);
+  explain::SolutionExplanation told = explain::explain_solution(solved.question, solved.solution);
   told.certificates = solved.certificates;
   told.is_budget_spent = solved.solution.flops >= solved.budget;
   return Explanation::of(told);
@@ -227,7 +231,7 @@ inline void bind_solving(nb::module_& module) {
           "shape (unknowns,)")
       .def_ro("levels", &NamedSolution::levels, "how each level came out, highest priority first")
       .def_prop_ro(
-          "status", [](const NamedSolution& self) { return name(self.solution.status); },
+          "status", [](const NamedSolution& self) { return explain::name(self.solution.status); },
           "optimal, or iteration_cap: ended early, x is feasible for all levels that are finished")
       .def_prop_ro(
           "borderline", [](const NamedSolution& self) { return self.solution.borderline; },
@@ -253,7 +257,7 @@ inline void bind_solving(nb::module_& module) {
 
   module.def(
       "solve", &solve_levels, nb::arg("levels"), nb::kw_only(), nb::arg("x_ref") = nb::none(),
-      nb::arg("method") = std::string(name(SolverMethod::lexicographic)),
+      nb::arg("method") = std::string(name(control::SolverMethod::lexicographic)),
       nb::arg("budget") = std::numeric_limits<double>::infinity(), nb::arg("certify") = false,
       nb::sig("def solve(levels: list[dict], *, x_ref: list[float] | None = None, "
               "method: str = 'lexicographic', budget: float = float('inf'), certify: bool = False) "

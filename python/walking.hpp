@@ -20,74 +20,75 @@ namespace surefoot::python {
 /// A scenario's controller with its estimator, and the time that its stages take.
 class TimedController {
  public:
-  TimedController(const Scenario& scenario, const Plant& plant)
+  TimedController(const config::Scenario& scenario, const simulation::Plant& plant)
       : controller(scenario.robot, scenario.controller,
-                   make_estimator(scenario.estimation, {scenario.robot, scenario.controller.period,
-                                                        plant, scenario.estimator})) {
+                   simulation::make_estimator(
+                       scenario.estimation,
+                       {scenario.robot, scenario.controller.period, plant, scenario.estimator})) {
     controller.set_stage_observer(&timer);
   }
 
-  StageTimer timer;
-  Controller controller;
+  runtime::StageTimer timer;
+  control::Controller controller;
 };
 
-inline std::vector<std::string> joint_names(const Scenario& scenario) {
+inline std::vector<std::string> joint_names(const config::Scenario& scenario) {
   std::vector<std::string> names;
-  for (const LegDescription& leg : scenario.robot.legs) {
+  for (const model::LegDescription& leg : scenario.robot.legs) {
     names.insert(names.end(), leg.joints.begin(), leg.joints.end());
   }
   return names;
 }
 
-inline nb::typed<nb::dict, std::string, double> drawn(const Scenario& scenario) {
+inline nb::typed<nb::dict, std::string, double> drawn(const config::Scenario& scenario) {
   nb::typed<nb::dict, std::string, double> values;
-  for (const RandomDraw& draw : scenario.drawn) values[nb::cast(draw.path)] = draw.value;
+  for (const config::RandomDraw& draw : scenario.drawn) values[nb::cast(draw.path)] = draw.value;
   return values;
 }
 
-inline Scenario load(const std::string& name, const nb::int_& seed,
-                     const std::vector<std::string>& assignments) {
-  return load_scenario({.name_or_path = name,
-                        .seed = parse_seed(nb::str(seed).c_str()),
-                        .assignments = assignments});
+inline config::Scenario load(const std::string& name, const nb::int_& seed,
+                             const std::vector<std::string>& assignments) {
+  return config::load_scenario({.name_or_path = name,
+                                .seed = config::parse_seed(nb::str(seed).c_str()),
+                                .assignments = assignments});
 }
 
 inline nb::typed<nb::dict, std::string, std::string> scenarios() {
   nb::typed<nb::dict, std::string, std::string> titles;
-  for (const std::string& name : list_data("scenarios")) {
-    titles[nb::cast(name)] = nb::cast(describe_data("scenarios", name));
+  for (const std::string& name : config::list_data("scenarios")) {
+    titles[nb::cast(name)] = nb::cast(config::describe_data("scenarios", name));
   }
   return titles;
 }
 
 inline void bind_scenario(nb::module_& module) {
-  nb::class_<Scenario>(module, "Scenario",
-                       "An experiment, complete: everything that a run is made from.")
-      .def_ro("name", &Scenario::name)
-      .def_ro("description", &Scenario::description, "what it shows")
-      .def_ro("file", &Scenario::file, "that it was read from")
-      .def_ro("seed", &Scenario::seed)
-      .def_ro("duration", &Scenario::duration, "longest [s]")
+  nb::class_<config::Scenario>(module, "Scenario",
+                               "An experiment, complete: everything that a run is made from.")
+      .def_ro("name", &config::Scenario::name)
+      .def_ro("description", &config::Scenario::description, "what it shows")
+      .def_ro("file", &config::Scenario::file, "that it was read from")
+      .def_ro("seed", &config::Scenario::seed)
+      .def_ro("duration", &config::Scenario::duration, "longest [s]")
       .def_prop_ro(
-          "period", [](const Scenario& self) { return self.controller.period; },
+          "period", [](const config::Scenario& self) { return self.controller.period; },
           "of the control loop [s]")
-      .def_prop_ro("robot", [](const Scenario& self) { return self.robot.name; })
+      .def_prop_ro("robot", [](const config::Scenario& self) { return self.robot.name; })
       .def_prop_ro(
-          "estimation", [](const Scenario& self) { return name(self.estimation); },
+          "estimation", [](const config::Scenario& self) { return name(self.estimation); },
           "where the controller's state comes from")
       .def_prop_ro("joint_names", &joint_names,
                    "in the order of every array of 12: HAA, HFE, KFE of LF, RF, LH, RH")
       .def_prop_ro(
           "torque_limit",
-          [](nb::handle_t<Scenario> self) {
-            return View<kNumJoints>(nb::inst_ptr<Scenario>(self)->robot.torque_limit.data(),
+          [](nb::handle_t<config::Scenario> self) {
+            return View<kNumJoints>(nb::inst_ptr<config::Scenario>(self)->robot.torque_limit.data(),
                                     {kNumJoints}, self);
           },
           "|torque| ≤ limit [N·m], shape (12,)")
       .def_prop_ro("drawn", &drawn, "what the seed chose: path → value")
-      .def_ro("options_json", &Scenario::options_json,
+      .def_ro("options_json", &config::Scenario::options_json,
               "the whole scenario as it was read, assignments and draws included")
-      .def("user", &Scenario::user, nb::arg("time"), nb::rv_policy::copy,
+      .def("user", &config::Scenario::user, nb::arg("time"), nb::rv_policy::copy,
            "The operator's command at a time [s].");
 
   module.def(
@@ -101,30 +102,32 @@ inline void bind_scenario(nb::module_& module) {
 }
 
 inline void bind_plant(nb::module_& module) {
-  nb::class_<Plant>(
+  nb::class_<simulation::Plant>(
       module, "Plant",
       "The robot's stand-in: MuJoCo with actuators, sensors, terrain and disturbances.")
       .def(
           "__init__",
-          [](Plant* self, const Scenario& scenario) {
-            new (self) Plant(scenario.robot, scenario.plant);
+          [](simulation::Plant* self, const config::Scenario& scenario) {
+            new (self) simulation::Plant(scenario.robot, scenario.plant);
           },
           nb::arg("scenario"), nb::call_guard<nb::gil_scoped_release>())
-      .def("read", &Plant::read, nb::rv_policy::copy,
+      .def("read", &simulation::Plant::read, nb::rv_policy::copy,
            "Readings at the current time; the first is there before the first write().")
-      .def("write", &Plant::write, nb::arg("command"), nb::call_guard<nb::gil_scoped_release>(),
+      .def("write", &simulation::Plant::write, nb::arg("command"),
+           nb::call_guard<nb::gil_scoped_release>(),
            "Applies a command and advances the physics by one control period.")
       .def(
-          "write", [](Plant& self, const Twelve& torque) { self.write(joint_command(torque)); },
+          "write",
+          [](simulation::Plant& self, const Twelve& torque) { self.write(joint_command(torque)); },
           nb::arg("torque"), nb::call_guard<nb::gil_scoped_release>(),
           "The same for 12 torques [N·m].")
-      .def_prop_ro("time", &Plant::time, "since the start of the run [s]")
-      .def_prop_ro("truth", &Plant::truth, nb::rv_policy::copy,
+      .def_prop_ro("time", &simulation::Plant::time, "since the start of the run [s]")
+      .def_prop_ro("truth", &simulation::Plant::truth, nb::rv_policy::copy,
                    "What really happens, at the current time.")
-      .def_prop_ro("notes", &Plant::notes, nb::rv_policy::copy, "Lines worth telling.")
-      .def("terrain_height", &Plant::terrain_height, nb::arg("x"), nb::arg("y"),
+      .def_prop_ro("notes", &simulation::Plant::notes, nb::rv_policy::copy, "Lines worth telling.")
+      .def("terrain_height", &simulation::Plant::terrain_height, nb::arg("x"), nb::arg("y"),
            "Height of the terrain under a point [m]; NaN where there is none.")
-      .def("model_xml", &Plant::model_xml,
+      .def("model_xml", &simulation::Plant::model_xml,
            "The physics model as MJCF text, for MuJoCo's own tools.");
 }
 
@@ -135,8 +138,8 @@ inline void bind_controller(nb::module_& module) {
       "The whole-body controller of a scenario: one step() a tick turns readings into torques.\n\n"
       "Its state comes from where the scenario's `estimation` says; the plant must be the one that "
       "the readings come from.")
-      .def(nb::init<const Scenario&, const Plant&>(), nb::arg("scenario"), nb::arg("plant"),
-           nb::keep_alive<1, 3>())
+      .def(nb::init<const config::Scenario&, const simulation::Plant&>(), nb::arg("scenario"),
+           nb::arg("plant"), nb::keep_alive<1, 3>())
       .def(
           "step",
           [](Self& self, const SensorReading& reading, const UserCommand& user) {

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <utility>
 
-namespace surefoot {
+namespace surefoot::server {
 namespace {
 
 std::size_t offset_of(const ViewChannels& channels, std::string_view name) {
@@ -29,7 +29,7 @@ std::string_view name_in(const auto& names, float number) {
 
 std::string text_event(double time, std::string_view kind, std::string_view text) {
   std::string out;
-  JsonText json(out);
+  logging::JsonText json(out);
   json.object().member("time", time).member("kind", kind).member("text", text).end_object();
   return out;
 }
@@ -48,15 +48,15 @@ const std::vector<std::string>& EventFinder::see(const ViewFrame& frame) {
   const std::vector<float>& now = frame.floats;
   const bool has_last = last_.size() == now.size();
   for (const FrameEvent& event : frame.events) {
-    JsonText json(events_.emplace_back());
+    logging::JsonText json(events_.emplace_back());
     json.array().value(frame.time).value(event.kind);
     event.leg ? json.value(kLegNames[index(*event.leg)]) : json.null();
     json.end_array();
   }
   if (has_last && now[mode_] != last_[mode_]) {
     const auto mode = static_cast<CommandMode>(now[mode_]);
-    events_.push_back(
-        text_event(frame.time, "mode", mode_text(mode, name_in(stop_texts(), now[stop_]))));
+    events_.push_back(text_event(
+        frame.time, "mode", logging::mode_text(mode, name_in(logging::stop_texts(), now[stop_]))));
   }
   if (force_size_ > 0) see_forces(frame);
   last_ = now;
@@ -72,8 +72,10 @@ void EventFinder::see_forces(const ViewFrame& frame) {
     events_.push_back(text_event(time, "force", text));
   };
   const auto changes = forces_.see(frame.time, xfrc, Quat(q[0], q[1], q[2], q[3]));
-  for (const AppliedForce& force : changes.begun) tell(force.from, push_text(force, bodies_));
-  for (const AppliedForce& force : changes.ended) tell(force.to, push_end_text(force, bodies_));
+  for (const logging::AppliedForce& force : changes.begun)
+    tell(force.from, logging::push_text(force, bodies_));
+  for (const logging::AppliedForce& force : changes.ended)
+    tell(force.to, logging::push_end_text(force, bodies_));
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::server

@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-namespace surefoot {
+namespace surefoot::server {
 
 /// Something that happened, as `/api/events` has it: {"time", "kind", "text"}.
 [[nodiscard]] std::string text_event(double time, std::string_view kind, std::string_view text);
@@ -35,8 +35,8 @@ class EventFinder {
   std::vector<std::string> events_;  // of the frame
   std::size_t force_, force_size_, rotation_;
   std::vector<std::string> bodies_;
-  AppliedForceWatch forces_;
-  ScenarioForces scenario_;
+  logging::AppliedForceWatch forces_;
+  logging::ScenarioForces scenario_;
 };
 
-}  // namespace surefoot
+}  // namespace surefoot::server

@@ -6,7 +6,7 @@
 #include <cstring>
 #include <type_traits>
 
-namespace surefoot {
+namespace surefoot::server {
 namespace {
 
 static_assert(std::endian::native == std::endian::little, "blocks are little-endian");
@@ -125,4 +125,4 @@ ReadBlock read_block(std::string_view bytes, std::size_t frame_floats) {
   return result;
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::server

@@ -11,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-namespace surefoot {
+namespace surefoot::server {
 
 /// State of an equality row that was missed.
 inline constexpr std::int8_t kMissedEquality = 2;
@@ -68,4 +68,4 @@ struct ReadBlock {
 /// Throws Error where the bytes are no block of frames with so many floats.
 [[nodiscard]] ReadBlock read_block(std::string_view bytes, std::size_t frame_floats);
 
-}  // namespace surefoot
+}  // namespace surefoot::server

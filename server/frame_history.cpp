@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <optional>
 
-namespace surefoot {
+namespace surefoot::server {
 
 void FrameHistory::add(SharedBlock block) {
   std::string_view rest = *block.bytes;
@@ -96,4 +96,4 @@ std::string FrameHistory::block(const FrameRequest& request, std::uint32_t gener
   return bytes;
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::server

@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-namespace surefoot {
+namespace surefoot::server {
 
 /// The last frames of a live run, every tick of them, in the bytes that were sent: pages that come
 /// late ask for what they did not see.
@@ -53,4 +53,4 @@ class FrameHistory {
   std::deque<Piece> pieces_;
 };
 
-}  // namespace surefoot
+}  // namespace surefoot::server

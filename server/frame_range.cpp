@@ -2,7 +2,7 @@
 
 #include <limits>
 
-namespace surefoot {
+namespace surefoot::server {
 namespace {
 
 constexpr float kBeyondAll = std::numeric_limits<float>::infinity();
@@ -33,8 +33,8 @@ void FrameRange::pack(std::uint32_t tick, double time, std::string& out) {
   for (ViewFrame* frame : {&least, &greatest}) {
     frame->tick = tick;
     frame->time = time;
-    surefoot::pack(*frame, out);
+    server::pack(*frame, out);
   }
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::server

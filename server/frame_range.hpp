@@ -5,7 +5,7 @@
 #include <span>
 #include <string>
 
-namespace surefoot {
+namespace surefoot::server {
 
 /// Least and greatest of each channel over some frames, as two frames without rows. What is not a
 /// number is passed over; a channel that has none is NaN.
@@ -19,4 +19,4 @@ struct FrameRange {
   void pack(std::uint32_t tick, double time, std::string& out);
 };
 
-}  // namespace surefoot
+}  // namespace surefoot::server

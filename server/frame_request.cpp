@@ -5,7 +5,7 @@
 
 #include <limits>
 
-namespace surefoot {
+namespace surefoot::server {
 namespace {
 
 constexpr std::uint32_t kMostFrames = 4096;  // of an answer
@@ -33,4 +33,4 @@ WebAnswer answer_frames(const WebContent::Query& query,
   }
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::server

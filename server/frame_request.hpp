@@ -6,7 +6,7 @@
 #include <functional>
 #include <string>
 
-namespace surefoot {
+namespace surefoot::server {
 
 /// What `/api/frames` is asked for (docs/view_protocol.md): frames of ticks `from`, `from` +
 /// `stride`, …, at most `count` of them; with `min_max` two frames for each stride.
@@ -20,4 +20,4 @@ struct FrameRequest {
 [[nodiscard]] WebAnswer answer_frames(const WebContent::Query& query,
                                       const std::function<std::string(const FrameRequest&)>& block);
 
-}  // namespace surefoot
+}  // namespace surefoot::server

@@ -17,7 +17,7 @@
 #include <iterator>
 #include <sstream>
 
-namespace surefoot {
+namespace surefoot::server {
 namespace {
 
 constexpr std::size_t kRingTicks = 1024;
@@ -32,7 +32,7 @@ std::string text_of_file(const std::string& path) {
   return text.str();
 }
 
-void vector_member(JsonText& json, std::string_view name, const auto& vector) {
+void vector_member(logging::JsonText& json, std::string_view name, const auto& vector) {
   json.key(name).array();
   for (const double number : vector) json.value(number);
   json.end_array();
@@ -50,12 +50,12 @@ std::uint32_t ticks_of(double seconds, double period) {
 
 }  // namespace
 
-LiveFeed::LiveFeed(const Scenario& scenario, LiveOperator& wishes, std::string recording)
+LiveFeed::LiveFeed(const config::Scenario& scenario, LiveOperator& wishes, std::string recording)
     : operator_(wishes),
-      robot_(text_of_file(scenario.robot.urdf_path), mesh_folders(scenario.robot)),
+      robot_(text_of_file(scenario.robot.urdf_path), model::mesh_folders(scenario.robot)),
       history_(ticks_of(kHistory, scenario.controller.period)),
       recording_(std::move(recording)),
-      calibration_(CalibrationMotion(scenario.controller.planner.calibration).duration()) {
+      calibration_(gaits::CalibrationMotion(scenario.controller.planner.calibration).duration()) {
   session_.start = random_token();
   session_.mode = "live";
   session_.version = build_info().version;
@@ -67,7 +67,8 @@ LiveFeed::LiveFeed(const Scenario& scenario, LiveOperator& wishes, std::string r
   session_.can_command = true;
 }
 
-void LiveFeed::begin(const RunParts& parts, const StackOptions& stack, double friction) {
+void LiveFeed::begin(const closed_loop::RunParts& parts, const control::StackOptions& stack,
+                     double friction) {
   ViewSession begun;
   begun.header = to_json(parts.header);
   begun.channels = tick_channels(parts.header, parts.plant.truth());
@@ -76,7 +77,7 @@ void LiveFeed::begin(const RunParts& parts, const StackOptions& stack, double fr
   begun.orders = {{0, parts.header.level_names}};
   begun.tasks = view_tasks(stack, parts.header.level_names, operator_.reach());
   begun.friction = friction;
-  const auto cone = friction_cone_of(stack);
+  const auto cone = explain::friction_cone_of(stack);
   if (ring_) {
     return hand_over([this, begun, cone] {
       cone_ = cone;
@@ -116,8 +117,8 @@ void LiveFeed::begin_again(ViewSession begun) {
   user_ = UserCommand();
 }
 
-void LiveFeed::put(std::uint32_t number, const TickRecord& tick, const GroundTruth& truth,
-                   const TickTiming& timing) {
+void LiveFeed::put(std::uint32_t number, const TickRecord& tick,
+                   const simulation::GroundTruth& truth, const TickTiming& timing) {
   ViewTick* place = ring_->next_to_write();
   if (place == nullptr) {
     ++lost_;
@@ -132,11 +133,12 @@ void LiveFeed::put(std::uint32_t number, const TickRecord& tick, const GroundTru
   ring_->written();
 }
 
-void LiveFeed::set_control(const StackOptions& stack, double friction, std::uint32_t tick) {
+void LiveFeed::set_control(const control::StackOptions& stack, double friction,
+                           std::uint32_t tick) {
   hand_over([this, stack, friction, tick] {
     session_.tasks = view_tasks(stack, session_.channels.level_names, operator_.reach());
     session_.friction = friction;
-    names_ = {level_names(stack), {}};
+    names_ = {config::level_names(stack), {}};
     if (session_.orders.back().levels != names_.levels) {
       session_.orders.push_back({tick, names_.levels});
     }
@@ -173,7 +175,7 @@ void LiveFeed::add_event(double time, const std::string& event) {
 
 void LiveFeed::tell(const std::string& notice) {
   hand_over([this, notice] {
-    JsonText(notices_.emplace_back())
+    logging::JsonText(notices_.emplace_back())
         .object()
         .member("type", "notice")
         .member("text", std::string_view(notice))
@@ -246,10 +248,10 @@ void LiveFeed::keep(const std::vector<SharedBlock>& blocks) {
 }
 
 void LiveFeed::take(const ViewTick& tick, std::string& bytes) {
-  if (!start_) start_ = start_alignment(tick.truth, tick.record.state);
-  if (begins_anew(tick.record)) start_.reset();
+  if (!start_) start_ = evaluation::start_alignment(tick.truth, tick.record.state);
+  if (evaluation::begins_anew(tick.record)) start_.reset();
   see_calibration(tick.record);
-  HierarchyNamer namer(names_);
+  logging::HierarchyNamer namer(names_);
   const logged::Timing timing = logged::timing_of(tick.timing, names_.levels);
   to_frame({tick.number, tick.record, namer.name(tick.record.hierarchy), cone_, &tick.truth,
             &timing, start_ ? &*start_ : nullptr},
@@ -265,7 +267,7 @@ void LiveFeed::see_calibration(const TickRecord& tick) {
   const double time = tick.reading.time;
   if (tick.plan.calibration == CalibrationStage::none) {
     calibrates_till_.reset();
-  } else if (!calibrates_till_ || begins_anew(tick)) {
+  } else if (!calibrates_till_ || evaluation::begins_anew(tick)) {
     calibrates_till_ = time + calibration_;
   }
 }
@@ -308,7 +310,7 @@ std::vector<std::string> LiveFeed::messages(std::size_t clients) {
 std::string LiveFeed::status(std::size_t clients) {
   measure();
   std::string text;
-  JsonText json(text);
+  logging::JsonText json(text);
   json.object()
       .member("type", "status")
       .member("paused", pace_->paused)
@@ -343,4 +345,4 @@ std::string LiveFeed::command(const ViewCommand& command) {
   return operator_.command(command);
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::server

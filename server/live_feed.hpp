@@ -19,14 +19,14 @@
 #include <utility>
 #include <vector>
 
-namespace surefoot {
+namespace surefoot::server {
 
 /// A tick on its way from the run to the server.
 struct ViewTick {
   std::uint32_t number = 0, lost = 0;
   std::uint64_t news = 0;  ///< of the run, that come before it
   TickRecord record;
-  GroundTruth truth;
+  simulation::GroundTruth truth;
   TickTiming timing;
 };
 
@@ -34,13 +34,14 @@ struct ViewTick {
 /// without locks, and never waits; the server's thread packs and sends them, in that order.
 class LiveFeed final : public WebContent {
  public:
-  LiveFeed(const Scenario& scenario, LiveOperator& wishes, std::string recording);
+  LiveFeed(const config::Scenario& scenario, LiveOperator& wishes, std::string recording);
 
   // Of the run's thread. The server may only begin after the first `begin`.
-  void begin(const RunParts& parts, const StackOptions& stack, double friction);
-  void put(std::uint32_t number, const TickRecord& tick, const GroundTruth& truth,
+  void begin(const closed_loop::RunParts& parts, const control::StackOptions& stack,
+             double friction);
+  void put(std::uint32_t number, const TickRecord& tick, const simulation::GroundTruth& truth,
            const TickTiming& timing);
-  void set_control(const StackOptions& stack, double friction, std::uint32_t tick);
+  void set_control(const control::StackOptions& stack, double friction, std::uint32_t tick);
   void set_pace(bool paused, double speed);
   void set_ended(const std::string& reason);
   /// The log that is written from the next begin on.
@@ -107,9 +108,9 @@ class LiveFeed final : public WebContent {
 
   // Of the server's thread.
   ViewSession session_;
-  std::deque<News> news_;    // that came and are still to be taken
-  std::uint64_t heard_ = 0;  // the last that was taken
-  LevelNames names_;         // with which ticks are packed
+  std::deque<News> news_;      // that came and are still to be taken
+  std::uint64_t heard_ = 0;    // the last that was taken
+  logging::LevelNames names_;  // with which ticks are packed
   std::optional<EventFinder> finder_;
   int changes_ = 0;                            // from outside, of the present run
   std::vector<std::string> events_, notices_;  // that no page was told yet
@@ -118,8 +119,8 @@ class LiveFeed final : public WebContent {
   std::deque<std::pair<double, std::string>> past_;
   std::string ended_, recording_;
   ViewFrame frame_;
-  std::optional<FrictionCone> cone_;  // of the run's stack
-  std::optional<StartAlignment> start_;
+  std::optional<tasks::FrictionCone> cone_;  // of the run's stack
+  std::optional<evaluation::StartAlignment> start_;
   const double calibration_;               // how long one takes [s]
   std::optional<double> calibrates_till_;  // none: the robot does not calibrate [s]
   std::uint32_t tick_ = 0;
@@ -130,4 +131,4 @@ class LiveFeed final : public WebContent {
   double measured_time_ = 0.0, real_factor_ = 0.0;
 };
 
-}  // namespace surefoot
+}  // namespace surefoot::server

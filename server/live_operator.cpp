@@ -10,7 +10,7 @@
 #include <cmath>
 #include <sstream>
 
-namespace surefoot {
+namespace surefoot::server {
 namespace {
 
 using Type = ViewCommandType;
@@ -28,32 +28,33 @@ void check(const char* what, double value, double min, double max, const char* u
   throw Error(text(what, " is ", value, in, "; valid is ", min, " to ", max, in));
 }
 
-LevelSpec& find_level(StackOptions& stack, const std::string& name) {
-  const auto found = std::ranges::find(stack.levels, name, &LevelSpec::name);
+control::LevelSpec& find_level(control::StackOptions& stack, const std::string& name) {
+  const auto found = std::ranges::find(stack.levels, name, &control::LevelSpec::name);
   if (found != stack.levels.end()) return *found;
-  throw Error("unknown level \"" + name + "\"; " + valid_names(name, level_names(stack)));
+  throw Error("unknown level \"" + name + "\"; " +
+              config::valid_names(name, config::level_names(stack)));
 }
 
-TaskSpec& find_task(LevelSpec& level, const std::string& name) {
-  const auto found = std::ranges::find(level.tasks, name, &TaskSpec::task);
+control::TaskSpec& find_task(control::LevelSpec& level, const std::string& name) {
+  const auto found = std::ranges::find(level.tasks, name, &control::TaskSpec::task);
   if (found != level.tasks.end()) return *found;
   std::vector<std::string> names;
-  for (const TaskSpec& task : level.tasks) names.push_back(task.task);
+  for (const control::TaskSpec& task : level.tasks) names.push_back(task.task);
   throw Error("the level \"" + level.name + "\" has no task \"" + name + "\"; " +
-              valid_names(name, names));
+              config::valid_names(name, names));
 }
 
 /// Levels that keep the physics stand above all others: below them, torques would mean nothing.
-void check_order(const StackOptions& stack) {
+void check_order(const control::StackOptions& stack) {
   bool free = false;
-  for (const LevelSpec& level : stack.levels) {
-    if (free && keeps_physics(level)) {
+  for (const control::LevelSpec& level : stack.levels) {
+    if (free && control::keeps_physics(level)) {
       throw Error(
           "the level \"" + level.name +
           "\" keeps the physics; valid is an order in which it stands above all levels that "
           "don't");
     }
-    free = free || !keeps_physics(level);
+    free = free || !control::keeps_physics(level);
   }
 }
 
@@ -62,11 +63,11 @@ double whole_milliseconds(double seconds) { return std::ceil(1e3 * seconds - 1e-
 
 }  // namespace
 
-LiveOperator::LiveOperator(const Scenario& scenario, ViewLimits limits)
-    : scenario_control_{with_defaults(scenario.controller.stack),
+LiveOperator::LiveOperator(const config::Scenario& scenario, ViewLimits limits)
+    : scenario_control_{config::with_defaults(scenario.controller.stack),
                         scenario.controller.planner.force.friction},
       limits_(limits),
-      reach_(reach_of(RobotModel(scenario.robot))) {
+      reach_(control::reach_of(model::RobotModel(scenario.robot))) {
   wishes_.control = scenario_control_;
 }
 
@@ -134,7 +135,7 @@ std::optional<UserCommand> LiveOperator::walk_wanted() {
 
 void LiveOperator::check_body(const std::string& body) const {
   if (std::ranges::find(bodies_, body) != bodies_.end()) return;
-  throw Error("there is no body \"" + body + "\" to push; " + valid_names(body, bodies_));
+  throw Error("there is no body \"" + body + "\" to push; " + config::valid_names(body, bodies_));
 }
 
 void LiveOperator::push(const ViewCommand& command) {
@@ -174,30 +175,30 @@ void LiveOperator::walk(const ViewCommand& command) {
 
 void LiveOperator::gain(const ViewCommand& command) {
   WantedControl control = wishes_.control;
-  LevelSpec& level = find_level(control.stack, command.level);
-  TaskSpec& task = find_task(level, command.task);
+  control::LevelSpec& level = find_level(control.stack, command.level);
+  control::TaskSpec& task = find_task(level, command.task);
   const auto number = task.numbers.find(command.name);
   if (number == task.numbers.end()) {
     std::vector<std::string> names;
     for (const auto& [name, value] : task.numbers) names.push_back(name);
     throw Error("the task " + command.task + " has no number \"" + command.name + "\"; " +
-                valid_names(command.name, names));
+                config::valid_names(command.name, names));
   }
   const ViewNumber range = view_number(task.task, command.name, number->second, reach_);
   check((task_title(level, task) + " " + command.name).c_str(), command.value, range.min, range.max,
         range.unit == "–" ? "" : range.unit.c_str());
   number->second = command.value;
-  (void)make_task(task.task, {task.numbers, task.choices});
+  (void)tasks::make_task(task.task, {task.numbers, task.choices});
   wishes_.control = std::move(control);
 }
 
 void LiveOperator::order(const ViewCommand& command) {
   WantedControl control = wishes_.control;
-  std::vector<LevelSpec> levels;
+  std::vector<control::LevelSpec> levels;
   for (const std::string& name : command.levels) {
     levels.push_back(find_level(control.stack, name));
   }
-  std::vector<std::string> given = command.levels, all = level_names(control.stack);
+  std::vector<std::string> given = command.levels, all = config::level_names(control.stack);
   std::ranges::sort(given);
   std::ranges::sort(all);
   if (given != all) {
@@ -255,4 +256,4 @@ void LiveOperator::give_up(const WantedControl& present) {
   changes_.fetch_add(1, std::memory_order_release);
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::server

@@ -14,14 +14,14 @@
 #include <string>
 #include <vector>
 
-namespace surefoot {
+namespace surefoot::server {
 
 /// Ticks that wait at most, to be made while it is paused: ten seconds.
 inline constexpr int kMostStepsWaiting = 4000;
 
 /// What the operator wants of the controller.
 struct WantedControl {
-  StackOptions stack;  ///< with all defaults
+  control::StackOptions stack;  ///< with all defaults
   double friction = 0.5;
 };
 
@@ -32,7 +32,7 @@ struct OperatorWishes {
   int steps = 0;      ///< ticks to make although it is paused
   double speed = 1.0;
   bool reset = false;
-  std::vector<Push> pushes;
+  std::vector<simulation::Push> pushes;
   std::optional<UserCommand> walk;  ///< none: as the scenario says
   WantedControl control;
 };
@@ -41,7 +41,7 @@ struct OperatorWishes {
 /// asks at each tick what is wanted, and never waits for that.
 class LiveOperator {
  public:
-  LiveOperator(const Scenario& scenario, ViewLimits limits);
+  LiveOperator(const config::Scenario& scenario, ViewLimits limits);
 
   /// Takes a command. What is wrong with it; empty: nothing.
   [[nodiscard]] std::string command(const ViewCommand& command);
@@ -66,7 +66,7 @@ class LiveOperator {
   /// What the operator asks to walk; none: as the scenario says.
   [[nodiscard]] std::optional<UserCommand> walk_wanted();
   [[nodiscard]] const ViewLimits& limits() const { return limits_; }
-  [[nodiscard]] const StackReach& reach() const { return reach_; }
+  [[nodiscard]] const control::StackReach& reach() const { return reach_; }
 
  private:
   void step(int ticks);
@@ -79,7 +79,7 @@ class LiveOperator {
 
   const WantedControl scenario_control_;
   const ViewLimits limits_;
-  const StackReach reach_;
+  const control::StackReach reach_;
   std::uint64_t taken_ = 0;                // of the run's thread
   std::optional<WantedControl> given_up_;  // of the run's thread: what is to be wanted again
   std::mutex mutex_;                       // of all below
@@ -89,4 +89,4 @@ class LiveOperator {
   std::atomic<std::uint64_t> changes_{0};
 };
 
-}  // namespace surefoot
+}  // namespace surefoot::server

@@ -10,7 +10,7 @@
 
 #include <cstdio>
 
-namespace surefoot {
+namespace surefoot::server {
 
 bool says_where(const ViewArguments& arguments) {
   const ViewArguments usual;
@@ -43,17 +43,17 @@ constexpr const char* kWaits =
 
 /// The log of a run that is begun again stays.
 void tell_kept(const LiveResult& before, const std::string& next) {
-  const bool is_cut = before.run.ending == Ending::reset;
-  const std::string kept = is_cut ? partial_path(before.record_path) : before.record_path;
+  const bool is_cut = before.run.ending == closed_loop::Ending::reset;
+  const std::string kept = is_cut ? logging::partial_path(before.record_path) : before.record_path;
   std::fprintf(stderr, "  the log of the run before the reset is %s; the next goes into %s\n",
                kept.c_str(), next.c_str());
 }
 
 }  // namespace
 
-LiveResult run_live(const Scenario& scenario, ClosedLoopOptions options,
+LiveResult run_live(const config::Scenario& scenario, closed_loop::ClosedLoopOptions options,
                     const ViewArguments& arguments,
-                    const std::function<void(const RunResult&)>& ended) {
+                    const std::function<void(const closed_loop::RunResult&)>& ended) {
   LiveOperator wishes(scenario, ViewLimits());
   LiveFeed feed(scenario, wishes, options.record_path);
   LiveView view(wishes, feed, options.interrupted, !arguments.no_wait);
@@ -76,19 +76,19 @@ LiveResult run_live(const Scenario& scenario, ClosedLoopOptions options,
   };
   const std::string first_log = options.record_path;
   while (true) {
-    const RunResult result = run_closed_loop(scenario, options);
-    if (result.ending == Ending::interrupted) return {result, options.record_path};
-    if (result.ending != Ending::reset) {
+    const closed_loop::RunResult result = closed_loop::run_closed_loop(scenario, options);
+    if (result.ending == closed_loop::Ending::interrupted) return {result, options.record_path};
+    if (result.ending != closed_loop::Ending::reset) {
       ended(result);
       std::fprintf(stderr, "\n  the page stays open: reset begins the run again, ^C ends it\n\n");
       if (!view.wait_for_reset(result.metrics.reason)) return {result, options.record_path};
     }
     if (first_log.empty()) continue;
     const LiveResult before{result, options.record_path};
-    options.record_path = next_free_log(first_log);
+    options.record_path = logging::next_free_log(first_log);
     tell_kept(before, options.record_path);
     feed.set_recording(options.record_path);
   }
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::server

@@ -5,7 +5,7 @@
 #include <functional>
 #include <string>
 
-namespace surefoot {
+namespace surefoot::server {
 
 /// `--view` and what belongs to it, as typed.
 struct ViewArguments {
@@ -25,7 +25,7 @@ void check(const ViewArguments& arguments);
 
 /// The last of the runs that were shown.
 struct LiveResult {
-  RunResult run;
+  closed_loop::RunResult run;
   std::string record_path;  ///< as `ClosedLoopOptions` has it
 };
 
@@ -34,11 +34,11 @@ struct LiveResult {
 /// begin the run again, and then its log is another one: "run-2.mcap". `ended` gets the result of
 /// each that was not cut off; the last one's is returned. Throws Error as `run_closed_loop`, and
 /// where it can't listen.
-LiveResult run_live(const Scenario& scenario, ClosedLoopOptions options,
+LiveResult run_live(const config::Scenario& scenario, closed_loop::ClosedLoopOptions options,
                     const ViewArguments& arguments,
-                    const std::function<void(const RunResult&)>& ended);
+                    const std::function<void(const closed_loop::RunResult&)>& ended);
 
 /// Tells where the page is, on standard error.
 void tell_link(const std::string& link, const std::string& how_it_ends, const std::string& listen);
 
-}  // namespace surefoot
+}  // namespace surefoot::server

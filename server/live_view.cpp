@@ -10,7 +10,7 @@
 #include <thread>
 #include <utility>
 
-namespace surefoot {
+namespace surefoot::server {
 namespace {
 
 constexpr std::chrono::milliseconds kNap{4};       // while it is paused or waits
@@ -21,13 +21,14 @@ std::string vector_text(const Vec3& v) {
   return formatted("(%.3g, %.3g, %.3g)", v.x(), v.y(), v.z());
 }
 
-std::string push_text(const Push& push) {
+std::string push_text(const simulation::Push& push) {
   return formatted("push of %.3g N·s at ", push.force.norm() * push.duration) + push.body;
 }
 
 /// A tick whose state was refused says nothing of the calibration.
 bool calibrates(const TickRecord& tick) {
-  const bool is_refused = !was_solved(tick.hierarchy) && tick.command.mode == CommandMode::hold;
+  const bool is_refused =
+      !logging::was_solved(tick.hierarchy) && tick.command.mode == CommandMode::hold;
   return is_refused || tick.plan.calibration != CalibrationStage::none;
 }
 
@@ -46,7 +47,7 @@ LiveView::LiveView(LiveOperator& wishes, LiveFeed& feed, std::function<bool()> i
       interrupted_(std::move(interrupted)),
       waits_for_page_(waits_for_page) {}
 
-void LiveView::begin(const RunParts& parts) {
+void LiveView::begin(const closed_loop::RunParts& parts) {
   parts_.emplace(parts);
   operator_.begin(parts.plant.bodies());
   while (!operator_.take(wishes_)) std::this_thread::yield();
@@ -63,11 +64,11 @@ void LiveView::begin(const RunParts& parts) {
   feed_.set_pace(wishes_.paused, wishes_.speed);
 }
 
-RunOrder LiveView::before_tick(double time) {
+closed_loop::RunOrder LiveView::before_tick(double time) {
   while (true) {
-    if (interrupted_()) return RunOrder::stop;
+    if (interrupted_()) return closed_loop::RunOrder::stop;
     take(time);
-    if (reset_) return RunOrder::reset;
+    if (reset_) return closed_loop::RunOrder::reset;
     const Clock::time_point now = Clock::now();
     if (is_held()) {
       is_off_pace_ = true;
@@ -88,7 +89,7 @@ RunOrder LiveView::before_tick(double time) {
   begin_pushes(time);
   take_control(time);
   take_walk(time);
-  return RunOrder::tick;
+  return closed_loop::RunOrder::tick;
 }
 
 bool LiveView::is_held() const {
@@ -101,17 +102,18 @@ void LiveView::take(double time) {
   if (wishes_.halt || !wishes_.paused) steps_ = 0;
   if (wishes_.paused) steps_ = std::min(steps_ + wishes_.steps, kMostStepsWaiting);
   reset_ = reset_ || wishes_.reset;
-  for (const Push& wanted : wishes_.pushes) book(wanted, time);
+  for (const simulation::Push& wanted : wishes_.pushes) book(wanted, time);
   wishes_.pushes.clear();
   is_pending_ = true;
   feed_.set_pace(wishes_.paused, wishes_.speed);
 }
 
 // It counts from now on, and is told once it acts.
-void LiveView::book(const Push& wanted, double time) {
-  std::erase_if(pushes_, [&](const Push& push) { return push.time + push.duration <= time; });
+void LiveView::book(const simulation::Push& wanted, double time) {
+  std::erase_if(pushes_,
+                [&](const simulation::Push& push) { return push.time + push.duration <= time; });
   double acting = 0.0;
-  for (const Push& push : pushes_) acting += push.force.norm();
+  for (const simulation::Push& push : pushes_) acting += push.force.norm();
   const double force = wanted.force.norm(), most = operator_.limits().push_force;
   if (acting + force > most * (1.0 + 1e-9)) {
     return feed_.tell(formatted(
@@ -125,7 +127,7 @@ void LiveView::book(const Push& wanted, double time) {
 }
 
 void LiveView::begin_pushes(double time) {
-  for (const Push& push : booked_) {
+  for (const simulation::Push& push : booked_) {
     parts_->plant.push(push);
     keep({.time = time,
           .kind = "push",
@@ -171,7 +173,7 @@ bool LiveView::change_stack(const std::string& text, double time) {
   keep({.time = time,
         .kind = "stack",
         .text = text,
-        .stack = stack_yaml(present_.stack),
+        .stack = config::stack_yaml(present_.stack),
         .duration = kFade,
         .body = {}});
   return true;
@@ -203,7 +205,7 @@ UserCommand LiveView::user(const UserCommand& planned) {
   return command;
 }
 
-void LiveView::after_tick(const TickRecord& tick, const GroundTruth& truth,
+void LiveView::after_tick(const TickRecord& tick, const simulation::GroundTruth& truth,
                           const TickTiming& timing) {
   feed_.put(tick_++, tick, truth, timing);
   if (!hurries_) return;
@@ -224,4 +226,4 @@ bool LiveView::wait_for_reset(const std::string& reason) {
   return reset_;
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::server

@@ -9,21 +9,21 @@
 #include <string>
 #include <vector>
 
-namespace surefoot {
+namespace surefoot::server {
 
 /// Steers a run as its operator wishes, at the speed that is asked for, and feeds the pages that
 /// watch it.
-class LiveView final : public RunSteering {
+class LiveView final : public closed_loop::RunSteering {
  public:
   /// `interrupted` is asked while it waits. With `waits_for_page` a run that begins calibrates as
   /// fast as it can, and then waits until a page has drawn the robot. All must outlive it.
   LiveView(LiveOperator& wishes, LiveFeed& feed, std::function<bool()> interrupted,
            bool waits_for_page = false);
 
-  void begin(const RunParts& parts) override;
-  [[nodiscard]] RunOrder before_tick(double time) override;
+  void begin(const closed_loop::RunParts& parts) override;
+  [[nodiscard]] closed_loop::RunOrder before_tick(double time) override;
   [[nodiscard]] UserCommand user(const UserCommand& planned) override;
-  void after_tick(const TickRecord& tick, const GroundTruth& truth,
+  void after_tick(const TickRecord& tick, const simulation::GroundTruth& truth,
                   const TickTiming& timing) override;
 
   /// The run has ended; the pages are told why, and stay. True once it is to begin again, false
@@ -38,7 +38,7 @@ class LiveView final : public RunSteering {
   void take(double time);
   void take_control(double time);
   void take_walk(double time);
-  void book(const Push& push, double time);
+  void book(const simulation::Push& push, double time);
   void begin_pushes(double time);
   [[nodiscard]] bool change_stack(const std::string& text, double time);
   void keep(logged::Change change);
@@ -47,19 +47,19 @@ class LiveView final : public RunSteering {
   LiveFeed& feed_;
   std::function<bool()> interrupted_;
   const bool waits_for_page_;
-  std::optional<RunParts> parts_;
+  std::optional<closed_loop::RunParts> parts_;
   OperatorWishes wishes_;
   WantedControl present_;  // of the controller
   std::optional<UserCommand> walk_;
   RunPace pace_;
   int steps_ = 0;
-  std::vector<Push> booked_;  // pushes that begin with the next tick
-  std::vector<Push> pushes_;  // these and those that act
-  bool hurries_ = false;      // the robot calibrates at the beginning, without a pace
+  std::vector<simulation::Push> booked_;  // pushes that begin with the next tick
+  std::vector<simulation::Push> pushes_;  // these and those that act
+  bool hurries_ = false;                  // the robot calibrates at the beginning, without a pace
   bool reset_ = false, is_off_pace_ = false;
   bool is_pending_ = false;  // something of the control is wanted and not yet had
   double speed_ = 1.0;
   std::uint32_t tick_ = 0;
 };
 
-}  // namespace surefoot
+}  // namespace surefoot::server

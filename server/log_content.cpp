@@ -14,13 +14,13 @@
 #include <algorithm>
 #include <filesystem>
 
-namespace surefoot {
+namespace surefoot::server {
 namespace {
 
 constexpr std::uint64_t kMostDecoded = 4096;   // ticks that are read for an answer …
 constexpr std::uint64_t kMostCompared = 2048;  // … of which the least and greatest are asked
 
-std::string urdf_of(const LogHeader& header) {
+std::string urdf_of(const logging::LogHeader& header) {
   const std::string* urdf = header.attachment("robot.urdf");
   return urdf == nullptr ? "" : *urdf;
 }
@@ -31,7 +31,7 @@ std::string block(const std::string& bytes, std::uint32_t frames) {
 }
 
 /// Of a log that is whole as a file.
-std::string cut_of(const Outcome& outcome) {
+std::string cut_of(const explain::Outcome& outcome) {
   if (!outcome.known)
     return "how the run ended is not known: the log's file is whole, but has no summary";
   if (!outcome.interrupted) return "";
@@ -40,12 +40,13 @@ std::string cut_of(const Outcome& outcome) {
 
 }  // namespace
 
-LogContent::LogContent(const std::string& path) : LogContent(path, LogReader(path).header()) {}
+LogContent::LogContent(const std::string& path)
+    : LogContent(path, logging::LogReader(path).header()) {}
 
-LogContent::LogContent(const std::string& path, const LogHeader& header)
+LogContent::LogContent(const std::string& path, const logging::LogHeader& header)
     : frames_(path, header),
       summary_(path, header),
-      robot_(urdf_of(header), {.packages = package_directories(), .urdf = {}}),
+      robot_(urdf_of(header), {.packages = config::package_directories(), .urdf = {}}),
       explainer_(path, frames_.period()) {
   describe(path, header);
   const std::string missing = missing_meshes_text(session_.meshes);
@@ -53,7 +54,7 @@ LogContent::LogContent(const std::string& path, const LogHeader& header)
   if (!session_.cut.empty()) notes_.push_back(session_.cut);
 }
 
-void LogContent::describe(const std::string& path, const LogHeader& header) {
+void LogContent::describe(const std::string& path, const logging::LogHeader& header) {
   session_.start = random_token();
   session_.mode = "replay";
   session_.version = header.version;
@@ -64,7 +65,7 @@ void LogContent::describe(const std::string& path, const LogHeader& header) {
     session_.cut = std::string(kNeverClosed) + " (at byte " + std::to_string(frames_.end_byte()) +
                    "): what is left of it is shown";
   } else {
-    const Outcome outcome = read_outcome(frames_.outcome());
+    const explain::Outcome outcome = explain::read_outcome(frames_.outcome());
     session_.cut = cut_of(outcome);
     session_.ended = outcome.known ? outcome.reason : "";
   }
@@ -75,12 +76,12 @@ void LogContent::describe(const std::string& path, const LogHeader& header) {
   session_.channels = frames_.channels();
   session_.meshes = robot_.meshes();
   session_.orders = {{0, header.level_names}};
-  session_.bodies = body_names(header);
+  session_.bodies = logging::body_names(header);
   if (!session_.bodies.empty()) session_.bodies.erase(session_.bodies.begin());  // the world
   try {
-    const LogReplay replay(path);
+    const replay::LogReplay replay(path);
     session_.rows = replay.controller().row_names();
-    session_.tasks = view_tasks(with_defaults(replay.stack()), header.level_names);
+    session_.tasks = view_tasks(config::with_defaults(replay.stack()), header.level_names);
   } catch (const Error& error) {
     notes_.push_back("rows have no names in the page: " + std::string(error.what()));
   }
@@ -182,4 +183,4 @@ bool LogContent::range(std::uint32_t first, std::uint32_t last) {
   return known;
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::server

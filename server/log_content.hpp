@@ -9,7 +9,7 @@
 
 #include <string>
 
-namespace surefoot {
+namespace surefoot::server {
 
 /// What the pages of a log are told: the session, and frames as they ask for them.
 class LogContent final : public WebContent {
@@ -26,8 +26,8 @@ class LogContent final : public WebContent {
   [[nodiscard]] std::vector<std::string> damage() { return summary_.damage(); }
 
  private:
-  LogContent(const std::string& path, const LogHeader& header);
-  void describe(const std::string& path, const LogHeader& header);
+  LogContent(const std::string& path, const logging::LogHeader& header);
+  void describe(const std::string& path, const logging::LogHeader& header);
   [[nodiscard]] std::string session();
   [[nodiscard]] WebAnswer explained(const Query& query);
   [[nodiscard]] std::string plain_frames(const FrameRequest& asked);
@@ -44,4 +44,4 @@ class LogContent final : public WebContent {
   std::vector<std::string> notes_;
 };
 
-}  // namespace surefoot
+}  // namespace surefoot::server

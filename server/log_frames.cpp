@@ -12,7 +12,7 @@
 #include <map>
 #include <utility>
 
-namespace surefoot {
+namespace surefoot::server {
 namespace {
 
 constexpr std::size_t kKeptChunks = 32;
@@ -22,18 +22,18 @@ constexpr double kMostTicks = std::numeric_limits<std::uint32_t>::max();
 struct GrowingTick {
   TickRecord record;
   logged::Hierarchy hierarchy;
-  GroundTruth truth;
+  simulation::GroundTruth truth;
   bool has_begin = false, has_end = false, has_truth = false, is_damaged = false;
 
   /// A tick begins with its readings and ends with its command; either may stand in what is lost.
   [[nodiscard]] bool is_whole() const { return has_begin && has_end && !is_damaged; }
 
   /// Throws JsonError where the message is not what it should be.
-  void take(const McapMessage& message) {
+  void take(const logging::McapMessage& message) {
     const std::string& topic = message.channel->topic;
     has_begin = has_begin || topic == "/readings";
     has_end = has_end || topic == "/command";
-    if (decode_signal(message, record)) return;
+    if (logging::decode_signal(message, record)) return;
     if (topic == "/hierarchy") {
       logged::Decoder::decode(message.data, hierarchy);
       record.hierarchy.status = hierarchy.status;
@@ -43,7 +43,7 @@ struct GrowingTick {
   }
 };
 
-std::string told(const McapMessage& message, const JsonError& error) {
+std::string told(const logging::McapMessage& message, const logging::JsonError& error) {
   return "a message on " + message.channel->topic + " is not what it should be: " + error.what();
 }
 
@@ -56,11 +56,11 @@ struct LogFrames::Decoded {
   std::map<std::uint64_t, logged::Timing> timings;
 
   /// A message that is not what it should be costs its tick, or the timings of it.
-  void take(const McapMessage& message, LogChunk& chunk);
-  void take_timing(const McapMessage& message, LogChunk& chunk);
+  void take(const logging::McapMessage& message, LogChunk& chunk);
+  void take_timing(const logging::McapMessage& message, LogChunk& chunk);
 };
 
-void LogFrames::Decoded::take(const McapMessage& message, LogChunk& chunk) {
+void LogFrames::Decoded::take(const logging::McapMessage& message, LogChunk& chunk) {
   if (message.channel->topic == "/timings") return take_timing(message, chunk);
   GrowingTick& tick = ticks[message.log_time];
   try {
@@ -69,24 +69,27 @@ void LogFrames::Decoded::take(const McapMessage& message, LogChunk& chunk) {
     logged::Change change;
     logged::Decoder::decode(message.data, change);
     chunk.changes.push_back(std::move(change));
-  } catch (const JsonError& error) {
+  } catch (const logging::JsonError& error) {
     tick.is_damaged = true;
     chunk.problem = told(message, error);
   }
 }
 
-void LogFrames::Decoded::take_timing(const McapMessage& message, LogChunk& chunk) {
+void LogFrames::Decoded::take_timing(const logging::McapMessage& message, LogChunk& chunk) {
   try {
     logged::Timing timing;
     logged::Decoder::decode(message.data, timing);
     timings[message.log_time] = timing;
-  } catch (const JsonError& error) {
+  } catch (const logging::JsonError& error) {
     chunk.timing_problem = told(message, error);
   }
 }
 
-LogFrames::LogFrames(const std::string& path, const LogHeader& header)
-    : path_(path), file_(path), period_(header.control_period), cone_(friction_cone_of(header)) {
+LogFrames::LogFrames(const std::string& path, const logging::LogHeader& header)
+    : path_(path),
+      file_(path),
+      period_(header.control_period),
+      cone_(explain::friction_cone_of(header)) {
   if (!(period_ > 0.0)) throw FileError(path + ": the header's control_period is no time");
   channels_.level_names = header.level_names;
   find_ticks(path);
@@ -100,12 +103,12 @@ std::uint32_t LogFrames::tick_at(std::uint64_t time) const {
 // Nothing but what stands beside it tells that the time of a message outside of chunks is wrong: it
 // is far beyond theirs, and no other goes on from there, as the ticks do behind a clock that skips.
 bool LogFrames::has_wrong_times(std::size_t chunk) const {
-  const std::vector<McapChunk>& all = file_.chunks();
+  const std::vector<logging::McapChunk>& all = file_.chunks();
   const auto [first, last] = std::pair(all[chunk].first_time, all[chunk].last_time);
-  const bool can_be = all[chunk].has_sure_times || mcap::can_be_times(first, last);
+  const bool can_be = all[chunk].has_sure_times || logging::mcap::can_be_times(first, last);
   if (!can_be || seconds(last) / period_ >= kMostTicks) return true;
-  if (!all[chunk].is_bare || first != last || first < mcap::kMaxChunkTime) return false;
-  const std::uint64_t least = first - mcap::kMaxChunkTime;
+  if (!all[chunk].is_bare || first != last || first < logging::mcap::kMaxChunkTime) return false;
+  const std::uint64_t least = first - logging::mcap::kMaxChunkTime;
   if (!places_.empty()) return places_.back().last < least;
   return chunk + 1 < all.size() && all[chunk + 1].first_time < least;
 }
@@ -116,7 +119,7 @@ bool LogFrames::has_wrong_times(std::size_t chunk) const {
 void LogFrames::find_ticks(const std::string& path) {
   num_lost_ = file_.num_lost();
   for (std::size_t i = 0; i < file_.chunks().size(); ++i) {
-    const McapChunk& chunk = file_.chunks()[i];
+    const logging::McapChunk& chunk = file_.chunks()[i];
     if (has_wrong_times(i)) {
       ++num_lost_;
       continue;
@@ -140,8 +143,8 @@ void LogFrames::find_ticks(const std::string& path) {
 
 // From the first place that can be read and holds a whole tick, whose truth has the sizes of
 // MuJoCo's vectors.
-void LogFrames::learn_channels(const std::string& path, const LogHeader& header) {
-  GroundTruth truth;
+void LogFrames::learn_channels(const std::string& path, const logging::LogHeader& header) {
+  simulation::GroundTruth truth;
   bool is_whole = false;
   std::string problem;
   for (std::size_t i = 0; i < places_.size() && !is_whole; ++i) {
@@ -175,10 +178,11 @@ void LogFrames::find_start() {
   if (decoded.ticks.empty()) return;
   first_tick_ = std::min(first_tick_, tick_at(decoded.ticks.begin()->first));
   const GrowingTick& first = decoded.ticks.begin()->second;
-  const bool is_dropped = std::ranges::any_of(
-      decoded.ticks, [](const auto& entry) { return begins_anew(entry.second.record); });
+  const bool is_dropped = std::ranges::any_of(decoded.ticks, [](const auto& entry) {
+    return evaluation::begins_anew(entry.second.record);
+  });
   if (first.is_whole() && first.has_truth && !is_dropped)
-    start_ = start_alignment(first.truth, first.record.state);
+    start_ = evaluation::start_alignment(first.truth, first.record.state);
 }
 
 std::size_t LogFrames::chunk_of(std::uint32_t tick) const {
@@ -219,7 +223,7 @@ std::string LogFrames::without_path(const Error& error) const {
 void LogFrames::read_place(std::size_t number, Decoded& decoded, LogChunk& chunk) {
   const Place& place = places_[number];
   for (const std::size_t i : usable_) {
-    const McapChunk& one = file_.chunks()[i];
+    const logging::McapChunk& one = file_.chunks()[i];
     const bool is_before = place.has_before && one.last_time <= place.before;
     if (is_before || one.first_time > place.last) continue;
     try {
@@ -234,7 +238,7 @@ void LogFrames::read_place(std::size_t number, Decoded& decoded, LogChunk& chunk
 
 void LogFrames::read_chunk(std::size_t index, const Place& place, Decoded& decoded,
                            LogChunk& chunk) {
-  file_.read(index, [&](const McapMessage& message) {
+  file_.read(index, [&](const logging::McapMessage& message) {
     const std::uint64_t time = message.log_time;
     if ((place.has_before && time <= place.before) || time > place.last) return;
     decoded.take(message, chunk);
@@ -259,4 +263,4 @@ const ViewFrame* LogFrames::frame(std::uint32_t tick) {
   return found == frames.end() || found->tick != tick ? nullptr : &*found;
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::server

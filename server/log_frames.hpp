@@ -14,7 +14,7 @@
 #include <utility>
 #include <vector>
 
-namespace surefoot {
+namespace surefoot::server {
 
 /// What is said of a log that does not end as a log does.
 inline constexpr std::string_view kNeverClosed = "the log was never closed, or is cut off";
@@ -33,7 +33,7 @@ struct LogChunk {
 class LogFrames {
  public:
   /// Throws FileError if the file can't be read or holds no whole tick.
-  LogFrames(const std::string& path, const LogHeader& header);
+  LogFrames(const std::string& path, const logging::LogHeader& header);
 
   [[nodiscard]] const ViewChannels& channels() const { return channels_; }
   /// The number of a tick is its time in periods: the first is that at which the clock begins, or 0
@@ -71,7 +71,7 @@ class LogFrames {
   [[nodiscard]] std::uint32_t tick_at(std::uint64_t time) const;
   [[nodiscard]] bool has_wrong_times(std::size_t chunk) const;
   void find_ticks(const std::string& path);
-  void learn_channels(const std::string& path, const LogHeader& header);
+  void learn_channels(const std::string& path, const logging::LogHeader& header);
   void find_start();
   [[nodiscard]] LogChunk decode(std::size_t number);
   [[nodiscard]] std::string without_path(const Error& error) const;
@@ -79,11 +79,11 @@ class LogFrames {
   void read_chunk(std::size_t index, const Place& place, Decoded& decoded, LogChunk& chunk);
 
   std::string path_;
-  McapChunks file_;
+  logging::McapChunks file_;
   double period_;
-  std::optional<FrictionCone> cone_;
+  std::optional<tasks::FrictionCone> cone_;
   ViewChannels channels_;
-  std::optional<StartAlignment> start_;
+  std::optional<evaluation::StartAlignment> start_;
   std::vector<std::size_t> usable_;  // chunks whose times can be
   std::vector<Place> places_;
   std::vector<std::uint32_t> ends_;  // of each of them: one past its last tick
@@ -92,4 +92,4 @@ class LogFrames {
   std::list<std::pair<std::size_t, std::shared_ptr<const LogChunk>>> recent_;  // the latest first
 };
 
-}  // namespace surefoot
+}  // namespace surefoot::server

@@ -9,7 +9,7 @@
 #include <cstdio>
 #include <thread>
 
-namespace surefoot {
+namespace surefoot::server {
 
 namespace {
 
@@ -31,7 +31,7 @@ std::size_t tell_damage(LogContent& content, std::size_t told) {
 }  // namespace
 
 void serve_log(const std::string& path, const ViewArguments& arguments) {
-  watch_for_interrupt();
+  runtime::watch_for_interrupt();
   LogContent content(path);
   const WebServer server({.listen = arguments.listen,
                           .port = static_cast<std::uint16_t>(arguments.port),
@@ -40,10 +40,10 @@ void serve_log(const std::string& path, const ViewArguments& arguments) {
                          content);
   for (const std::string& note : content.notes()) warn(note);
   tell_link(server.link(), "^C     closes it", arguments.listen);
-  for (std::size_t told = 0; !interrupted();) {
+  for (std::size_t told = 0; !runtime::interrupted();) {
     told = tell_damage(content, told);
     std::this_thread::sleep_for(std::chrono::milliseconds(50));
   }
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::server

@@ -4,10 +4,10 @@
 
 #include <string>
 
-namespace surefoot {
+namespace surefoot::server {
 
 /// Serves the page on a log until ^C; its link is printed. Throws FileError, with what to do, on a
 /// file that is no log of ours or of a newer program, Error where it can't listen.
 void serve_log(const std::string& path, const ViewArguments& arguments);
 
-}  // namespace surefoot
+}  // namespace surefoot::server

@@ -10,7 +10,7 @@
 #include <iomanip>
 #include <sstream>
 
-namespace surefoot {
+namespace surefoot::server {
 namespace {
 
 constexpr std::size_t kMostRanges = 8192;
@@ -25,8 +25,8 @@ float more(float a, float b) { return std::fmax(a, b); }
 
 }  // namespace
 
-LogSummary::LogSummary(const std::string& path, const LogHeader& header)
-    : frames_(path, header), finder_(frames_.channels(), body_names(header)) {
+LogSummary::LogSummary(const std::string& path, const logging::LogHeader& header)
+    : frames_(path, header), finder_(frames_.channels(), logging::body_names(header)) {
   if (frames_.num_lost() > 0) {
     damage_.push_back(std::to_string(frames_.num_lost()) +
                       (frames_.num_lost() == 1
@@ -129,10 +129,10 @@ void LogSummary::add(const logged::Change& change) {
 
 void LogSummary::add_order(const logged::Change& change) {
   ViewOrder order{static_cast<std::uint32_t>(std::llround(change.time / frames_.period())), {}};
-  const ConfigNode tree = parse_yaml(change.stack, "/changes");
-  const ConfigNode* levels = tree.find("levels");
+  const config::ConfigNode tree = config::parse_yaml(change.stack, "/changes");
+  const config::ConfigNode* levels = tree.find("levels");
   for (std::size_t i = 0; levels != nullptr && i < levels->items.size(); ++i) {
-    const ConfigNode* name = levels->items[i].find("name");
+    const config::ConfigNode* name = levels->items[i].find("name");
     if (name != nullptr) order.levels.push_back(name->text);
   }
   orders_.push_back(std::move(order));
@@ -181,4 +181,4 @@ std::vector<ViewOrder> LogSummary::orders() {
   return orders_;
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::server

@@ -11,7 +11,7 @@
 #include <thread>
 #include <vector>
 
-namespace surefoot {
+namespace surefoot::server {
 
 /// What is known of a whole log: over stretches of it the least and greatest of every channel and a
 /// frame of each, what happened, and what is damaged. Found on a thread of its own, from front to
@@ -19,7 +19,7 @@ namespace surefoot {
 class LogSummary {
  public:
   /// Throws FileError as LogFrames.
-  LogSummary(const std::string& path, const LogHeader& header);
+  LogSummary(const std::string& path, const logging::LogHeader& header);
   ~LogSummary();
 
   /// One past the last tick that is known by now.
@@ -73,4 +73,4 @@ class LogSummary {
   std::thread thread_;
 };
 
-}  // namespace surefoot
+}  // namespace surefoot::server

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-namespace surefoot {
+namespace surefoot::server {
 
 /// Hands letters from one thread to another, in order and however many, without locks: whoever
 /// puts one in never waits for whoever takes them out.
@@ -45,4 +45,4 @@ class Mailbox {
   std::atomic<Letter*> last_{nullptr};
 };
 
-}  // namespace surefoot
+}  // namespace surefoot::server

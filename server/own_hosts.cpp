@@ -9,7 +9,7 @@
 #include <array>
 #include <memory>
 
-namespace surefoot {
+namespace surefoot::server {
 namespace {
 
 /// As it stands in a link; empty for what is no internet address.
@@ -53,4 +53,4 @@ bool has_ipv6_loopback() {
   return std::ranges::find(hosts, "[::1]") != hosts.end();
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::server

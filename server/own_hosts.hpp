@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-namespace surefoot {
+namespace surefoot::server {
 
 /// This machine's addresses as they stand in a link, those of the network before loopback, and
 /// "localhost" last; with IPv6 in brackets if it is wanted.
@@ -12,4 +12,4 @@ namespace surefoot {
 /// Whether ::1 is an address of this machine.
 [[nodiscard]] bool has_ipv6_loopback();
 
-}  // namespace surefoot
+}  // namespace surefoot::server

@@ -2,7 +2,7 @@
 
 #include <cstring>
 
-namespace surefoot {
+namespace surefoot::server {
 namespace {
 
 // Of a frame, docs/view_protocol.md.
@@ -27,4 +27,4 @@ void read_floats(const PackedFrame& frame, std::span<float> floats) {
   std::memcpy(floats.data(), frame.bytes.substr(kFloats).data(), floats.size_bytes());
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::server

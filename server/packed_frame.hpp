@@ -4,7 +4,7 @@
 #include <span>
 #include <string_view>
 
-namespace surefoot {
+namespace surefoot::server {
 
 /// A frame in the bytes in which `pack` puts it into a block.
 struct PackedFrame {
@@ -19,4 +19,4 @@ struct PackedFrame {
 /// Copies the first floats of a frame, as many as there is room for.
 void read_floats(const PackedFrame& frame, std::span<float> floats);
 
-}  // namespace surefoot
+}  // namespace surefoot::server

@@ -3,7 +3,7 @@
 #include <span>
 #include <string_view>
 
-namespace surefoot {
+namespace surefoot::server {
 
 /// A file of the viewer's page, embedded in the program.
 struct PageFile {
@@ -16,4 +16,4 @@ struct PageFile {
 /// (cmake/viewer.cmake).
 [[nodiscard]] std::span<const PageFile> page_files();
 
-}  // namespace surefoot
+}  // namespace surefoot::server

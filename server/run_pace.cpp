@@ -1,6 +1,6 @@
 #include "server/run_pace.hpp"
 
-namespace surefoot {
+namespace surefoot::server {
 namespace {
 
 constexpr std::chrono::milliseconds kLate{100};  // more than this is not made up for
@@ -20,4 +20,4 @@ RunPace::Clock::time_point RunPace::due(double time, Clock::time_point now) {
   return due;
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::server

@@ -2,7 +2,7 @@
 
 #include <chrono>
 
-namespace surefoot {
+namespace surefoot::server {
 
 /// When the ticks of a run are due, so that its time passes at a speed. A run that can't keep up
 /// goes on from where it is: it does not hurry afterwards.
@@ -20,4 +20,4 @@ class RunPace {
   Clock::time_point begun_{};
 };
 
-}  // namespace surefoot
+}  // namespace surefoot::server

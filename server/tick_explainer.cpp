@@ -6,7 +6,7 @@
 #include <exception>
 #include <utility>
 
-namespace surefoot {
+namespace surefoot::server {
 namespace {
 
 constexpr std::size_t kMostKept = 256;
@@ -57,8 +57,9 @@ void TickExplainer::run() {
 std::string TickExplainer::explained(std::uint32_t tick) const {
   using Json = nlohmann::ordered_json;
   try {
-    TickExplanation explanation = explain_tick(path_, period_ * tick, Costs::exact,
-                                               [this] { return stopping_ || interrupted(); });
+    explain::TickExplanation explanation =
+        explain::explain_tick(path_, period_ * tick, explain::Costs::exact,
+                              [this] { return stopping_ || runtime::interrupted(); });
     explanation.why_estimates = without_path(explanation.why_estimates);
     return text_of(explanation.gave_way_json());
   } catch (const std::exception& error) {
@@ -72,4 +73,4 @@ std::string TickExplainer::without_path(const std::string& text) const {
   return text.starts_with(begin) ? text.substr(begin.size()) : text;
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::server

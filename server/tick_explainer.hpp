@@ -9,7 +9,7 @@
 #include <string>
 #include <thread>
 
-namespace surefoot {
+namespace surefoot::server {
 
 /// Explains ticks of a log to pages that show them, on a thread of its own, as that takes about as
 /// long as a replay up to the tick. Only the tick that was asked for last waits its turn: whoever
@@ -40,4 +40,4 @@ class TickExplainer {
   std::thread thread_;
 };
 
-}  // namespace surefoot
+}  // namespace surefoot::server

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace surefoot {
+namespace surefoot::server {
 
 /// A bounded queue from one thread to another without locks: whoever writes never waits, what finds
 /// no room is left out.
@@ -43,4 +43,4 @@ class TickRing {
   alignas(kCacheLine) std::atomic<std::size_t> read_{0};
 };
 
-}  // namespace surefoot
+}  // namespace surefoot::server

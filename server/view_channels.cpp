@@ -2,7 +2,7 @@
 
 #include "surefoot/logging/json_text.hpp"
 
-namespace surefoot {
+namespace surefoot::server {
 namespace {
 
 constexpr std::array<std::string_view, 3> kAxes{"x", "y", "z"};
@@ -29,13 +29,15 @@ std::string without_unit(std::string_view about) {
 
 }  // namespace
 
-namespace logged {
+}  // namespace surefoot::server
+
+namespace surefoot::logged {
 
 void ChannelLister::add_channel(std::string_view about, std::vector<std::string> labels) {
   const std::size_t size = std::max<std::size_t>(labels.size(), 1);
   table_.channels.push_back({.name = name_,
-                             .unit = unit_of(about),
-                             .about = without_unit(about),
+                             .unit = server::unit_of(about),
+                             .about = server::without_unit(about),
                              .labels = std::move(labels),
                              .values = {},
                              .offset = table_.floats,
@@ -54,7 +56,7 @@ std::vector<std::string> ChannelLister::labels(int rows, int columns) {
         result.push_back(std::string(kLegNames[k / kJointsPerLeg]) + "_" +
                          std::string(kJointNames[k % kJointsPerLeg]));
       } else if (rows <= 3) {
-        result.emplace_back(kAxes[static_cast<std::size_t>(i)]);
+        result.emplace_back(server::kAxes[static_cast<std::size_t>(i)]);
       } else {
         result.push_back(std::to_string(i));
       }
@@ -63,11 +65,13 @@ std::vector<std::string> ChannelLister::labels(int rows, int columns) {
   return result;
 }
 
-}  // namespace logged
+}  // namespace surefoot::logged
+
+namespace surefoot::server {
 
 std::string to_json(const std::vector<ViewChannel>& channels) {
   std::string out;
-  JsonText json(out);
+  logging::JsonText json(out);
   json.array();
   for (const ViewChannel& channel : channels) {
     json.object()
@@ -84,4 +88,4 @@ std::string to_json(const std::vector<ViewChannel>& channels) {
   return out;
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::server

@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-namespace surefoot {
+namespace surefoot::server {
 
 /// A field of the log as the viewer's page gets it: `size` floats of a frame, from `offset` on.
 struct ViewChannel {
@@ -31,7 +31,9 @@ struct ViewChannels {
   std::size_t floats = 0;               ///< of a frame
 };
 
-namespace logged {
+}  // namespace surefoot::server
+
+namespace surefoot::logged {
 
 /// Lists whose elements are found by the name of their level.
 template <typename T>
@@ -52,7 +54,7 @@ template <>
 /// Lists of rows are none: they stand in a frame as entries.
 class ChannelLister {
  public:
-  explicit ChannelLister(ViewChannels& table) : table_(table) {}
+  explicit ChannelLister(server::ViewChannels& table) : table_(table) {}
 
   /// `example` has the sizes of its lists.
   template <typename T>
@@ -112,7 +114,7 @@ class ChannelLister {
   void add_channel(std::string_view about, std::vector<std::string> labels);
   [[nodiscard]] static std::vector<std::string> labels(int rows, int columns);
 
-  ViewChannels& table_;
+  server::ViewChannels& table_;
   std::string name_;
 };
 
@@ -120,7 +122,7 @@ class ChannelLister {
 class ChannelWriter {
  public:
   /// `floats` has room for all of the table's.
-  ChannelWriter(const ViewChannels& table, std::span<float> floats)
+  ChannelWriter(const server::ViewChannels& table, std::span<float> floats)
       : table_(table), floats_(floats) {}
 
   template <typename T>
@@ -170,14 +172,16 @@ class ChannelWriter {
     }
   }
 
-  const ViewChannels& table_;
+  const server::ViewChannels& table_;
   std::span<float> floats_;
   std::size_t next_ = 0, next_list_ = 0;
 };
 
-}  // namespace logged
+}  // namespace surefoot::logged
+
+namespace surefoot::server {
 
 /// The channels' descriptions as a JSON array, as the page's session has them.
 [[nodiscard]] std::string to_json(const std::vector<ViewChannel>& channels);
 
-}  // namespace surefoot
+}  // namespace surefoot::server

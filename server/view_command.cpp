@@ -6,7 +6,7 @@
 #include <cmath>
 #include <utility>
 
-namespace surefoot {
+namespace surefoot::server {
 namespace {
 
 using Type = ViewCommandType;
@@ -136,4 +136,4 @@ ViewMessage read_message(std::string_view text) {
   return result;
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::server

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-namespace surefoot {
+namespace surefoot::server {
 
 enum class ViewCommandType {
   pause,
@@ -56,4 +56,4 @@ struct ViewMessage {
 /// Reads a message. Throws nothing: what is wrong is in `error`.
 [[nodiscard]] ViewMessage read_message(std::string_view text);
 
-}  // namespace surefoot
+}  // namespace surefoot::server

@@ -8,15 +8,15 @@
 #include <fstream>
 #include <sstream>
 
-namespace surefoot {
+namespace surefoot::server {
 namespace {
 
 constexpr std::string_view kUrdf = "/api/robot.urdf";
 constexpr std::string_view kMesh = "/api/mesh/";
 
-std::vector<MeshFile> meshes_of(const std::string& urdf, const MeshFolders& folders) {
+std::vector<model::MeshFile> meshes_of(const std::string& urdf, const model::MeshFolders& folders) {
   try {
-    return mesh_files(urdf, folders);
+    return model::mesh_files(urdf, folders);
   } catch (const FileError&) {
     return {};  // the page tells what it can't read
   }
@@ -31,12 +31,12 @@ std::string media_type(const std::filesystem::path& file) {
 
 }  // namespace
 
-ViewRobot::ViewRobot(std::string urdf, const MeshFolders& folders)
+ViewRobot::ViewRobot(std::string urdf, const model::MeshFolders& folders)
     : urdf_(std::move(urdf)), meshes_(meshes_of(urdf_, folders)) {}
 
 std::vector<ViewMesh> ViewRobot::meshes() const {
   std::vector<ViewMesh> list;
-  for (const MeshFile& mesh : meshes_) {
+  for (const model::MeshFile& mesh : meshes_) {
     std::error_code error;
     const bool found = !mesh.path.empty();
     const auto bytes = found ? std::filesystem::file_size(mesh.path, error) : 0;
@@ -70,7 +70,7 @@ WebAnswer ViewRobot::mesh(std::string_view id) const {
   if (error != std::errc() || end != id.data() + id.size() || number >= meshes_.size()) {
     return refusal(404, "there is no such mesh; the robot has " + std::to_string(meshes_.size()));
   }
-  const MeshFile& mesh = meshes_[number];
+  const model::MeshFile& mesh = meshes_[number];
   std::ostringstream bytes;
   if (mesh.path.empty() || !(bytes << std::ifstream(mesh.path, std::ios::binary).rdbuf())) {
     return refusal(404, "the mesh " + mesh.uri + " is missing on this machine");
@@ -78,4 +78,4 @@ WebAnswer ViewRobot::mesh(std::string_view id) const {
   return {200, media_type(mesh.path), bytes.str()};
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::server

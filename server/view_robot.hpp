@@ -8,13 +8,13 @@
 #include <string_view>
 #include <vector>
 
-namespace surefoot {
+namespace surefoot::server {
 
 /// The robot's URDF and meshes, for the page.
 class ViewRobot {
  public:
   /// Of a URDF that is no XML there are no meshes.
-  ViewRobot(std::string urdf, const MeshFolders& folders);
+  ViewRobot(std::string urdf, const model::MeshFolders& folders);
 
   [[nodiscard]] std::vector<ViewMesh> meshes() const;
   /// The answer for /api/robot.urdf and /api/mesh/ID.
@@ -24,11 +24,11 @@ class ViewRobot {
   [[nodiscard]] WebAnswer mesh(std::string_view id) const;
 
   std::string urdf_;
-  std::vector<MeshFile> meshes_;
+  std::vector<model::MeshFile> meshes_;
 };
 
 /// That the page shows primitives for meshes that are missing, and where they are looked for; empty
 /// where none is.
 [[nodiscard]] std::string missing_meshes_text(const std::vector<ViewMesh>& meshes);
 
-}  // namespace surefoot
+}  // namespace surefoot::server

@@ -2,12 +2,12 @@
 
 #include "surefoot/logging/json_text.hpp"
 
-namespace surefoot {
+namespace surefoot::server {
 namespace {
 
 constexpr int kProtocol = 2;
 
-void limits_member(JsonText& json, const ViewLimits& limits) {
+void limits_member(logging::JsonText& json, const ViewLimits& limits) {
   json.key("limits")
       .object()
       .member("push_newton_seconds", limits.push_impulse)
@@ -23,7 +23,7 @@ void limits_member(JsonText& json, const ViewLimits& limits) {
   json.end_array().end_object();
 }
 
-void task_member(JsonText& json, const ViewTask& task) {
+void task_member(logging::JsonText& json, const ViewTask& task) {
   json.object()
       .member("level", task.level)
       .member("level_name", std::string_view(task.level_name))
@@ -44,7 +44,7 @@ void task_member(JsonText& json, const ViewTask& task) {
   json.end_object().end_object();
 }
 
-void meshes_member(JsonText& json, const std::vector<ViewMesh>& meshes) {
+void meshes_member(logging::JsonText& json, const std::vector<ViewMesh>& meshes) {
   json.key("meshes").array();
   for (std::size_t id = 0; id < meshes.size(); ++id) {
     json.object()
@@ -57,7 +57,7 @@ void meshes_member(JsonText& json, const std::vector<ViewMesh>& meshes) {
   json.end_array();
 }
 
-void levels_members(JsonText& json, const ViewSession& session) {
+void levels_members(logging::JsonText& json, const ViewSession& session) {
   json.key("rows").array();
   for (const std::vector<std::string>& level : session.rows) json.value(level);
   json.end_array().key("orders").array();
@@ -73,7 +73,7 @@ void levels_members(JsonText& json, const ViewSession& session) {
 
 std::string to_json(const ViewSession& session) {
   std::string out;
-  JsonText json(out);
+  logging::JsonText json(out);
   json.object()
       .member("protocol", kProtocol)
       .member("start", std::string_view(session.start))
@@ -101,4 +101,4 @@ std::string to_json(const ViewSession& session) {
   return out;
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::server

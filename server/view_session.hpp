@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace surefoot {
+namespace surefoot::server {
 
 /// What may be done to the robot from the page.
 struct ViewLimits {
@@ -78,4 +78,4 @@ struct ViewSession {
 
 [[nodiscard]] std::string to_json(const ViewSession& session);
 
-}  // namespace surefoot
+}  // namespace surefoot::server

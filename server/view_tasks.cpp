@@ -10,21 +10,21 @@
 #include <sstream>
 #include <utility>
 
-namespace surefoot {
+namespace surefoot::server {
 namespace {
 
 constexpr std::array<double, 5> kRanges{10.0, 5.0, 2.0, 1.5, 1.0};  // of the default
 
 bool is_legal(const std::string& task, const std::string& name, double value) {
   try {
-    (void)make_task(task, {{{name, value}}, {}});
+    (void)tasks::make_task(task, {{{name, value}}, {}});
     return true;
   } catch (const Error&) {
     return false;
   }
 }
 
-double largest(const std::string& task, const TaskParameter& parameter) {
+double largest(const std::string& task, const tasks::TaskParameter& parameter) {
   const double usual = parameter.default_value > 0.0 ? parameter.default_value : 1.0;
   for (const double factor : kRanges) {
     if (is_legal(task, std::string(parameter.name), factor * usual)) return factor * usual;
@@ -33,7 +33,7 @@ double largest(const std::string& task, const TaskParameter& parameter) {
 }
 
 /// Within the robot's reach, in whole millimetres.
-double within(const StackReach& reach, const std::string& task, const std::string& name,
+double within(const control::StackReach& reach, const std::string& task, const std::string& name,
               double value) {
   const double greatest = reach.greatest(task, name);
   return value <= greatest ? value : std::floor(1e3 * greatest) / 1e3;
@@ -64,14 +64,14 @@ std::string order_text(const Names& before, const Names& after) {
 
 }  // namespace
 
-std::string task_title(const LevelSpec& level, const TaskSpec& task) {
+std::string task_title(const control::LevelSpec& level, const control::TaskSpec& task) {
   return level.name == task.task ? level.name : level.name + ", " + task.task;
 }
 
 ViewNumber view_number(const std::string& task, const std::string& name, double value,
-                       const StackReach& reach) {
-  const auto& parameters = task_info(task).parameters;
-  const auto parameter = std::ranges::find(parameters, name, &TaskParameter::name);
+                       const control::StackReach& reach) {
+  const auto& parameters = tasks::task_info(task).parameters;
+  const auto parameter = std::ranges::find(parameters, name, &tasks::TaskParameter::name);
   if (parameter == parameters.end()) {
     throw UnknownNameError("the task " + task + " has no number \"" + name + "\"");
   }
@@ -83,19 +83,19 @@ ViewNumber view_number(const std::string& task, const std::string& name, double 
           .max = std::max(within(reach, task, name, largest(task, *parameter)), value)};
 }
 
-std::vector<ViewTask> view_tasks(const StackOptions& stack,
+std::vector<ViewTask> view_tasks(const control::StackOptions& stack,
                                  const std::vector<std::string>& level_names,
-                                 const StackReach& reach) {
+                                 const control::StackReach& reach) {
   std::vector<ViewTask> tasks;
-  for (const LevelSpec& level : stack.levels) {
+  for (const control::LevelSpec& level : stack.levels) {
     const auto number = std::ranges::find(level_names, level.name) - level_names.begin();
-    for (const TaskSpec& task : level.tasks) {
+    for (const control::TaskSpec& task : level.tasks) {
       ViewTask& view = tasks.emplace_back();
       view.level = static_cast<std::size_t>(number);
       view.level_name = level.name;
       view.task = task.task;
       view.choices = task.choices;
-      for (const TaskParameter& parameter : task_info(task.task).parameters) {
+      for (const tasks::TaskParameter& parameter : tasks::task_info(task.task).parameters) {
         const std::string name(parameter.name);
         view.numbers.push_back(view_number(task.task, name, task.numbers.at(name), reach));
       }
@@ -112,11 +112,11 @@ std::string change_text(double before, double after) {
   return text.str();
 }
 
-std::string change_text(const StackOptions& before, const StackOptions& after) {
+std::string change_text(const control::StackOptions& before, const control::StackOptions& after) {
   std::string text;
   const auto add = [&](const std::string& part) { text += (text.empty() ? "" : "; ") + part; };
-  for (const LevelSpec& level : after.levels) {
-    const auto old = std::ranges::find(before.levels, level.name, &LevelSpec::name);
+  for (const control::LevelSpec& level : after.levels) {
+    const auto old = std::ranges::find(before.levels, level.name, &control::LevelSpec::name);
     if (old == before.levels.end()) continue;
     for (std::size_t i = 0; i < std::min(level.tasks.size(), old->tasks.size()); ++i) {
       for (const auto& [name, value] : level.tasks[i].numbers) {
@@ -126,9 +126,9 @@ std::string change_text(const StackOptions& before, const StackOptions& after) {
       }
     }
   }
-  const std::string order = order_text(level_names(before), level_names(after));
+  const std::string order = order_text(config::level_names(before), config::level_names(after));
   if (!order.empty()) add(order);
   return text;
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::server

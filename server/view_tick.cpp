@@ -12,7 +12,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace surefoot {
+namespace surefoot::server {
 namespace {
 
 constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
@@ -38,8 +38,8 @@ double number_of(const std::string& text, const std::vector<std::string>& texts)
 
 std::vector<ToldLevel> told_levels(const KnownTick& tick, const ViewChannels& channels) {
   const logged::Hierarchy& hierarchy = tick.hierarchy;
-  const bool is_cut_off = hierarchy.status == kIterationCap && hierarchy.failed_level >= 0;
-  std::size_t solved = was_used(tick.record) ? hierarchy.levels.size() : 0;
+  const bool is_cut_off = hierarchy.status == logging::kIterationCap && hierarchy.failed_level >= 0;
+  std::size_t solved = logging::was_used(tick.record) ? hierarchy.levels.size() : 0;
   if (std::ranges::all_of(hierarchy.levels,
                           [](const auto& one) { return one.report.num_rows == 0; }))
     solved = 0;
@@ -51,41 +51,46 @@ std::vector<ToldLevel> told_levels(const KnownTick& tick, const ViewChannels& ch
     if (number >= channels.level_visible.size()) continue;
     const bool is_at_bound = std::ranges::find(hierarchy.active, level.name, &logged::Row::level) !=
                              hierarchy.active.end();
-    const SeenLevel state =
-        seen_level(static_cast<std::size_t>(level.report.num_rows), level.report.residual,
-                   channels.level_visible[number], is_at_bound);
+    const explain::SeenLevel state =
+        explain::seen_level(static_cast<std::size_t>(level.report.num_rows), level.report.residual,
+                            channels.level_visible[number], is_at_bound);
     levels.push_back({level.name, static_cast<double>(state)});
   }
   return levels;
 }
 
-Told told(const KnownTick& tick, const CommandedForces& forces, const ViewChannels& channels) {
+Told told(const KnownTick& tick, const explain::CommandedForces& forces,
+          const ViewChannels& channels) {
   const TickRecord& record = tick.record;
   const auto wrong = [&](StopCause group) {
     const GroupHealth& now = *group_of(record.health, group);
     const bool is_wrong = now.fault != SampleFault::none;
-    return is_wrong ? number_of(text_of_stop(group, now.fault, now.joint), stop_texts()) : 0.0;
+    return is_wrong ? number_of(logging::text_of_stop(group, now.fault, now.joint),
+                                logging::stop_texts())
+                    : 0.0;
   };
-  const UnusedText unused = unused_text(record);
-  Told result{.stop = number_of(text_of_stop(record), stop_texts()),
+  const explain::UnusedText unused = explain::unused_text(record);
+  Told result{.stop = number_of(logging::text_of_stop(record), logging::stop_texts()),
               .encoders = wrong(StopCause::encoders),
               .joint_torques = wrong(StopCause::joint_torques),
               .imu = wrong(StopCause::imu),
-              .unused = number_of(unused.what, unused_texts()),
-              .because = number_of(unused.why, unused_reasons()),
+              .unused = number_of(unused.what, explain::unused_texts()),
+              .because = number_of(unused.why, explain::unused_reasons()),
               .levels = told_levels(tick, channels)};
   for (const Leg leg : kLegs)
-    result.beyond[index(leg)] = static_cast<double>(beyond_limits(forces, record.plan, leg));
+    result.beyond[index(leg)] =
+        static_cast<double>(explain::beyond_limits(forces, record.plan, leg));
   return result;
 }
 
 /// Of a channel of `Told`.
 std::vector<std::string> texts_of(std::string_view name) {
-  if (name == "told.unused") return unused_texts();
-  if (name == "told.because") return unused_reasons();
+  if (name == "told.unused") return explain::unused_texts();
+  if (name == "told.because") return explain::unused_reasons();
   if (name.starts_with("told.beyond.")) return {"", "force", "friction"};
-  if (name.starts_with("told.level.")) return {kSeenLevelNames.begin(), kSeenLevelNames.end()};
-  return stop_texts();
+  if (name.starts_with("told.level."))
+    return {explain::kSeenLevelNames.begin(), explain::kSeenLevelNames.end()};
+  return logging::stop_texts();
 }
 
 void add_rows(const logged::Hierarchy& hierarchy, const ViewChannels& channels, ViewFrame& frame) {
@@ -113,10 +118,10 @@ void add_rows(const logged::Hierarchy& hierarchy, const ViewChannels& channels, 
 
 }  // namespace
 
-ViewChannels tick_channels(const LogHeader& header, const GroundTruth& truth) {
+ViewChannels tick_channels(const logging::LogHeader& header, const simulation::GroundTruth& truth) {
   ViewChannels channels;
   channels.level_names = header.level_names;
-  channels.level_visible = visible_residuals(header);
+  channels.level_visible = logging::visible_residuals(header);
   const TickRecord tick;
   logged::ChannelLister lister(channels);
   lister.add("readings", tick.reading);
@@ -127,13 +132,13 @@ ViewChannels tick_channels(const LogHeader& header, const GroundTruth& truth) {
   lister.add("model", logged::Model());
   lister.add("hierarchy", logged::Hierarchy());
   lister.add("command", tick.command);
-  lister.add("commanded", CommandedForces());
+  lister.add("commanded", explain::CommandedForces());
   lister.add("told", Told());
   for (ViewChannel& channel : channels.channels)
     if (channel.name.starts_with("told.")) channel.values = texts_of(channel.name);
   lister.add("timings", logged::Timing());
   lister.add("truth", truth);
-  lister.add("estimate", AlignedEstimate());
+  lister.add("estimate", evaluation::AlignedEstimate());
   return channels;
 }
 
@@ -150,17 +155,17 @@ void to_frame(const KnownTick& tick, const ViewChannels& channels, ViewFrame& fr
   writer.add(logged::model_of(tick.record));
   writer.add(tick.hierarchy);
   writer.add(tick.record.command);
-  const CommandedForces forces = commanded_forces(tick.cone, tick.record);
+  const explain::CommandedForces forces = explain::commanded_forces(tick.cone, tick.record);
   writer.add(forces);
   writer.add(told(tick, forces, channels));
   writer.add(tick.timing == nullptr ? no_timing() : *tick.timing);
   if (tick.truth != nullptr) writer.add(*tick.truth);
   if (tick.truth != nullptr && tick.start != nullptr)
-    writer.add(aligned(*tick.start, *tick.truth, tick.record.state));
+    writer.add(evaluation::aligned(*tick.start, *tick.truth, tick.record.state));
   add_rows(tick.hierarchy, channels, frame);
   frame.events.clear();
   for (const GaitEvent& event : tick.record.plan.events)
     frame.events.push_back({.kind = static_cast<int>(event.kind), .leg = event.leg});
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::server

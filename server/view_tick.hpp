@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace surefoot {
+namespace surefoot::server {
 
 /// A level of a tick, as `SeenLevel`.
 struct ToldLevel {
@@ -26,17 +26,19 @@ struct Told {
   std::vector<ToldLevel> levels;
 };
 
-namespace logged {
+}  // namespace surefoot::server
+
+namespace surefoot::logged {
 
 template <>
-inline constexpr bool kIsByLevel<std::vector<ToldLevel>> = true;
+inline constexpr bool kIsByLevel<std::vector<server::ToldLevel>> = true;
 
-template <typename Archive, Is<ToldLevel> T>
+template <typename Archive, Is<server::ToldLevel> T>
 void fields(Archive& field, T& level) {
   field("state", level.state, "how the level came out, in words");
 }
 
-template <typename Archive, Is<Told> T>
+template <typename Archive, Is<server::Told> T>
 void fields(Archive& field, T& told) {
   field("stop", told.stop, "why the controller has stopped for safety, in words");
   field("encoders", told.encoders, "what is wrong with the encoders, in words");
@@ -49,25 +51,28 @@ void fields(Archive& field, T& told) {
   field("levels", told.levels, "");
 }
 
-}  // namespace logged
+}  // namespace surefoot::logged
+
+namespace surefoot::server {
 
 /// The channels of a run: every field of the log, under its topic, and `commanded`, `told` and
 /// `estimate`, which follow from them. `truth` has the sizes of MuJoCo's vectors.
-[[nodiscard]] ViewChannels tick_channels(const LogHeader& header, const GroundTruth& truth);
+[[nodiscard]] ViewChannels tick_channels(const logging::LogHeader& header,
+                                         const simulation::GroundTruth& truth);
 
 /// What is known of a tick; what is null is not a number in its frame.
 struct KnownTick {
   std::uint32_t number = 0;
   const TickRecord& record;
-  const logged::Hierarchy& hierarchy;       ///< of the record, with names
-  const std::optional<FrictionCone>& cone;  ///< of its stack
-  const GroundTruth* truth = nullptr;
+  const logged::Hierarchy& hierarchy;              ///< of the record, with names
+  const std::optional<tasks::FrictionCone>& cone;  ///< of its stack
+  const simulation::GroundTruth* truth = nullptr;
   const logged::Timing* timing = nullptr;
-  const StartAlignment* start = nullptr;
+  const evaluation::StartAlignment* start = nullptr;
 };
 
 /// The tick as the page gets it. Levels and rows are numbered as in the channels' level names,
 /// whatever their order was.
 void to_frame(const KnownTick& tick, const ViewChannels& channels, ViewFrame& frame);
 
-}  // namespace surefoot
+}  // namespace surefoot::server

@@ -7,7 +7,7 @@
 #include <charconv>
 #include <exception>
 
-namespace surefoot {
+namespace surefoot::server {
 namespace {
 
 constexpr std::string_view kApi = "/api/";
@@ -78,4 +78,4 @@ WebAnswer answer_for(std::string_view target, WebContent& content) {
   }
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::server

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <utility>
 
-namespace surefoot {
+namespace surefoot::server {
 
 /// What every answer says of how a browser is to treat it.
 inline constexpr std::array<std::pair<std::string_view, std::string_view>, 6> kWebHeaders{{
@@ -37,4 +37,4 @@ void read_number(const WebContent::Query& query, const char* key, std::uint32_t 
 /// A line of text with a status.
 [[nodiscard]] WebAnswer refusal(int status, std::string why);
 
-}  // namespace surefoot
+}  // namespace surefoot::server

@@ -8,7 +8,7 @@
 #include <chrono>
 #include <iterator>
 
-namespace surefoot {
+namespace surefoot::server {
 namespace {
 
 namespace asio = boost::asio;
@@ -102,7 +102,7 @@ void WebClient::take(std::string_view text) {
 
 void WebClient::reply(std::int64_t id, const std::string& error, bool is_token_known) {
   auto text = std::make_shared<std::string>();
-  JsonText json(*text);
+  logging::JsonText json(*text);
   json.object().member("type", "reply").member("id", id).member("ok", error.empty());
   if (!error.empty()) json.member("error", std::string_view(error));
   if (!is_token_known) json.member("token", false);
@@ -190,4 +190,4 @@ void WebClient::leave() {
   shared_.clients.erase(shared_from_this());
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::server

@@ -15,7 +15,7 @@
 #include <set>
 #include <string>
 
-namespace surefoot {
+namespace surefoot::server {
 
 class WebClient;
 
@@ -100,4 +100,4 @@ class WebClient : public std::enable_shared_from_this<WebClient> {
   RateLimit rate_;
 };
 
-}  // namespace surefoot
+}  // namespace surefoot::server

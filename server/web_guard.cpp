@@ -6,7 +6,7 @@
 #include <array>
 #include <random>
 
-namespace surefoot {
+namespace surefoot::server {
 namespace {
 
 constexpr std::string_view kScheme = "http://";
@@ -76,4 +76,4 @@ bool RateLimit::take(std::chrono::steady_clock::time_point now) {
   return true;
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::server

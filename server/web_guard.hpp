@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-namespace surefoot {
+namespace surefoot::server {
 
 /// The names under which a server may be asked: whatever else a browser says that it wants comes
 /// from a page that has no business here (DNS rebinding, requests across sites).
@@ -47,4 +47,4 @@ class RateLimit {
   std::chrono::steady_clock::time_point last_{};
 };
 
-}  // namespace surefoot
+}  // namespace surefoot::server

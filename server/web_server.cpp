@@ -16,7 +16,7 @@
 #include <optional>
 #include <thread>
 
-namespace surefoot {
+namespace surefoot::server {
 namespace {
 
 namespace asio = boost::asio;
@@ -354,4 +354,4 @@ std::string WebServer::link() const {
   return "http://" + implementation_->names.names().front() + "/#token=" + token();
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::server

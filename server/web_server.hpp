@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-namespace surefoot {
+namespace surefoot::server {
 
 /// An answer to a request.
 struct WebAnswer {
@@ -93,4 +93,4 @@ class WebServer {
   std::unique_ptr<Implementation> implementation_;
 };
 
-}  // namespace surefoot
+}  // namespace surefoot::server

@@ -1,4 +1,5 @@
-"""Holds every #include of surefoot/, server/, cli/ and python/ against tools/layers.toml, and finds types that share a name.
+"""Holds every #include of surefoot/, server/, cli/ and python/ against tools/layers.toml, its namespace against its folder, and finds types that
+share a name.
 
 Two types of one name in one namespace break the one-definition rule: the linker takes either. Prints what it finds.
 """
@@ -10,7 +11,7 @@ import tomllib
 
 root = pathlib.Path(__file__).resolve().parent.parent
 rules = tomllib.loads((root / "tools/layers.toml").read_text())
-folders, fences = rules["folders"], rules["fences"]
+folders, fences, namespaces = rules["folders"], rules["fences"], rules["namespaces"]
 fronts = {"server": ["server"], "cli": ["cli", "server"], "python": ["python"]}  # with the fronts that they may include
 complaints = []
 types = {}  # by namespace and name: where they are defined
@@ -26,6 +27,18 @@ def note_types(place, text):
             spaces.pop()
         elif match := re.match(r"(?:class|struct|enum(?: class)?) (\w+)(?![\w:<])[^;]*$", line):
             types.setdefault("::".join([*spaces, match[1]]), []).append(f"{place}:{number}")
+
+
+def check_namespaces(place, folder, text):
+    """A file is in its folder's namespace; others are for shared ones and for forward declarations."""
+    own = "surefoot" if folder in namespaces["surefoot"] else f"surefoot::{folder}"
+    shared = [f"surefoot::{name}" for name in namespaces["shared"]]
+    for match in re.finditer(r"^namespace (surefoot[\w:]*) \{\n(.*?)^\}", text, re.MULTILINE | re.DOTALL):
+        is_forward = all(re.match(r"((class|struct) \w+;)?$", line) for line in match[2].splitlines())
+        is_own = match[1] == own or own != "surefoot" and match[1].startswith(f"{own}::")
+        if not is_own and match[1] not in shared and not is_forward:
+            number = text.count("\n", 0, match.start()) + 1
+            complaints.append(f"{place}:{number}: namespace {match[1]} in the folder of {own}")
 
 
 # An order in which every folder stands below the ones that may include it: none exists in a cycle.
@@ -46,6 +59,7 @@ for source in sources:
     allowed = folders if folder in fronts else [folder, *folders[folder]]
     text = source.read_text()
     note_types(place, text)
+    check_namespaces(place, folder, text)
     for number, line in enumerate(text.splitlines(), 1):
         if not (match := re.match(r'\s*#\s*include\s*[<"]([^>"]+)', line)):
             continue

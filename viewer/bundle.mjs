@@ -66,7 +66,7 @@ extern "C" const char surefoot_page_${k}[], surefoot_page_${k}_end[];`);
 
 ${blocks.join("\n")}
 
-namespace surefoot {
+namespace surefoot::server {
 
 std::span<const PageFile> page_files() {
   static const std::array<PageFile, ${names.length}> files{{
@@ -75,7 +75,7 @@ ${names.map(entry).join("\n")}
   return files;
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::server
 `);
 }
 

@@ -23,7 +23,7 @@ class Hierarchical final : public Peer {
   explicit Hierarchical(bool is_warm) : is_warm_(is_warm) { daqp_default_settings(&settings_); }
   ~Hierarchical() override { release(); }
 
-  void prepare(const Hierarchy& problem) override {
+  void prepare(const solver::Hierarchy& problem) override {
     remember();
     const std::vector<int> old_ends = std::exchange(ends_, {});
     load(problem);
@@ -47,7 +47,7 @@ class Hierarchical final : public Peer {
  private:
   using Key = std::pair<int, int>;  // level and id of a row
 
-  void load(const Hierarchy& problem) {
+  void load(const solver::Hierarchy& problem) {
     Index rows = 0;
     for (std::size_t k = 0; k < problem.num_levels(); ++k) {
       rows += problem.level(k).num_rows();
@@ -58,7 +58,7 @@ class Hierarchical final : public Peer {
     upper_.resize(rows);
     keys_.clear();
     for (std::size_t k = 0; k < problem.num_levels(); ++k) {
-      const Level& level = problem.level(k);
+      const solver::Level& level = problem.level(k);
       const Index first = ends_[k] - level.num_rows();
       A_.middleRows(first, level.num_rows()) = level.A();
       lower_.segment(first, level.num_rows()) = level.lower().cwiseMax(-DAQP_INF);

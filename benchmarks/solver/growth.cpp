@@ -31,7 +31,7 @@ double microseconds_since(std::chrono::steady_clock::time_point begin) {
 }
 
 /// A slowly moving problem: right-hand sides turn with the tick.
-Hierarchy make(const Shape& shape, unsigned seed, int tick) {
+solver::Hierarchy make(const Shape& shape, unsigned seed, int tick) {
   RandomMatrices random(seed);
   test::HierarchyData levels;
   const Index n = shape.unknowns;
@@ -79,7 +79,7 @@ struct Timing {
   double warm = 0.0, warm_max = 0.0, cold = 0.0, active = 0.0;
 };
 
-double least_time(LexicographicSolver& solver, const Hierarchy& problem) {
+double least_time(solver::LexicographicSolver& solver, const solver::Hierarchy& problem) {
   const auto begin = std::chrono::steady_clock::now();
   (void)solver.solve(problem);
   return microseconds_since(begin);
@@ -87,22 +87,23 @@ double least_time(LexicographicSolver& solver, const Hierarchy& problem) {
 
 Timing time(const Shape& shape, int passes) {
   constexpr int kSeeds = 5, kTicks = 40;
-  LexicographicOptions without_guess;
+  solver::LexicographicOptions without_guess;
   without_guess.warm_start = false;
   std::vector<double> warm, cold;
   double active = 0.0;
   for (unsigned seed = 0; seed < kSeeds; ++seed) {
-    std::vector<Hierarchy> ticks;
+    std::vector<solver::Hierarchy> ticks;
     for (int tick = 0; tick < kTicks; ++tick) ticks.push_back(make(shape, seed, tick));
     std::vector<double> least_warm(kTicks, 1e300), least_cold(kTicks, 1e300);
     for (int pass = 0; pass < passes; ++pass) {
-      LexicographicSolver guessing(ticks[0]), starting(ticks[0], without_guess);
+      solver::LexicographicSolver guessing(ticks[0]), starting(ticks[0], without_guess);
       for (std::size_t i = 0; i < ticks.size(); ++i) {
         least_warm[i] = std::min(least_warm[i], least_time(guessing, ticks[i]));
         least_cold[i] = std::min(least_cold[i], least_time(starting, ticks[i]));
       }
       if (pass > 0) continue;
-      for (const LevelResult& level : guessing.solution().levels) active += level.num_active();
+      for (const solver::LevelResult& level : guessing.solution().levels)
+        active += level.num_active();
     }
     warm.insert(warm.end(), least_warm.begin() + 1, least_warm.end());  // the first had no guess
     cold.insert(cold.end(), least_cold.begin(), least_cold.end());

@@ -40,13 +40,14 @@ class UnitOfTime {
   Eigen::HouseholderQR<Eigen::MatrixXd> qr_;
 };
 
-double residual(const Level& level, const Eigen::VectorXd& x) {
+double residual(const solver::Level& level, const Eigen::VectorXd& x) {
   const Eigen::VectorXd value = level.A() * x;
   return (level.lower() - value).cwiseMax(value - level.upper()).cwiseMax(0.0).norm();
 }
 
 /// Largest distance of a level's residual from the reference's, relative to 1 + that.
-double distance(const Hierarchy& problem, const Eigen::VectorXd& x, const Solution& reference) {
+double distance(const solver::Hierarchy& problem, const Eigen::VectorXd& x,
+                const solver::Solution& reference) {
   if (x.size() != problem.unknowns() || !x.allFinite()) {
     return std::numeric_limits<double>::infinity();
   }
@@ -59,14 +60,15 @@ double distance(const Hierarchy& problem, const Eigen::VectorXd& x, const Soluti
   return largest;
 }
 
-bool is_certified(const Hierarchy& problem, const Eigen::VectorXd& x) {
+bool is_certified(const solver::Hierarchy& problem, const Eigen::VectorXd& x) {
   // What counts as independent is what it is for the solvers.
-  const CertificateOptions tolerance{.tight = kRight, .rank = RankTolerance{}.solve};
-  return worst_stationarity(certify(problem, x, tolerance)) < kRight;
+  const solver::CertificateOptions tolerance{.tight = kRight,
+                                             .rank = solver::RankTolerance{}.solve};
+  return solver::worst_stationarity(solver::certify(problem, x, tolerance)) < kRight;
 }
 
-void judge(const Hierarchy& problem, const Eigen::VectorXd& x, const Solution& reference,
-           PeerResult& result) {
+void judge(const solver::Hierarchy& problem, const Eigen::VectorXd& x,
+           const solver::Solution& reference, PeerResult& result) {
   const double off = distance(problem, x, reference);
   if (off <= kNear) ++result.near;
   if (off <= kRight && is_certified(problem, x)) ++result.right;
@@ -121,11 +123,11 @@ class Measurement {
   void solve(std::size_t i, bool is_first_pass) {
     // In a sequence the rows lie where a controller has just written them.
     if (set_.is_sequence) live_ = set_.problems[i];
-    const Hierarchy& problem = set_.is_sequence ? live_ : set_.problems[i];
-    Solution reference;
+    const solver::Hierarchy& problem = set_.is_sequence ? live_ : set_.problems[i];
+    solver::Solution reference;
     if (is_first_pass) {
-      reference = CascadeSolver(problem).solve(problem);
-      for (const LevelResult& level : reference.levels) num_active_ += level.num_active();
+      reference = solver::CascadeSolver(problem).solve(problem);
+      for (const solver::LevelResult& level : reference.levels) num_active_ += level.num_active();
     }
     least_q_[i] = std::min(least_q_[i], unit_.measure());
     for (Run& run : runs_) {
@@ -145,7 +147,7 @@ class Measurement {
 
   /// The solver's shadow goes first, not timed: so everyone has code and problem in the caches,
   /// not only who comes after a solver that is much like it.
-  void time(Run& run, const Hierarchy& problem, std::size_t i) const {
+  void time(Run& run, const solver::Hierarchy& problem, std::size_t i) const {
     for (std::unique_ptr<Peer>* peer : {&run.peer, &run.shadow}) {
       if (!*peer || !set_.is_sequence) *peer = run.kind.make();
       (*peer)->prepare(problem);
@@ -179,7 +181,7 @@ class Measurement {
   std::vector<double> least_q_;
   std::vector<Run> runs_;
   UnitOfTime unit_;
-  Hierarchy live_{0};
+  solver::Hierarchy live_{0};
   long num_active_ = 0;
 };
 

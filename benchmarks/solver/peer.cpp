@@ -13,20 +13,20 @@ class Ours final : public Peer {
  public:
   explicit Ours(const Options& options) : options_(options) {}
 
-  void prepare(const Hierarchy& problem) override {
+  void prepare(const solver::Hierarchy& problem) override {
     problem_ = &problem;
     if (!solver_) solver_ = std::make_unique<Solver>(problem, options_);
   }
   bool solve() override {
-    const Solution& solution = solver_->solve(*problem_);
-    return solution.status == SolveStatus::optimal;
+    const solver::Solution& solution = solver_->solve(*problem_);
+    return solution.status == solver::SolveStatus::optimal;
   }
   const Eigen::VectorXd& x() const override { return solver_->solution().x; }
 
  private:
   Options options_;
   std::unique_ptr<Solver> solver_;
-  const Hierarchy* problem_ = nullptr;
+  const solver::Hierarchy* problem_ = nullptr;
 };
 
 template <typename Solver, typename Options>
@@ -37,12 +37,12 @@ PeerKind ours(const std::string& name, bool is_warm, const Options& options) {
 }  // namespace
 
 std::vector<PeerKind> all_peers() {
-  LexicographicOptions cold;
+  solver::LexicographicOptions cold;
   cold.warm_start = false;
   std::vector<PeerKind> peers = {
-      ours<LexicographicSolver>("ours, warm", true, LexicographicOptions{}),
-      ours<LexicographicSolver>("ours", false, cold),
-      ours<CascadeSolver>("our cascade", false, CascadeOptions{})};
+      ours<solver::LexicographicSolver>("ours, warm", true, solver::LexicographicOptions{}),
+      ours<solver::LexicographicSolver>("ours", false, cold),
+      ours<solver::CascadeSolver>("our cascade", false, solver::CascadeOptions{})};
 #ifdef SUREFOOT_PEER_DAQP
   add_daqp(peers);
 #endif
@@ -59,11 +59,11 @@ std::vector<PeerKind> all_peers() {
 }
 
 void add_ours_with_clock(std::vector<PeerKind>& peers) {
-  LexicographicOptions options;
-  options.clock = steady_seconds;
-  peers.push_back(ours<LexicographicSolver>("ours, warm, with a clock", true, options));
+  solver::LexicographicOptions options;
+  options.clock = runtime::steady_seconds;
+  peers.push_back(ours<solver::LexicographicSolver>("ours, warm, with a clock", true, options));
   options.warm_start = false;
-  peers.push_back(ours<LexicographicSolver>("ours, with a clock", false, options));
+  peers.push_back(ours<solver::LexicographicSolver>("ours, with a clock", false, options));
 }
 
 }  // namespace surefoot::benchmarks

@@ -21,7 +21,7 @@ class Peer {
 
   /// Not timed: brings a problem into the solver's own layout. The problem stays until it is
   /// solved.
-  virtual void prepare(const Hierarchy& problem) = 0;
+  virtual void prepare(const solver::Hierarchy& problem) = 0;
   /// Timed: from data in that layout to x. False if the solver says that it failed; x is then what
   /// it got to.
   [[nodiscard]] virtual bool solve() = 0;

@@ -18,14 +18,15 @@ namespace {
 using Eigen::Index;
 
 /// A hierarchy with these rows; ids and names stay.
-Hierarchy with_rows(const Hierarchy& source, std::size_t first_level, Index unknowns,
-                    const std::function<void(const Level& from, Index row, Rows& to)>& write) {
-  Hierarchy result(unknowns);
+solver::Hierarchy with_rows(
+    const solver::Hierarchy& source, std::size_t first_level, Index unknowns,
+    const std::function<void(const solver::Level& from, Index row, solver::Rows& to)>& write) {
+  solver::Hierarchy result(unknowns);
   for (std::size_t k = first_level; k < source.num_levels(); ++k) {
-    const Level& from = source.level(k);
+    const solver::Level& from = source.level(k);
     const std::size_t added = result.add_level(from.name(), from.max_rows());
     for (Index i = 0; i < from.num_rows(); ++i) {
-      Rows to = result.level(added).add(1, from.id(i));
+      solver::Rows to = result.level(added).add(1, from.id(i));
       write(from, i, to);
     }
   }
@@ -35,12 +36,12 @@ Hierarchy with_rows(const Hierarchy& source, std::size_t first_level, Index unkn
 /// The rows that a controller with this stack has solved in every tick of a scenario, a part of it.
 ProblemSet record(const std::string& scenario_name, const std::string& stack, int first,
                   int count) {
-  const Scenario scenario = load_scenario({scenario_name, 0, {"stack=" + stack}});
-  Plant plant(scenario.robot, scenario.plant);
-  Controller controller(
+  const config::Scenario scenario = config::load_scenario({scenario_name, 0, {"stack=" + stack}});
+  simulation::Plant plant(scenario.robot, scenario.plant);
+  control::Controller controller(
       scenario.robot, scenario.controller,
-      make_estimator(scenario.estimation,
-                     {scenario.robot, scenario.controller.period, plant, scenario.estimator}));
+      simulation::make_estimator(scenario.estimation, {scenario.robot, scenario.controller.period,
+                                                       plant, scenario.estimator}));
   ProblemSet set{scenario_name + ", " + stack, true, {}};
   for (int tick = 0; tick < first + count; ++tick) {
     const SensorReading& reading = plant.read();
@@ -51,20 +52,20 @@ ProblemSet record(const std::string& scenario_name, const std::string& stack, in
 }
 
 ProblemSet without_physics(ProblemSet set) {
-  for (Hierarchy& problem : set.problems) problem = reduced(problem, 2);
+  for (solver::Hierarchy& problem : set.problems) problem = reduced(problem, 2);
   set.name += ", reduced";
   return set;
 }
 
 ProblemSet generate(const std::string& name, int count,
-                    const std::function<Hierarchy(unsigned seed)>& make) {
+                    const std::function<solver::Hierarchy(unsigned seed)>& make) {
   ProblemSet set{name, false, {}};
   for (int seed = 0; seed < count; ++seed)
     set.problems.push_back(make(static_cast<unsigned>(seed)));
   return set;
 }
 
-Hierarchy random_matrices(unsigned seed) {
+solver::Hierarchy random_matrices(unsigned seed) {
   test::RandomMatrices random(seed);
   const int feet = 2 + static_cast<int>(seed % 3);
   return normalised(test::make_hierarchy(30, test::table_one_levels(random, feet, 0.5)));
@@ -97,22 +98,23 @@ void add_generated(std::vector<Family>& result) {
 
 }  // namespace
 
-Hierarchy normalised(const Hierarchy& hierarchy) {
-  return with_rows(hierarchy, 0, hierarchy.unknowns(), [](const Level& from, Index i, Rows& to) {
-    const double norm = from.A().row(i).norm();
-    const double scale = norm > 1e-9 ? 1.0 / norm : 1.0;
-    to.A = scale * from.A().row(i);
-    to.lower[0] = scale * from.lower()[i];
-    to.upper[0] = scale * from.upper()[i];
-  });
+solver::Hierarchy normalised(const solver::Hierarchy& hierarchy) {
+  return with_rows(hierarchy, 0, hierarchy.unknowns(),
+                   [](const solver::Level& from, Index i, solver::Rows& to) {
+                     const double norm = from.A().row(i).norm();
+                     const double scale = norm > 1e-9 ? 1.0 / norm : 1.0;
+                     to.A = scale * from.A().row(i);
+                     to.lower[0] = scale * from.lower()[i];
+                     to.upper[0] = scale * from.upper()[i];
+                   });
 }
 
-Hierarchy reduced(const Hierarchy& hierarchy, std::size_t levels) {
+solver::Hierarchy reduced(const solver::Hierarchy& hierarchy, std::size_t levels) {
   const Index n = hierarchy.unknowns();
   Eigen::MatrixXd A(0, n);
   Eigen::VectorXd b(0);
   for (std::size_t k = 0; k < levels; ++k) {
-    const Level& level = hierarchy.level(k);
+    const solver::Level& level = hierarchy.level(k);
     A.conservativeResize(A.rows() + level.num_rows(), n);
     b.conservativeResize(A.rows());
     A.bottomRows(level.num_rows()) = level.A();
@@ -122,8 +124,8 @@ Hierarchy reduced(const Hierarchy& hierarchy, std::size_t levels) {
   const Eigen::MatrixXd Q = qr.householderQ();
   const Eigen::MatrixXd N = Q.rightCols(n - A.rows());
   const Eigen::VectorXd x0 = A.completeOrthogonalDecomposition().solve(b);
-  return normalised(
-      with_rows(hierarchy, levels, N.cols(), [&](const Level& from, Index i, Rows& to) {
+  return normalised(with_rows(
+      hierarchy, levels, N.cols(), [&](const solver::Level& from, Index i, solver::Rows& to) {
         const double offset = from.A().row(i).dot(x0);
         to.A = from.A().row(i) * N;
         to.lower[0] = from.lower()[i] - offset;
@@ -140,7 +142,8 @@ ProblemSet read_problems(const std::string& file, bool is_sequence) {
   std::string line;
   for (int number = 1; std::getline(input, line); ++number) {
     if (line.find_first_not_of(" \t\r") == std::string::npos) continue;
-    set.problems.push_back(parse_hierarchy(line, file + ":" + std::to_string(number)).hierarchy);
+    set.problems.push_back(
+        config::parse_hierarchy(line, file + ":" + std::to_string(number)).hierarchy);
   }
   if (set.problems.empty()) throw FileError(file + ": holds no problem; expected one a line");
   return set;

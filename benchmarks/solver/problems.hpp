@@ -12,7 +12,7 @@ namespace surefoot::benchmarks {
 struct ProblemSet {
   std::string name;
   bool is_sequence = false;  ///< consecutive ticks: a solver may keep what it knows
-  std::vector<Hierarchy> problems;
+  std::vector<solver::Hierarchy> problems;
 };
 
 /// How many problems to make.
@@ -33,13 +33,13 @@ struct Family {
 [[nodiscard]] ProblemSet read_problems(const std::string& file, bool is_sequence);
 
 /// Rows and bounds over the rows' norms, so that a solver's own normalisation changes nothing.
-[[nodiscard]] Hierarchy normalised(const Hierarchy& hierarchy);
+[[nodiscard]] solver::Hierarchy normalised(const solver::Hierarchy& hierarchy);
 
 /// What remains when the first `levels` levels, equalities that can be met, are eliminated.
-[[nodiscard]] Hierarchy reduced(const Hierarchy& hierarchy, std::size_t levels);
+[[nodiscard]] solver::Hierarchy reduced(const solver::Hierarchy& hierarchy, std::size_t levels);
 
 /// Table I of the paper for ANYmal B at a random state near its stance, with 2, 3 or 4 feet down.
 enum class Difficulty { nominal, aggressive, infeasible, degenerate };
-[[nodiscard]] Hierarchy table_one_problem(unsigned seed, Difficulty difficulty);
+[[nodiscard]] solver::Hierarchy table_one_problem(unsigned seed, Difficulty difficulty);
 
 }  // namespace surefoot::benchmarks

@@ -15,11 +15,11 @@ constexpr double kRank = 1e-9;
 
 double QpCascade::regularisation = 1e-12;
 
-void QpCascade::prepare(const Hierarchy& problem) {
+void QpCascade::prepare(const solver::Hierarchy& problem) {
   levels_.assign(problem.num_levels(), {});
   const Index n = problem.unknowns();
   for (std::size_t k = 0; k < problem.num_levels(); ++k) {
-    const Level& level = problem.level(k);
+    const solver::Level& level = problem.level(k);
     const auto is_equality = level.lower().array() == level.upper().array();
     const Index num_equal = is_equality.count();
     LevelData& data = levels_[k];

@@ -43,7 +43,7 @@ class QpCascade final : public Peer {
 
   static double regularisation;  ///< ε of all cascades
 
-  void prepare(const Hierarchy& problem) override;
+  void prepare(const solver::Hierarchy& problem) override;
   bool solve() override;
   const Eigen::VectorXd& x() const override { return x_; }
 

@@ -47,7 +47,7 @@ PerLeg<bool> draw_contacts(Random& random) {
   return contacts;
 }
 
-RobotState draw_state(Random& random, const RobotDescription& robot, const Draws& draws,
+RobotState draw_state(Random& random, const model::RobotDescription& robot, const Draws& draws,
                       bool straight) {
   RobotState state =
       straight ? test::straight_legged_state() : random.standing_state(robot.q_nominal);
@@ -61,7 +61,7 @@ RobotState draw_state(Random& random, const RobotDescription& robot, const Draws
   return state;
 }
 
-void draw_references(Random& random, const Dynamics& dynamics, const Draws& draws,
+void draw_references(Random& random, const model::Dynamics& dynamics, const Draws& draws,
                      MotionPlan& plan) {
   plan.com.p = dynamics.com.p.head<2>() + random.vector(0.005).head<2>();
   plan.com.v = dynamics.com.v.head<2>();
@@ -85,16 +85,16 @@ void draw_references(Random& random, const Dynamics& dynamics, const Draws& draw
 }
 
 /// Limb limits close around where the limbs are, so that they matter.
-StackOptions stack_for(const Dynamics& dynamics, const Draws& draws) {
-  StackOptions stack = load_stack("terrain_adaptation");
+control::StackOptions stack_for(const model::Dynamics& dynamics, const Draws& draws) {
+  control::StackOptions stack = config::load_stack("terrain_adaptation");
   double shortest = 1.0, longest = 0.0;
   for (const Leg leg : kLegs) {
     const double length = (dynamics.foot[index(leg)].p - dynamics.hip[index(leg)].p).norm();
     shortest = std::min(shortest, length);
     longest = std::max(longest, length);
   }
-  for (LevelSpec& level : stack.levels) {
-    for (TaskSpec& task : level.tasks) {
+  for (control::LevelSpec& level : stack.levels) {
+    for (control::TaskSpec& task : level.tasks) {
       if (task.task != "limb_extension_limits") continue;
       task.numbers["min"] = shortest - draws.limb_slack;
       task.numbers["max"] = longest + draws.limb_slack;
@@ -103,8 +103,8 @@ StackOptions stack_for(const Dynamics& dynamics, const Draws& draws) {
   return stack;
 }
 
-void append_copies(const Level& from, double sign, int first_id, Level& to) {
-  Rows rows = to.add(from.num_rows(), first_id);
+void append_copies(const solver::Level& from, double sign, int first_id, solver::Level& to) {
+  solver::Rows rows = to.add(from.num_rows(), first_id);
   rows.A = from.A();
   rows.lower = sign > 0.0 ? from.lower() : Eigen::VectorXd(-from.upper());
   rows.upper = sign > 0.0 ? from.upper() : Eigen::VectorXd(-from.lower());
@@ -112,16 +112,16 @@ void append_copies(const Level& from, double sign, int first_id, Level& to) {
 
 /// Contacts and force limits twice, the balance level once more with the opposite wish, and rows of
 /// zeros, one of which asks for `impossible`.
-Hierarchy degenerated(const Hierarchy& source, double impossible) {
+solver::Hierarchy degenerated(const solver::Hierarchy& source, double impossible) {
   constexpr int kCopies = 1000;  // first id of the rows added
-  Hierarchy result(source.unknowns());
+  solver::Hierarchy result(source.unknowns());
   for (std::size_t k = 0; k < source.num_levels(); ++k) {
-    const Level& from = source.level(k);
+    const solver::Level& from = source.level(k);
     const std::size_t added = result.add_level(from.name(), 2 * from.num_rows() + 2);
     append_copies(from, 1.0, 0, result.level(added));
     if (k == 1 || k == 3) append_copies(from, 1.0, kCopies, result.level(added));
     if (k == 5) {
-      Rows zeros = result.level(added).add(2, kCopies);
+      solver::Rows zeros = result.level(added).add(2, kCopies);
       zeros.set_equal(0, 0.0);
       zeros.set_equal(1, impossible);
     }
@@ -135,18 +135,18 @@ Hierarchy degenerated(const Hierarchy& source, double impossible) {
 
 }  // namespace
 
-Hierarchy table_one_problem(unsigned seed, Difficulty difficulty) {
+solver::Hierarchy table_one_problem(unsigned seed, Difficulty difficulty) {
   Random random(seed);
   const Draws draws = draws_of(difficulty);
   test::Scene scene;
   scene.plan = test::plan_with_contacts(draw_contacts(random));
-  RobotDescription robot = scene.model.description();
+  model::RobotDescription robot = scene.model.description();
   robot.torque_limit.setConstant(random.uniform(draws.torque_min, draws.torque_max + 1e-9));
   const RobotState state = draw_state(random, robot, draws, difficulty == Difficulty::degenerate);
-  const Dynamics& dynamics = scene.model.update(state, scene.plan.R_WC.col(2));
+  const model::Dynamics& dynamics = scene.model.update(state, scene.plan.R_WC.col(2));
   draw_references(random, dynamics, draws, scene.plan);
-  TaskStack stack(stack_for(dynamics, draws), robot);
-  const Hierarchy hierarchy = normalised(stack.update(dynamics, scene.plan));
+  control::TaskStack stack(stack_for(dynamics, draws), robot);
+  const solver::Hierarchy hierarchy = normalised(stack.update(dynamics, scene.plan));
   return difficulty == Difficulty::degenerate ? degenerated(hierarchy, seed % 2) : hierarchy;
 }
 

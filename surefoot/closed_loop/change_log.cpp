@@ -3,14 +3,14 @@
 #include "surefoot/closed_loop/run_log.hpp"
 #include "surefoot/logging/message_codec.hpp"
 
-namespace surefoot {
+namespace surefoot::closed_loop {
 
-ChangeLog::ChangeLog(Recorder& recorder)
+ChangeLog::ChangeLog(logging::Recorder& recorder)
     : recorder_(recorder),
       channel_(recorder.add_channel("/changes", "surefoot.Change",
                                     logged::schema<logged::Change>("surefoot.Change"))) {}
 
-void ChangeLog::record(const logged::Change& change, const Controller& controller) {
+void ChangeLog::record(const logged::Change& change, const control::Controller& controller) {
   recorder_.record(channel_, change.time,
                    [change](std::string& out) { logged::encode(change, out); });
   if (!change.stack.empty()) {
@@ -18,4 +18,4 @@ void ChangeLog::record(const logged::Change& change, const Controller& controlle
   }
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::closed_loop

@@ -4,21 +4,21 @@
 #include "surefoot/logging/message_fields.hpp"
 #include "surefoot/logging/recorder.hpp"
 
-namespace surefoot {
+namespace surefoot::closed_loop {
 
 /// The log's channel `/changes`: what was changed from outside between two ticks.
 class ChangeLog {
  public:
   /// Adds the channel; before the recorder's first tick.
-  explicit ChangeLog(Recorder& recorder);
+  explicit ChangeLog(logging::Recorder& recorder);
 
   /// Stands in the log before the tick that has it; the ticks from there on have the names of the
   /// controller's present stack.
-  void record(const logged::Change& change, const Controller& controller);
+  void record(const logged::Change& change, const control::Controller& controller);
 
  private:
-  Recorder& recorder_;
-  Recorder::Channel channel_;
+  logging::Recorder& recorder_;
+  logging::Recorder::Channel channel_;
 };
 
-}  // namespace surefoot
+}  // namespace surefoot::closed_loop

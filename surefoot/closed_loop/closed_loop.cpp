@@ -19,7 +19,7 @@
 #include <iterator>
 #include <optional>
 
-namespace surefoot {
+namespace surefoot::closed_loop {
 namespace {
 
 constexpr double kProgressInterval = 0.1;  // of simulated time [s]
@@ -48,23 +48,25 @@ bool is_shown(const ClosedLoopOptions& options) {
 }
 
 /// What is recorded or watched has the time of each level.
-ControllerOptions controller_options(const Scenario& scenario, const ClosedLoopOptions& options) {
-  ControllerOptions result = scenario.controller;
-  if (is_shown(options)) result.solver.clock = steady_seconds;
+control::ControllerOptions controller_options(const config::Scenario& scenario,
+                                              const ClosedLoopOptions& options) {
+  control::ControllerOptions result = scenario.controller;
+  if (is_shown(options)) result.solver.clock = runtime::steady_seconds;
   return result;
 }
 
 /// Everything of one run, wired together.
 class ClosedLoop {
  public:
-  ClosedLoop(const Scenario& scenario, const ClosedLoopOptions& options)
+  ClosedLoop(const config::Scenario& scenario, const ClosedLoopOptions& options)
       : scenario_(scenario),
         options_(options),
         model_(scenario.robot),
         plant_(scenario.robot, scenario.plant),
         controller_(scenario.robot, controller_options(scenario, options),
-                    make_estimator(scenario.estimation, {scenario.robot, scenario.controller.period,
-                                                         plant_, scenario.estimator})),
+                    simulation::make_estimator(
+                        scenario.estimation,
+                        {scenario.robot, scenario.controller.period, plant_, scenario.estimator})),
         goal_(scenario.goal),
         evaluator_(evaluator_options()) {
     controller_.set_stage_observer(&timer_);
@@ -105,7 +107,7 @@ class ClosedLoop {
   }
 
  private:
-  EvaluatorOptions evaluator_options() const {
+  evaluation::EvaluatorOptions evaluator_options() const {
     return {.control_period = scenario_.controller.period,
             .mass = model_.mass(),
             .terrain_height = [this](double x, double y) { return plant_.terrain_height(x, y); },
@@ -158,7 +160,7 @@ class ClosedLoop {
   void judge() {
     TickTiming timing = timer_.timing();
     timing.time = plant_.time();
-    timing.levels = in_microseconds(controller_.level_times());
+    timing.levels = runtime::in_microseconds(controller_.level_times());
     evaluator_.add(plant_.truth(), controller_.record());
     const TickRecord& record = controller_.record();
     events_.add(timing.time, record.plan.events);
@@ -180,7 +182,7 @@ class ClosedLoop {
     if (evaluator_.fell()) return Ending::fell;
     if (command.cause != StopCause::none && std::isnan(stopped_at_)) {
       stopped_at_ = time;
-      why_stopped_ = text_of_stop(controller_.record());
+      why_stopped_ = logging::text_of_stop(controller_.record());
     }
     if (command.mode == CommandMode::damping && std::isnan(damped_at_)) damped_at_ = time;
     if (time - damped_at_ > kAfterSafetyStop) return Ending::safety;
@@ -213,8 +215,9 @@ class ClosedLoop {
     if (result.safety_stop && !is_cut) {
       result.metrics.reason = safety_reason(evaluator_.fall());
     }
-    result.criteria = evaluate(scenario_.criteria, result.metrics);
-    result.metrics.succeeded = all_passed(result.criteria) && !result.safety_stop && !is_cut;
+    result.criteria = evaluation::evaluate(scenario_.criteria, result.metrics);
+    result.metrics.succeeded =
+        evaluation::all_passed(result.criteria) && !result.safety_stop && !is_cut;
     result.events = events_.counts();
     result.troubles = troubles_.counts();
     result.torques_hash = torques_.value();
@@ -226,7 +229,7 @@ class ClosedLoop {
   }
 
   void close_log(const RunResult& result) {
-    const std::string summary = summary_json(result.metrics, result.criteria);
+    const std::string summary = evaluation::summary_json(result.metrics, result.criteria);
     if (result.ending == Ending::interrupted || result.ending == Ending::reset) {
       recorder_->close_partial(summary);
     } else {
@@ -234,19 +237,19 @@ class ClosedLoop {
     }
   }
 
-  const Scenario& scenario_;
+  const config::Scenario& scenario_;
   const ClosedLoopOptions options_;
-  RobotModel model_;
-  Plant plant_;
-  Controller controller_;
+  model::RobotModel model_;
+  simulation::Plant plant_;
+  control::Controller controller_;
   GoalWatch goal_;
-  Evaluator evaluator_;
-  EventCounter events_;
+  evaluation::Evaluator evaluator_;
+  evaluation::EventCounter events_;
   TroubleCounter troubles_;
-  TorqueHash torques_;
-  StageTimer timer_;
-  std::optional<Recorder> recorder_;
-  std::optional<TruthLog> truth_log_;
+  evaluation::TorqueHash torques_;
+  runtime::StageTimer timer_;
+  std::optional<logging::Recorder> recorder_;
+  std::optional<evaluation::TruthLog> truth_log_;
   std::optional<ChangeLog> change_log_;
   double stopped_at_ = kNaN;  // time of the safety stop [s]
   double damped_at_ = kNaN;   // … and of the first tick of damping
@@ -257,16 +260,16 @@ class ClosedLoop {
 
 }  // namespace
 
-RunResult run_closed_loop(const Scenario& scenario, const ClosedLoopOptions& options) {
+RunResult run_closed_loop(const config::Scenario& scenario, const ClosedLoopOptions& options) {
   return ClosedLoop(scenario, options).run();
 }
 
-std::vector<std::string> check_setup(const Scenario& scenario) {
+std::vector<std::string> check_setup(const config::Scenario& scenario) {
   return ClosedLoop(scenario, ClosedLoopOptions{}).notes();
 }
 
-double measure_tick(const Scenario& scenario) {
+double measure_tick(const config::Scenario& scenario) {
   return ClosedLoop(scenario, ClosedLoopOptions{}).measure_tick();
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::closed_loop

@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-namespace surefoot {
+namespace surefoot::closed_loop {
 
 /// Why a run ended.
 enum class Ending {
@@ -37,11 +37,11 @@ struct RunResult {
   Ending ending = Ending::finished;
   bool safety_stop =
       false;  ///< the controller damped all joints, and the robot had not fallen before
-  Metrics metrics;
-  std::vector<CriterionResult> criteria;
-  std::vector<EventCount> events;      ///< notable ones of the walk
-  std::vector<TroubleCount> troubles;  ///< with sensors and torques
-  std::vector<RandomDraw> drawn;
+  evaluation::Metrics metrics;
+  std::vector<evaluation::CriterionResult> criteria;
+  std::vector<evaluation::EventCount> events;  ///< notable ones of the walk
+  std::vector<TroubleCount> troubles;          ///< with sensors and torques
+  std::vector<config::RandomDraw> drawn;
   std::vector<std::string> notes;  ///< as run_notes() gives them
   std::uint64_t torques_hash = 0;  ///< of all commanded torques, as TorqueHash makes it
   std::optional<int> changes;      ///< from outside, as its log has them; none: nobody could
@@ -50,14 +50,15 @@ struct RunResult {
 /// Runs a scenario: plant and controller against each other, judged on the truth and logged, until
 /// its duration is over, its goal is reached, the robot fell, or the controller stopped. Throws
 /// Error on options that make no sense, and if the log can't be written.
-[[nodiscard]] RunResult run_closed_loop(const Scenario& scenario, const ClosedLoopOptions& options);
+[[nodiscard]] RunResult run_closed_loop(const config::Scenario& scenario,
+                                        const ClosedLoopOptions& options);
 
 /// Throws Error, as a run would at its start, if plant or controller can't be made from the
 /// scenario. Returns the run's notes.
-std::vector<std::string> check_setup(const Scenario& scenario);
+std::vector<std::string> check_setup(const config::Scenario& scenario);
 
 /// Wall clock that a tick of the run takes here, in the mean of the first [s]. Throws Error as
 /// `check_setup` does.
-[[nodiscard]] double measure_tick(const Scenario& scenario);
+[[nodiscard]] double measure_tick(const config::Scenario& scenario);
 
-}  // namespace surefoot
+}  // namespace surefoot::closed_loop

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace surefoot {
+namespace surefoot::closed_loop {
 
 std::optional<bool> GoalWatch::reached() const {
   return has_goal() ? std::optional<bool>(reached_) : std::nullopt;
@@ -11,17 +11,17 @@ std::optional<bool> GoalWatch::reached() const {
 
 bool GoalWatch::has_goal() const { return std::isfinite(goal_.feet_beyond_x); }
 
-bool GoalWatch::all_feet_beyond(const GroundTruth& truth) const {
+bool GoalWatch::all_feet_beyond(const simulation::GroundTruth& truth) const {
   return std::ranges::all_of(kLegs, [&](Leg leg) {
     return truth.feet[index(leg)].touching && truth.p_WF[index(leg)].x() > goal_.feet_beyond_x;
   });
 }
 
-bool GoalWatch::update(const GroundTruth& truth) {
+bool GoalWatch::update(const simulation::GroundTruth& truth) {
   if (!has_goal() || reached_) return reached_;
   if (std::isnan(passed_at_x_) && all_feet_beyond(truth)) passed_at_x_ = truth.p_WB.x();
   reached_ = truth.p_WB.x() - passed_at_x_ >= goal_.walk_on;  // false while it is NaN
   return reached_;
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::closed_loop

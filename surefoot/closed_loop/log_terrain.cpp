@@ -2,7 +2,7 @@
 
 #include "surefoot/simulation/terrain_generators.hpp"
 
-namespace surefoot {
+namespace surefoot::closed_loop {
 namespace {
 
 Quat orientation(const Vec3& rpy) {
@@ -11,24 +11,24 @@ Quat orientation(const Vec3& rpy) {
 }
 
 struct Writer {
-  std::vector<LogTerrain> pieces;
+  std::vector<logging::LogTerrain> pieces;
 
-  void operator()(const TerrainLevel& plane) {
+  void operator()(const simulation::TerrainLevel& plane) {
     pieces.push_back(
         {.shape = "plane", .position = plane.position, .q_WT = orientation(plane.rpy)});
   }
 
-  void operator()(const TerrainBox& box) {
+  void operator()(const simulation::TerrainBox& box) {
     pieces.push_back(
         {.shape = "box", .position = box.position, .q_WT = orientation(box.rpy), .size = box.size});
   }
 
-  void operator()(const TerrainRandomBoxes& field) {
-    for (const TerrainBox& box : simulation::random_boxes(field)) (*this)(box);
+  void operator()(const simulation::TerrainRandomBoxes& field) {
+    for (const simulation::TerrainBox& box : simulation::random_boxes(field)) (*this)(box);
   }
 
-  void operator()(const TerrainHeightField& given) {
-    TerrainHeightField field = simulation::with_heights(given);
+  void operator()(const simulation::TerrainHeightField& given) {
+    simulation::TerrainHeightField field = simulation::with_heights(given);
     pieces.push_back({.shape = "heights",
                       .position = field.position,
                       .size = {field.size_x, field.size_y, 0.0},
@@ -40,11 +40,11 @@ struct Writer {
 
 }  // namespace
 
-std::vector<LogTerrain> log_terrain(const TerrainOptions& terrain) {
+std::vector<logging::LogTerrain> log_terrain(const simulation::TerrainOptions& terrain) {
   Writer writer;
-  if (terrain.elements.empty()) writer(TerrainLevel{});
-  for (const TerrainElement& element : terrain.elements) std::visit(writer, element);
+  if (terrain.elements.empty()) writer(simulation::TerrainLevel{});
+  for (const simulation::TerrainElement& element : terrain.elements) std::visit(writer, element);
   return writer.pieces;
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::closed_loop

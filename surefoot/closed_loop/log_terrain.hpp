@@ -5,10 +5,11 @@
 
 #include <vector>
 
-namespace surefoot {
+namespace surefoot::closed_loop {
 
 /// The ground as the plant makes it, piece by piece: random boxes one by one, generated heights
 /// filled in, the plane z = 0 if there is no element.
-[[nodiscard]] std::vector<LogTerrain> log_terrain(const TerrainOptions& terrain);
+[[nodiscard]] std::vector<logging::LogTerrain> log_terrain(
+    const simulation::TerrainOptions& terrain);
 
-}  // namespace surefoot
+}  // namespace surefoot::closed_loop

@@ -10,13 +10,13 @@
 #include <fstream>
 #include <sstream>
 
-namespace surefoot {
+namespace surefoot::closed_loop {
 namespace {
 
 /// Of a stack with its defaults.
-LogLimbLimits limb_limits(const StackOptions& stack) {
+logging::LogLimbLimits limb_limits(const control::StackOptions& stack) {
   for (std::size_t level = 0; level < stack.levels.size(); ++level) {
-    for (const TaskSpec& task : stack.levels[level].tasks) {
+    for (const control::TaskSpec& task : stack.levels[level].tasks) {
       if (task.task != "limb_extension_limits") continue;
       return {.level = static_cast<int>(level),
               .form = task.choices.at("form") == "radial" ? "radial" : "vertical",
@@ -27,9 +27,9 @@ LogLimbLimits limb_limits(const StackOptions& stack) {
   return {};
 }
 
-LogRobot robot_of(const RobotModel& model) {
-  const RobotDescription& description = model.description();
-  LogRobot robot;
+logging::LogRobot robot_of(const model::RobotModel& model) {
+  const model::RobotDescription& description = model.description();
+  logging::LogRobot robot;
   robot.name = description.name;
   for (const Leg leg : kLegs) {
     for (std::size_t j = 0; j < kJointsPerLeg; ++j) {
@@ -70,13 +70,14 @@ std::string shell_word(const std::string& text) {
   return quoted + "'";
 }
 
-std::vector<LogAttachment> attachments(const Scenario& scenario, const StackOptions& stack,
-                                       const Plant& plant) {
-  std::vector<LogAttachment> files{
+std::vector<logging::LogAttachment> attachments(const config::Scenario& scenario,
+                                                const control::StackOptions& stack,
+                                                const simulation::Plant& plant) {
+  std::vector<logging::LogAttachment> files{
       {"model.xml", "application/xml", plant.model_xml()},
       {"robot.urdf", "application/xml", text_of(scenario.robot.urdf_path)},
-      {"resolved_stack.yaml", "application/yaml", stack_yaml(stack)}};
-  for (const SourceFile& source : scenario.sources) {
+      {"resolved_stack.yaml", "application/yaml", config::stack_yaml(stack)}};
+  for (const config::SourceFile& source : scenario.sources) {
     files.push_back({source.name, "application/yaml", source.text});
   }
   return files;
@@ -84,7 +85,7 @@ std::vector<LogAttachment> attachments(const Scenario& scenario, const StackOpti
 
 }  // namespace
 
-std::string run_again(const Scenario& scenario) {
+std::string run_again(const config::Scenario& scenario) {
   std::string command = "bin/surefoot run " + shell_word(scenario.requested);
   if (scenario.seed != 0) command += " --seed " + std::to_string(scenario.seed);
   for (const std::string& assignment : scenario.assignments) {
@@ -93,17 +94,18 @@ std::string run_again(const Scenario& scenario) {
   return command;
 }
 
-RowNamer row_namer(std::vector<std::vector<std::string>> names) {
+logging::RowNamer row_namer(std::vector<std::vector<std::string>> names) {
   return [names = std::move(names)](int level, std::int32_t id) -> std::string {
     const auto k = static_cast<std::size_t>(level), i = static_cast<std::size_t>(id);
     return level >= 0 && k < names.size() && id >= 0 && i < names[k].size() ? names[k][i] : "?";
   };
 }
 
-LogHeader log_header(const Scenario& scenario, const Controller& controller, const Plant& plant,
-                     const RobotModel& model) {
-  const StackOptions stack = with_defaults(scenario.controller.stack);
-  LogHeader header;
+logging::LogHeader log_header(const config::Scenario& scenario,
+                              const control::Controller& controller, const simulation::Plant& plant,
+                              const model::RobotModel& model) {
+  const control::StackOptions stack = config::with_defaults(scenario.controller.stack);
+  logging::LogHeader header;
   header.version = build_info().version;
   header.commit = build_info().commit;
   header.command = run_again(scenario);
@@ -113,7 +115,8 @@ LogHeader log_header(const Scenario& scenario, const Controller& controller, con
   header.estimation = name(scenario.estimation);
   header.options = scenario.options_json;
   header.seed = scenario.seed;
-  for (const RandomDraw& draw : scenario.drawn) header.drawn.push_back({draw.path, draw.value});
+  for (const config::RandomDraw& draw : scenario.drawn)
+    header.drawn.push_back({draw.path, draw.value});
   header.control_period = scenario.controller.period;
   header.level_names = controller.level_names();
   header.level_units = controller.level_units();
@@ -127,8 +130,9 @@ LogHeader log_header(const Scenario& scenario, const Controller& controller, con
   return header;
 }
 
-std::vector<std::string> run_notes(const Scenario& scenario, const Controller& controller,
-                                   const Plant& plant) {
+std::vector<std::string> run_notes(const config::Scenario& scenario,
+                                   const control::Controller& controller,
+                                   const simulation::Plant& plant) {
   std::vector<std::string> notes = scenario.notes;
   for (const std::vector<std::string>& more : {controller.notes(), plant.notes()}) {
     for (const std::string& note : more) {
@@ -138,4 +142,4 @@ std::vector<std::string> run_notes(const Scenario& scenario, const Controller& c
   return notes;
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::closed_loop

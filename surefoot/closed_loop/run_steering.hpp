@@ -8,13 +8,13 @@
 
 #include <functional>
 
-namespace surefoot {
+namespace surefoot::closed_loop {
 
 /// What a run is made of, for whoever steers it.
 struct RunParts {
-  Plant& plant;
-  Controller& controller;
-  LogHeader header;  ///< also of a run without a log
+  simulation::Plant& plant;
+  control::Controller& controller;
+  logging::LogHeader header;  ///< also of a run without a log
   /// Keeps a change that holds from the next tick on; after one of the stack, with its names.
   std::function<void(const logged::Change&)> log_change;
 };
@@ -37,8 +37,8 @@ class RunSteering {
   [[nodiscard]] virtual RunOrder before_tick(double time) = 0;
   /// The operator's command, or else the scenario's.
   [[nodiscard]] virtual UserCommand user(const UserCommand& planned) = 0;
-  virtual void after_tick(const TickRecord& tick, const GroundTruth& truth,
+  virtual void after_tick(const TickRecord& tick, const simulation::GroundTruth& truth,
                           const TickTiming& timing) = 0;
 };
 
-}  // namespace surefoot
+}  // namespace surefoot::closed_loop

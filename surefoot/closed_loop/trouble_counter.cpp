@@ -7,11 +7,11 @@
 #include <cmath>
 #include <utility>
 
-namespace surefoot {
+namespace surefoot::closed_loop {
 
 void TroubleCounter::add(double time, const TickRecord& record) {
   std::vector<std::string> now;
-  for (FaultText& fault : faults_of(record.health)) {
+  for (logging::FaultText& fault : logging::faults_of(record.health)) {
     if (std::isfinite(fault.age)) now.push_back(std::move(fault.text));
   }
   const CommandMode mode = record.command.mode;
@@ -30,4 +30,4 @@ void TroubleCounter::add(double time, const TickRecord& record) {
   before_ = std::move(now);
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::closed_loop

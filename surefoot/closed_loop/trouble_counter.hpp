@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace surefoot {
+namespace surefoot::closed_loop {
 
 /// How often something was wrong in a run that is of no foot: a sensor's samples, or the torques.
 struct TroubleCount {
@@ -28,4 +28,4 @@ class TroubleCounter {
   std::vector<TroubleCount> counts_;
 };
 
-}  // namespace surefoot
+}  // namespace surefoot::closed_loop

@@ -5,10 +5,10 @@
 #include <charconv>
 #include <cmath>
 
-namespace surefoot {
+namespace surefoot::config {
 namespace {
 
-void write(JsonText& json, const std::string& text) {
+void write(logging::JsonText& json, const std::string& text) {
   double number = 0.0;
   const char* end = text.data() + text.size();
   const auto [stopped, error] = std::from_chars(text.data(), end, number);
@@ -22,7 +22,7 @@ void write(JsonText& json, const std::string& text) {
   }
 }
 
-void write(JsonText& json, const ConfigNode& node) {
+void write(logging::JsonText& json, const ConfigNode& node) {
   switch (node.kind) {
     case ConfigNode::Kind::null:
       json.null();
@@ -50,9 +50,9 @@ void write(JsonText& json, const ConfigNode& node) {
 
 std::string to_json(const ConfigNode& tree) {
   std::string text;
-  JsonText json(text);
+  logging::JsonText json(text);
   write(json, tree);
   return text;
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::config

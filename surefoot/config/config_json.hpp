@@ -4,9 +4,9 @@
 
 #include <string>
 
-namespace surefoot {
+namespace surefoot::config {
 
 /// A configuration as JSON: numbers and true/false as such, everything else as text.
 [[nodiscard]] std::string to_json(const ConfigNode& tree);
 
-}  // namespace surefoot
+}  // namespace surefoot::config

@@ -12,7 +12,7 @@
 #include <fstream>
 #include <sstream>
 
-namespace surefoot {
+namespace surefoot::config {
 namespace {
 
 constexpr int kMaxDepth = 32;
@@ -248,4 +248,4 @@ void apply_assignment(ConfigNode& tree, const std::string& assignment) {
   set_path(tree, path, std::move(value));
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::config

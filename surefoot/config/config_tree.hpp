@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-namespace surefoot {
+namespace surefoot::config {
 
 /// A configuration as a tree of text. Every node knows where it was written, so that an error can
 /// name file and line even after files were laid over each other.
@@ -55,4 +55,4 @@ void apply_assignment(ConfigNode& tree, const std::string& assignment);
 /// The path of an assignment. Throws Error if it has none.
 [[nodiscard]] std::string assigned_path(const std::string& assignment);
 
-}  // namespace surefoot
+}  // namespace surefoot::config

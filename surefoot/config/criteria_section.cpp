@@ -5,10 +5,10 @@
 
 #include <algorithm>
 
-namespace surefoot {
+namespace surefoot::config {
 namespace {
 
-void read_limits(Section& limits, Criterion& criterion) {
+void read_limits(Section& limits, evaluation::Criterion& criterion) {
   double value = 0.0;
   for (auto [key, limit] : {std::pair{"min", &criterion.min}, std::pair{"max", &criterion.max}}) {
     if (limits.node(key) == nullptr) continue;
@@ -20,8 +20,8 @@ void read_limits(Section& limits, Criterion& criterion) {
   }
 }
 
-Criterion read_criterion(Section& section, const std::string& metric) {
-  Criterion criterion;
+evaluation::Criterion read_criterion(Section& section, const std::string& metric) {
+  evaluation::Criterion criterion;
   criterion.metric = metric;
   if (section.node(metric.c_str())->kind == ConfigNode::Kind::map) {
     section.section(metric.c_str(), [&](Section& limits) { read_limits(limits, criterion); });
@@ -42,11 +42,12 @@ bool is_metric(const std::string& name) {
 
 std::vector<std::string> metric_names() {
   std::vector<std::string> names;
-  for (const auto& [name, value] : values(Metrics())) names.emplace_back(name);
+  for (const auto& [name, value] : evaluation::values(evaluation::Metrics()))
+    names.emplace_back(name);
   return names;
 }
 
-void read_criteria(Section& section, bool has_goal, std::vector<Criterion>& criteria) {
+void read_criteria(Section& section, bool has_goal, std::vector<evaluation::Criterion>& criteria) {
   const auto by_default = [&](const char* metric, bool expected) {
     if (section.node(metric) != nullptr) return;
     criteria.push_back({.metric = metric, .min = {}, .max = {}, .equals = expected});
@@ -64,11 +65,11 @@ void read_criteria(Section& section, bool has_goal, std::vector<Criterion>& crit
     }
     criteria.push_back(read_criterion(section, metric));
     try {
-      check(criteria.back());
+      evaluation::check(criteria.back());
     } catch (const Error& error) {
       section.fail(metric, error.what());
     }
   }
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::config

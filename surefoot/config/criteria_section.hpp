@@ -5,7 +5,7 @@
 
 #include <vector>
 
-namespace surefoot {
+namespace surefoot::config {
 
 /// Reads limits on metrics, under the metrics' names:
 ///
@@ -13,9 +13,9 @@ namespace surefoot {
 ///
 /// Two are always asked, if nothing else is said of them: `fell: false`, and of a scenario that has
 /// a goal `goal_reached: true`.
-void read_criteria(Section& section, bool has_goal, std::vector<Criterion>& criteria);
+void read_criteria(Section& section, bool has_goal, std::vector<evaluation::Criterion>& criteria);
 
 /// The metrics that criteria and the paper's figures can name.
 [[nodiscard]] std::vector<std::string> metric_names();
 
-}  // namespace surefoot
+}  // namespace surefoot::config

@@ -9,7 +9,7 @@
 #include <system_error>
 #include <utility>
 
-namespace surefoot {
+namespace surefoot::config {
 
 namespace fs = std::filesystem;
 
@@ -59,4 +59,4 @@ std::vector<fs::path> package_directories() {
   return folders;
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::config

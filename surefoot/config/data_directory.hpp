@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <vector>
 
-namespace surefoot {
+namespace surefoot::config {
 
 /// Where robots/, stacks/ and scenarios/ are looked for, first match first: $SUREFOOT_DATA_DIR,
 /// beside the running program's installation, the source tree, the installation's prefix.
@@ -18,4 +18,4 @@ namespace surefoot {
 /// and share/ in those of $AMENT_PREFIX_PATH. Each variable is a list with `:` between.
 [[nodiscard]] std::vector<std::filesystem::path> package_directories();
 
-}  // namespace surefoot
+}  // namespace surefoot::config

@@ -7,7 +7,7 @@
 
 #include <algorithm>
 
-namespace surefoot {
+namespace surefoot::config {
 namespace {
 
 namespace fs = std::filesystem;
@@ -81,4 +81,4 @@ fs::path find_data_file(const std::string& folder, const std::string& name,
                          valid_names(name, list_data(folder)));
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::config

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace surefoot {
+namespace surefoot::config {
 
 /// Names of the files that a data folder holds, without ".yaml", sorted.
 /// `folder` is "robots", "stacks", "scenarios" or "randomisations".
@@ -21,4 +21,4 @@ namespace surefoot {
                                                    const std::string& name,
                                                    const std::filesystem::path& beside = {});
 
-}  // namespace surefoot
+}  // namespace surefoot::config

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace surefoot {
+namespace surefoot::config {
 namespace {
 
 /// An element without a shape is one that the file does not have: a new one, or one misspelt.
@@ -128,4 +128,4 @@ void read(Section& section, const Group& group, bool is_there) {
   if (group.rule) group.rule(section);
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::config

@@ -10,7 +10,7 @@
 #include <cmath>
 #include <cstdlib>
 
-namespace surefoot::hierarchy_file {
+namespace surefoot::config::hierarchy_file {
 namespace {
 
 /// A missing block is an empty one.
@@ -223,4 +223,4 @@ Block read_inequalities(const Json& level, std::size_t& unknowns, const Place& p
 
 Vector read_numbers(const Json& array, const Place& place) { return read_vector(array, place); }
 
-}  // namespace surefoot::hierarchy_file
+}  // namespace surefoot::config::hierarchy_file

@@ -11,7 +11,7 @@
 #include <vector>
 
 /// The blocks of rows in one line of a hierarchy file, as `parse_hierarchy` takes them apart.
-namespace surefoot::hierarchy_file {
+namespace surefoot::config::hierarchy_file {
 
 using Json = nlohmann::ordered_json;
 
@@ -100,4 +100,4 @@ class LevelIds {
   int next_ = 0;
 };
 
-}  // namespace surefoot::hierarchy_file
+}  // namespace surefoot::config::hierarchy_file

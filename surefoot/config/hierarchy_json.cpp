@@ -7,7 +7,7 @@
 
 #include <algorithm>
 
-namespace surefoot {
+namespace surefoot::config {
 namespace {
 
 using hierarchy_file::Block;
@@ -101,9 +101,9 @@ std::vector<LevelBlocks> read_levels(const Json& line, std::size_t& unknowns, co
   return levels;
 }
 
-void append(const Block& block, Level& level) {
+void append(const Block& block, solver::Level& level) {
   for (std::size_t i = 0; i < block.rows.size(); ++i) {
-    Rows row = level.add(1, block.ids[i]);
+    solver::Rows row = level.add(1, block.ids[i]);
     row.A = Eigen::Map<const Eigen::RowVectorXd>(block.rows[i].data(), row.A.cols());
     row.lower[0] = block.lower[i];
     row.upper[0] = block.upper[i];
@@ -130,7 +130,7 @@ void append_level(const LevelBlocks& level, const Eigen::VectorXd& x_ref, NamedH
   weights.insert(weights.end(), level.between.weights.begin(), level.between.weights.end());
   weights.resize(static_cast<std::size_t>(level.damping > 0.0 ? 2 * rows : rows), 1.0);
   if (level.damping == 0.0) return;
-  add_damping(result.hierarchy.level(k), level.damping, x_ref, level.first_damping_id);
+  solver::add_damping(result.hierarchy.level(k), level.damping, x_ref, level.first_damping_id);
   append_names("damping", result.hierarchy.level(k).num_rows() - rows, names);
 }
 
@@ -166,18 +166,18 @@ NamedHierarchy parse_hierarchy(std::string_view line, const std::string& place_n
   const std::vector<LevelBlocks> levels = read_levels(object, unknowns, place);
   check_unknowns(levels.size(), unknowns, place);
   const Vector x_ref = read_reference(object, unknowns, place);
-  NamedHierarchy result{Hierarchy(static_cast<Index>(unknowns)), {}, {}};
+  NamedHierarchy result{solver::Hierarchy(static_cast<Index>(unknowns)), {}, {}};
   Eigen::VectorXd reference = Eigen::VectorXd::Zero(static_cast<Index>(unknowns));
   std::ranges::copy(x_ref, reference.begin());
   for (const LevelBlocks& level : levels) append_level(level, reference, result);
   if (x_ref.empty()) return result;
   result.has_reference = true;
   const std::size_t last = result.hierarchy.add_level("x_ref", reference.size());
-  add_reference(result.hierarchy.level(last), reference, 0);
+  solver::add_reference(result.hierarchy.level(last), reference, 0);
   result.units.emplace_back();
   result.weights.emplace_back(x_ref.size(), 1.0);
   append_names("x", reference.size(), result.row_names.emplace_back());
   return result;
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::config

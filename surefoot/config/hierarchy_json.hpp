@@ -7,11 +7,11 @@
 #include <string_view>
 #include <vector>
 
-namespace surefoot {
+namespace surefoot::config {
 
 /// A hierarchy and what people call its rows.
 struct NamedHierarchy {
-  Hierarchy hierarchy;
+  solver::Hierarchy hierarchy;
   std::vector<std::vector<std::string>> row_names;  ///< of each level, of each row
   std::vector<std::string> units;                   ///< of each level's rows; empty: not given
   std::vector<std::vector<double>> weights = {};  ///< of each level, by which each row was weighed
@@ -45,8 +45,8 @@ using RowName = std::function<std::string(std::size_t, Eigen::Index)>;
 /// level equalities come first. With `row_name` rows have their names, and with `units` a level its
 /// "unit" where that is not empty. "lower" is there where a row of the level has such a bound; rows
 /// without any are left out.
-[[nodiscard]] std::string format_hierarchy(const Hierarchy& hierarchy,
+[[nodiscard]] std::string format_hierarchy(const solver::Hierarchy& hierarchy,
                                            const RowName& row_name = nullptr,
                                            const std::vector<std::string>& units = {});
 
-}  // namespace surefoot
+}  // namespace surefoot::config

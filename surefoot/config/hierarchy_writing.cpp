@@ -5,7 +5,7 @@
 
 #include <utility>
 
-namespace surefoot {
+namespace surefoot::config {
 namespace {
 
 using Index = Eigen::Index;
@@ -17,7 +17,7 @@ struct JsonBlock {
   Json names = Json::array(), ids = Json::array();
   bool has_lower = false;
 
-  void add(const Level& level, Index i, const std::string& name) {
+  void add(const solver::Level& level, Index i, const std::string& name) {
     Json numbers = Json::array();
     for (const double number : level.A().row(i)) numbers.push_back(number + 0.0);  // −0 becomes 0
     rows.push_back(std::move(numbers));
@@ -30,7 +30,8 @@ struct JsonBlock {
   }
 };
 
-Json to_json(const Level& level, std::size_t k, const RowName& row_name, const std::string& unit) {
+Json to_json(const solver::Level& level, std::size_t k, const RowName& row_name,
+             const std::string& unit) {
   JsonBlock equal, between;
   for (Index i = 0; i < level.num_rows(); ++i) {
     const double lower = level.lower()[i], upper = level.upper()[i];
@@ -56,7 +57,7 @@ Json to_json(const Level& level, std::size_t k, const RowName& row_name, const s
 
 }  // namespace
 
-std::string format_hierarchy(const Hierarchy& hierarchy, const RowName& row_name,
+std::string format_hierarchy(const solver::Hierarchy& hierarchy, const RowName& row_name,
                              const std::vector<std::string>& units) {
   Json levels = Json::array();
   for (std::size_t k = 0; k < hierarchy.num_levels(); ++k) {
@@ -66,4 +67,4 @@ std::string format_hierarchy(const Hierarchy& hierarchy, const RowName& row_name
   return Json{{"levels", std::move(levels)}}.dump();
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::config

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <string>
 
-namespace surefoot {
+namespace surefoot::config {
 
 namespace {
 
@@ -19,9 +19,9 @@ constexpr double kRounding = 1e-6;
 
 }  // namespace
 
-Vec3 knee_side(const RobotDescription& robot, Leg leg, KneeConfiguration knees) {
-  const bool backward =
-      knees == KneeConfiguration::backward || (knees == KneeConfiguration::x && is_front(leg));
+Vec3 knee_side(const model::RobotDescription& robot, Leg leg, gaits::KneeConfiguration knees) {
+  const bool backward = knees == gaits::KneeConfiguration::backward ||
+                        (knees == gaits::KneeConfiguration::x && is_front(leg));
   const double side = backward ? 1.0 : -1.0;
   const Leg front = is_left(leg) ? Leg::LF : Leg::RF;
   const Vec3 nominal = robot.q_nominal.segment<3>(first_joint(front));
@@ -32,18 +32,18 @@ Vec3 knee_side(const RobotDescription& robot, Leg leg, KneeConfiguration knees) 
 namespace {
 
 /// The first joint of a posture that is outside its limits; −1: none.
-Eigen::Index outside_limits(const RobotDescription& robot, const JointVector& q) {
+Eigen::Index outside_limits(const model::RobotDescription& robot, const JointVector& q) {
   for (Eigen::Index i = 0; i < kNumJoints; ++i) {
     if (q[i] < robot.q_min[i] - kRounding || q[i] > robot.q_max[i] + kRounding) return i;
   }
   return -1;
 }
 
-JointVector posture_of(const RobotModel& model, const StanceOptions& stance) {
+JointVector posture_of(const model::RobotModel& model, const gaits::StanceOptions& stance) {
   JointVector q = JointVector::Zero();
   for (const Leg leg : kLegs) {
     Vec3 p_BF;
-    p_BF << nominal_offset(stance, leg), -stance.height;
+    p_BF << gaits::nominal_offset(stance, leg), -stance.height;
     Vec3 q_leg = Vec3::Zero();
     if (!model.inverse_kinematics(leg, p_BF, knee_side(model.description(), leg, stance.knees),
                                   q_leg)) {
@@ -57,7 +57,7 @@ JointVector posture_of(const RobotModel& model, const StanceOptions& stance) {
 }
 
 /// Other sides of the knees that the limits leave, as advice; empty if there are none.
-std::string other_knees(const RobotModel& model, StanceOptions stance) {
+std::string other_knees(const model::RobotModel& model, gaits::StanceOptions stance) {
   for (const auto& [name, knees] : kKnees) {
     stance.knees = knees;
     try {
@@ -72,9 +72,9 @@ std::string other_knees(const RobotModel& model, StanceOptions stance) {
 
 }  // namespace
 
-JointVector stance_posture(const RobotModel& model, const StanceOptions& stance) {
+JointVector stance_posture(const model::RobotModel& model, const gaits::StanceOptions& stance) {
   const JointVector q = posture_of(model, stance);
-  const RobotDescription& robot = model.description();
+  const model::RobotDescription& robot = model.description();
   const Eigen::Index i = outside_limits(robot, q);
   if (i < 0) return q;
   const auto leg = static_cast<std::size_t>(i / kJointsPerLeg);
@@ -87,4 +87,4 @@ JointVector stance_posture(const RobotModel& model, const StanceOptions& stance)
               other_knees(model, stance));
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::config

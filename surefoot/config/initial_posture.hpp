@@ -6,21 +6,23 @@
 #include <array>
 #include <utility>
 
-namespace surefoot {
+namespace surefoot::config {
 
 /// Their names in a scenario.
-inline constexpr std::array<std::pair<const char*, KneeConfiguration>, 3> kKnees{
-    {{"x", KneeConfiguration::x},
-     {"forward", KneeConfiguration::forward},
-     {"backward", KneeConfiguration::backward}}};
+inline constexpr std::array<std::pair<const char*, gaits::KneeConfiguration>, 3> kKnees{
+    {{"x", gaits::KneeConfiguration::x},
+     {"forward", gaits::KneeConfiguration::forward},
+     {"backward", gaits::KneeConfiguration::backward}}};
 
 /// Joint angles from which the inverse kinematics of a leg starts: HAA, HFE, KFE [rad], on the side
 /// that the configuration asks for, as the robot's nominal posture has its knees in X.
-[[nodiscard]] Vec3 knee_side(const RobotDescription& robot, Leg leg, KneeConfiguration knees);
+[[nodiscard]] Vec3 knee_side(const model::RobotDescription& robot, Leg leg,
+                             gaits::KneeConfiguration knees);
 
 /// Joint angles of the nominal stance: level torso, feet at ±half_length and ±half_width, the base
 /// `height` above the centres of the foot spheres. Throws Error if a leg can't reach, or only with
 /// a joint outside the robot's limits.
-[[nodiscard]] JointVector stance_posture(const RobotModel& model, const StanceOptions& stance);
+[[nodiscard]] JointVector stance_posture(const model::RobotModel& model,
+                                         const gaits::StanceOptions& stance);
 
-}  // namespace surefoot
+}  // namespace surefoot::config

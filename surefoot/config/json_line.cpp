@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-namespace surefoot {
+namespace surefoot::config {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -148,4 +148,4 @@ Json parse_json_line(std::string_view line, const std::string& place, const std:
   return result;
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::config

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-namespace surefoot {
+namespace surefoot::config {
 
 /// One line of JSON as other programs write it. What is no number of JSON but stands where one
 /// could, NaN, Infinity and numbers beyond the range of doubles, comes as a text, so that whoever
@@ -15,4 +15,4 @@ namespace surefoot {
                                                      const std::string& place,
                                                      const std::string& expected);
 
-}  // namespace surefoot
+}  // namespace surefoot::config

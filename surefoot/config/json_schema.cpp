@@ -10,7 +10,7 @@
 
 #include <cmath>
 
-namespace surefoot {
+namespace surefoot::config {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -125,8 +125,9 @@ Json Form::operator()(const Entries& entries) const {
 }
 
 /// The parameters of a task, and what else stands beside them.
-Json task_map(const TaskInfo& task, Json properties, const std::vector<std::string>& required) {
-  for (const TaskParameter& one : task.parameters) {
+Json task_map(const tasks::TaskInfo& task, Json properties,
+              const std::vector<std::string>& required) {
+  for (const tasks::TaskParameter& one : task.parameters) {
     const std::string unit(one.unit);
     properties[std::string(one.name)] = {
         {"type", "number"},
@@ -134,7 +135,7 @@ Json task_map(const TaskInfo& task, Json properties, const std::vector<std::stri
         {"default", one.default_value},
         {"description", std::string(one.help) + " [" + unit + "]"}};
   }
-  for (const TaskChoice& one : task.choices) {
+  for (const tasks::TaskChoice& one : task.choices) {
     Json names = one.values;
     if (one.values.front() == "none") names.push_back(nullptr);
     properties[std::string(one.name)] = {
@@ -147,7 +148,7 @@ Json task_map(const TaskInfo& task, Json properties, const std::vector<std::stri
 
 Json tasks_by_name() {
   Json properties = Json::object();
-  for (const TaskInfo& task : task_catalog())
+  for (const tasks::TaskInfo& task : tasks::task_catalog())
     properties[std::string(task.name)] = or_null(task_map(task, Json::object(), {}));
   return or_null(map_of(properties));
 }
@@ -216,8 +217,8 @@ Json ranges_by_path() {
       add_range(path, std::visit(Form{field, false}, field.value), field.help, map);
     }
   });
-  for (const TaskInfo& task : task_catalog()) {
-    for (const TaskParameter& one : task.parameters) {
+  for (const tasks::TaskInfo& task : tasks::task_catalog()) {
+    for (const tasks::TaskParameter& one : task.parameters) {
       const NumberRange range{.min = one.minimum};
       add_range("tasks." + std::string(task.name) + "." + std::string(one.name), number(range),
                 std::string(one.help), map);
@@ -239,7 +240,7 @@ Json stack() {
   const Json weight = number(kPositive), damping = number(kNotNegative);
   Json tasks = Json::array(), levels = Json::array();
   levels.push_back(text());
-  for (const TaskInfo& task : task_catalog()) {
+  for (const tasks::TaskInfo& task : tasks::task_catalog()) {
     Json properties{{"task", {{"const", task.name}}}, {"weight", weight}};
     tasks.push_back(task_map(task, properties, {"task"}));
     properties.update({{"name", text()}, {"damping", damping}});
@@ -285,4 +286,4 @@ std::string json_schema(const std::string& kind) {
   return schema.dump(1);
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::config

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-namespace surefoot {
+namespace surefoot::config {
 
 /// The kinds of files that have a schema: scenario, randomisation, robot, stack.
 [[nodiscard]] const std::vector<std::string>& kinds_of_files();
@@ -13,4 +13,4 @@ namespace surefoot {
 /// of a scenario it requires no key, as a base may have it.
 [[nodiscard]] std::string json_schema(const std::string& kind);
 
-}  // namespace surefoot
+}  // namespace surefoot::config

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <numeric>
 
-namespace surefoot {
+namespace surefoot::config {
 namespace {
 
 /// Insertions, deletions, replacements and swaps of neighbours between two words.
@@ -43,4 +43,4 @@ std::string valid_names(std::string_view given, const std::vector<std::string>& 
   return hint + (list.empty() ? "none are valid here" : "valid are: " + list);
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::config

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-namespace surefoot {
+namespace surefoot::config {
 
 /// The tail of an error message about a name that does not exist: the one that was probably meant,
 /// if one is close, and all that would be valid.
@@ -13,4 +13,4 @@ namespace surefoot {
 [[nodiscard]] std::string valid_names(std::string_view given,
                                       const std::vector<std::string>& valid);
 
-}  // namespace surefoot
+}  // namespace surefoot::config

@@ -2,7 +2,7 @@
 
 #include <string>
 
-namespace surefoot {
+namespace surefoot::config {
 
 /// Numbers of hierarchies that are given from outside: beyond it their squares are none.
 inline constexpr double kLargestNumber = 1e100;
@@ -39,4 +39,4 @@ inline constexpr const char* kRowsWithBounds =
          ", too small to compute with; expected an element of at least 1e-100 in the weighted row";
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::config

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace surefoot {
+namespace surefoot::config {
 namespace {
 
 constexpr const char* kNone = "–";
@@ -58,14 +58,14 @@ std::string range_of(const Field& field) {
 }
 
 void add_tasks(std::vector<OptionRow>& rows) {
-  for (const TaskInfo& task : task_catalog()) {
+  for (const tasks::TaskInfo& task : tasks::task_catalog()) {
     const std::string path = "tasks." + std::string(task.name) + ".";
-    for (const TaskParameter& one : task.parameters) {
+    for (const tasks::TaskParameter& one : task.parameters) {
       rows.push_back({path + std::string(one.name), number(one.default_value),
                       std::string(one.unit == kNone ? "" : one.unit),
                       formatted("≥ %g", one.minimum), std::string(one.help)});
     }
-    for (const TaskChoice& one : task.choices) {
+    for (const tasks::TaskChoice& one : task.choices) {
       rows.push_back({path + std::string(one.name), std::string(one.default_value), "",
                       joined(one.values, " | "), std::string(one.help)});
     }
@@ -112,4 +112,4 @@ std::vector<OptionRow> list_options(const std::string& prefix) {
   return rows;
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::config

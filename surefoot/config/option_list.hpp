@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace surefoot {
+namespace surefoot::config {
 
 /// An option with all that is to be said of it, in text.
 struct OptionRow {
@@ -25,4 +25,4 @@ void for_each_option(const Group& group,
 /// The options of a scenario whose keys begin so; of `tasks` those that the catalog has.
 [[nodiscard]] std::vector<OptionRow> list_options(const std::string& prefix);
 
-}  // namespace surefoot
+}  // namespace surefoot::config

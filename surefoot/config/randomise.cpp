@@ -13,7 +13,7 @@
 #include <charconv>
 #include <cmath>
 
-namespace surefoot {
+namespace surefoot::config {
 namespace {
 
 namespace fs = std::filesystem;
@@ -262,4 +262,4 @@ std::vector<ConfigNode> ends_of_ranges(const ConfigNode& scenario,
   return ends;
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::config

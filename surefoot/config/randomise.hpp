@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace surefoot {
+namespace surefoot::config {
 
 /// What follows the place of a range in that of the numbers drawn from it.
 inline constexpr const char* kDrawn = ": randomise";
@@ -51,4 +51,4 @@ std::vector<RandomDraw> randomise(ConfigNode& scenario, std::uint64_t seed,
 /// A uniform number in [0, 1) from a seed and a name, the same on every machine.
 [[nodiscard]] double uniform_of(std::uint64_t seed, const std::string& name);
 
-}  // namespace surefoot
+}  // namespace surefoot::config

@@ -2,14 +2,14 @@
 
 #include "surefoot/simulation/plant_elements.hpp"
 
-namespace surefoot {
+namespace surefoot::config {
 namespace {
 
 Field text(const char* key, std::string& value, const char* help) {
   return Field{key, &value, help}.required();
 }
 
-Group leg_fields(LegDescription& leg, std::vector<std::string>& joints) {
+Group leg_fields(model::LegDescription& leg, std::vector<std::string>& joints) {
   return {Field{"joints", Names{&joints, kJointsPerLeg, "is not a list of 3 joints: HAA, HFE, KFE"},
                 "of the URDF: HAA, HFE, KFE"}
               .required(),
@@ -37,11 +37,11 @@ Group limits(RobotInFile& o) {
                Field{"velocity", Numbers{o.velocity.data(), joints, true}, kPositive, "rad/s",
                      "one for all joints, or of HAA, HFE and KFE"}
                    .required(),
-               Field{"position_min", Numbers{o.position_min.data(), axis_elements()}, kAnyNumber,
-                     "rad", "of HAA, HFE, KFE"}
+               Field{"position_min", Numbers{o.position_min.data(), simulation::axis_elements()},
+                     kAnyNumber, "rad", "of HAA, HFE, KFE"}
                    .required(),
-               Field{"position_max", Numbers{o.position_max.data(), axis_elements()}, kAnyNumber,
-                     "rad", "of HAA, HFE, KFE"}
+               Field{"position_max", Numbers{o.position_max.data(), simulation::axis_elements()},
+                     kAnyNumber, "rad", "of HAA, HFE, KFE"}
                    .required()}
       .with([&o](const Given& given) {
         constexpr const char* kNotAll = "does not tell all of HAA, HFE and KFE";
@@ -53,8 +53,8 @@ Group limits(RobotInFile& o) {
 }
 
 Group posture(RobotInFile& o) {
-  return Group{Field{"nominal", Numbers{o.nominal.data(), axis_elements()}, kAnyNumber, "rad",
-                     "HAA, HFE, KFE of a front leg, its knee backward"}
+  return Group{Field{"nominal", Numbers{o.nominal.data(), simulation::axis_elements()}, kAnyNumber,
+                     "rad", "HAA, HFE, KFE of a front leg, its knee backward"}
                    .required()}
       .with([&o](const Given& given) {
         if (o.nominal.y() * o.nominal.z() < 0.0) return;
@@ -65,7 +65,7 @@ Group posture(RobotInFile& o) {
 }  // namespace
 
 Group fields(RobotInFile& o) {
-  RobotDescription& robot = o.robot;
+  model::RobotDescription& robot = o.robot;
   return {
       text("name", robot.name, "of the robot"),
       text("urdf", robot.urdf_path, "package:// name, or a file as seen from here"),
@@ -73,8 +73,8 @@ Group fields(RobotInFile& o) {
       Field{"legs", all_legs(o), "names of the URDF"}.required(),
       Field{"foot",
             Group{Field{"radius", &robot.foot_radius, kPositive, "m", "of the sphere"}.required(),
-                  {"center", Numbers{robot.foot_center.data(), axis_elements()}, kAnyNumber, "m",
-                   "of the sphere in the foot frame"}},
+                  {"center", Numbers{robot.foot_center.data(), simulation::axis_elements()},
+                   kAnyNumber, "m", "of the sphere in the foot frame"}},
             "sphere of each foot"}
           .required(),
       Field{"limits", limits(o), "of the joints of each leg"}.required(),
@@ -88,4 +88,4 @@ Group fields(RobotInFile& o) {
        "of the safety ladder"}};
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::config

@@ -16,23 +16,24 @@
 #include <map>
 #include <sstream>
 
-namespace surefoot {
+namespace surefoot::config {
 namespace {
 
 /// The URDF is looked for as its meshes are.
 std::string resolve_urdf(const Section& top, const std::string& urdf,
                          const std::filesystem::path& robot_file) {
-  const MeshFolders folders{.packages = package_directories(),
-                            .urdf = std::filesystem::absolute(robot_file).parent_path()};
-  const std::filesystem::path found = find_mesh(urdf, folders);
-  if (found.empty()) top.fail("urdf", missing_text(urdf, folders));
+  const model::MeshFolders folders{.packages = package_directories(),
+                                   .urdf = std::filesystem::absolute(robot_file).parent_path()};
+  const std::filesystem::path found = model::find_mesh(urdf, folders);
+  if (found.empty()) top.fail("urdf", model::missing_text(urdf, folders));
   return found.string();
 }
 
 JointVector of_all_legs(const Vec3& joints) { return joints.replicate<kNumLegs, 1>(); }
 
 /// Is a leg's posture within the limits? `bad` gets the joint that is not.
-bool is_within_limits(const RobotDescription& robot, Leg leg, const Vec3& q, Eigen::Index& bad) {
+bool is_within_limits(const model::RobotDescription& robot, Leg leg, const Vec3& q,
+                      Eigen::Index& bad) {
   const Eigen::Index first = first_joint(leg);
   for (bad = 0; bad < kJointsPerLeg; ++bad) {
     if (q[bad] < robot.q_min[first + bad] || q[bad] > robot.q_max[first + bad]) return false;
@@ -42,7 +43,7 @@ bool is_within_limits(const RobotDescription& robot, Leg leg, const Vec3& q, Eig
 
 /// Hind legs mirror HFE and KFE of a front leg (X-configuration), but where their limits leave that
 /// out, they stand like the front ones.
-void set_posture(const Section& top, const Vec3& front, RobotDescription& robot) {
+void set_posture(const Section& top, const Vec3& front, model::RobotDescription& robot) {
   for (const Leg leg : kLegs) {
     const Vec3 mirrored(front.x(), -front.y(), -front.z());
     Eigen::Index bad = 0;
@@ -62,9 +63,9 @@ void set_posture(const Section& top, const Vec3& front, RobotDescription& robot)
 /// Holds names against those of the URDF.
 class NameCheck {
  public:
-  NameCheck(const Section& top, const Urdf& urdf) : top_(top), urdf_(urdf) {
-    for (const UrdfLink& link : urdf.links) links_.push_back(link.name);
-    for (const UrdfJoint& joint : urdf.joints) {
+  NameCheck(const Section& top, const model::Urdf& urdf) : top_(top), urdf_(urdf) {
+    for (const model::UrdfLink& link : urdf.links) links_.push_back(link.name);
+    for (const model::UrdfJoint& joint : urdf.joints) {
       if (joint.type != "fixed") joints_.push_back(joint.name);
     }
   }
@@ -73,7 +74,7 @@ class NameCheck {
     check(key, "frame", name, links_);
   }
 
-  void leg(const std::string& key, const LegDescription& leg) {
+  void leg(const std::string& key, const model::LegDescription& leg) {
     for (const std::string& joint : leg.joints) {
       check(key + ".joints", "joint", joint, joints_);
       check_hinge(key + ".joints", joint);
@@ -87,7 +88,7 @@ class NameCheck {
  private:
   /// A leg's joints are hinges, and each stands at one place.
   void check_hinge(const std::string& key, const std::string& name) {
-    const auto joint = std::ranges::find(urdf_.joints, name, &UrdfJoint::name);
+    const auto joint = std::ranges::find(urdf_.joints, name, &model::UrdfJoint::name);
     const std::string place = " (" + urdf_.path + ":" + std::to_string(joint->line) + ")";
     if (joint->type != "revolute" && joint->type != "continuous") {
       top_.fail(key, "joint \"" + name + "\" is " + joint->type + place +
@@ -110,15 +111,15 @@ class NameCheck {
   }
 
   const Section& top_;
-  const Urdf& urdf_;
+  const model::Urdf& urdf_;
   std::vector<std::string> links_, joints_;
   std::map<std::string, std::string> places_;  // of the joints so far
 };
 
 /// The URDF's content, with the robot file's line in front of what is wrong with it.
-Urdf read_urdf_of(const Section& top, const std::string& path) {
+model::Urdf read_urdf_of(const Section& top, const std::string& path) {
   try {
-    return read_urdf(path);
+    return model::read_urdf(path);
   } catch (const Error& error) {
     top.fail("urdf", error.what());
   }
@@ -126,7 +127,7 @@ Urdf read_urdf_of(const Section& top, const std::string& path) {
 
 /// With the nominal posture each foot stands in its own quadrant: two legs that were exchanged
 /// would be walked with, and fall.
-void check_quadrants(const ConfigNode& legs, const RobotModel& model) {
+void check_quadrants(const ConfigNode& legs, const model::RobotModel& model) {
   for (const Leg leg : kLegs) {
     const Vec3 p_BF =
         model.foot_in_base(leg, model.description().q_nominal.segment<3>(first_joint(leg)));
@@ -142,10 +143,10 @@ void check_quadrants(const ConfigNode& legs, const RobotModel& model) {
 }
 
 /// What no key shows by itself: whether the parts make a robot.
-void check_robot(const Section& top, const ConfigNode& legs, const RobotDescription& robot) {
+void check_robot(const Section& top, const ConfigNode& legs, const model::RobotDescription& robot) {
   const auto model = [&] {
     try {
-      return RobotModel(robot);
+      return model::RobotModel(robot);
     } catch (const FileError& error) {
       top.fail("urdf", error.what());
     } catch (const Error& error) {
@@ -157,7 +158,8 @@ void check_robot(const Section& top, const ConfigNode& legs, const RobotDescript
 
 }  // namespace
 
-RobotDescription load_robot(const std::string& name_or_path, const std::filesystem::path& beside) {
+model::RobotDescription load_robot(const std::string& name_or_path,
+                                   const std::filesystem::path& beside) {
   const std::filesystem::path file = find_data_file("robots", name_or_path, beside);
   const ConfigNode tree = parse_yaml_file(file);
   Section top(tree, "");
@@ -165,7 +167,7 @@ RobotDescription load_robot(const std::string& name_or_path, const std::filesyst
   read(top, fields(given));
   top.finish();
 
-  RobotDescription& robot = given.robot;
+  model::RobotDescription& robot = given.robot;
   for (const Leg leg : kLegs)
     std::ranges::copy(given.joints[index(leg)], robot.legs[index(leg)].joints.begin());
   robot.torque_limit = of_all_legs(given.torque);
@@ -175,7 +177,7 @@ RobotDescription load_robot(const std::string& name_or_path, const std::filesyst
   robot.urdf_path = resolve_urdf(top, robot.urdf_path, file);
   for (const std::filesystem::path& folder : package_directories())
     robot.package_folders.push_back(folder.string());
-  const Urdf urdf = read_urdf_of(top, robot.urdf_path);
+  const model::Urdf urdf = read_urdf_of(top, robot.urdf_path);
   NameCheck names(top, urdf);
   names.frame("base", robot.base_link);
   for (const Leg leg : kLegs)
@@ -185,4 +187,4 @@ RobotDescription load_robot(const std::string& name_or_path, const std::filesyst
   return robot;
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::config

@@ -6,11 +6,11 @@
 #include <filesystem>
 #include <string>
 
-namespace surefoot {
+namespace surefoot::config {
 
 /// Reads robots/*.yaml by name or path. Frames, links and joints that the URDF does not have are
 /// errors, with the line that names them. Throws Error.
-[[nodiscard]] RobotDescription load_robot(const std::string& name_or_path,
-                                          const std::filesystem::path& beside = {});
+[[nodiscard]] model::RobotDescription load_robot(const std::string& name_or_path,
+                                                 const std::filesystem::path& beside = {});
 
-}  // namespace surefoot
+}  // namespace surefoot::config

@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-namespace surefoot {
+namespace surefoot::config {
 
 /// What the operator asks for from a time on.
 struct TimedCommand {
@@ -53,16 +53,16 @@ struct Scenario {
   std::vector<std::string> assignments;  ///< "path.to.key=value", as they were asked for
   std::uint64_t seed = 0;
   double duration = 20.0;  ///< longest [s]
-  Estimation estimation = Estimation::sensors;
-  LegInertialOptions estimator;  ///< of `estimation: sensors`
-  RobotDescription robot;
-  ControllerOptions controller;
-  PlantOptions plant;
+  estimation::Estimation estimation = estimation::Estimation::sensors;
+  estimation::LegInertialOptions estimator;  ///< of `estimation: sensors`
+  model::RobotDescription robot;
+  control::ControllerOptions controller;
+  simulation::PlantOptions plant;
   std::vector<TimedCommand> commands;  ///< by time, the first at 0
   Goal goal;
-  std::vector<RandomDraw> drawn;    ///< what the seed chose
-  std::vector<Criterion> criteria;  ///< that the metrics must meet
-  double success_rate = 1.0;        ///< share of the runs that must succeed, of one or many
+  std::vector<RandomDraw> drawn;                ///< what the seed chose
+  std::vector<evaluation::Criterion> criteria;  ///< that the metrics must meet
+  double success_rate = 1.0;  ///< share of the runs that must succeed, of one or many
   std::vector<PaperFigure> paper;
   std::vector<SourceFile> sources;
   std::uint64_t sources_hash = 0;  ///< of all these files and the URDF
@@ -73,4 +73,4 @@ struct Scenario {
   [[nodiscard]] const UserCommand& user(double time) const;
 };
 
-}  // namespace surefoot
+}  // namespace surefoot::config

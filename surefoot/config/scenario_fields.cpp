@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace surefoot {
+namespace surefoot::config {
 namespace {
 
 /// Of a run; quantiles of its ticks' times are computed, which are kept.
@@ -26,20 +26,20 @@ static_assert(UserCommand::kMostHeight == 0.3);
 /// A push as files have it: a force, an impulse that is spread over its duration, or a magnitude
 /// and a direction along the ground.
 struct PushInFile {
-  Push push;
+  simulation::Push push;
   Vec3 impulse = Vec3::Zero();
   double magnitude = 0.0, direction = 0.0;
 };
 
 Group fields(PushInFile& o) {
   return fields(o.push).and_also(
-      {{"impulse", Numbers{o.impulse.data(), axis_elements()}, kAnyNumber, "N·s",
+      {{"impulse", Numbers{o.impulse.data(), simulation::axis_elements()}, kAnyNumber, "N·s",
         "in W, over the duration, instead of a force"},
        {"magnitude", &o.magnitude, kNotNegative, "N", "of a level force, instead of a force"},
        {"direction", &o.direction, kAnyNumber, "rad", "of a magnitude, from W's x about z"}});
 }
 
-Push push_of(const PushInFile& o, const Given& given) {
+simulation::Push push_of(const PushInFile& o, const Given& given) {
   const bool has_force = given.has("force"), has_impulse = given.has("impulse"),
              has_magnitude = given.has("magnitude");
   if (int{has_force} + int{has_impulse} + int{has_magnitude} != 1)
@@ -47,7 +47,7 @@ Push push_of(const PushInFile& o, const Given& given) {
   if (given.has("direction") && !has_magnitude)
     given.fail("direction", "only a push with a magnitude has a direction");
   if (has_magnitude && !given.has("direction")) given.fail("direction", "this key is missing");
-  Push push = o.push;
+  simulation::Push push = o.push;
   if (has_impulse) push.force = o.impulse / push.duration;
   if (has_magnitude)
     push.force = o.magnitude * Vec3(std::cos(o.direction), std::sin(o.direction), 0.0);
@@ -56,35 +56,36 @@ Push push_of(const PushInFile& o, const Given& given) {
 
 /// Jumps and spikes are in the sensor's unit, lateness in ticks, a scale is a factor; the others
 /// have no size.
-void check_size(const SensorFault& fault, const Given& given) {
-  const bool late = fault.kind == FaultKind::late;
-  const bool off = fault.kind == FaultKind::jump || fault.kind == FaultKind::spike;
-  const bool has_size = late || off || fault.kind == FaultKind::scaled;
+void check_size(const simulation::SensorFault& fault, const Given& given) {
+  const bool late = fault.kind == simulation::FaultKind::late;
+  const bool off =
+      fault.kind == simulation::FaultKind::jump || fault.kind == simulation::FaultKind::spike;
+  const bool has_size = late || off || fault.kind == simulation::FaultKind::scaled;
   if (given.has("size") && !has_size)
     given.fail("size", "only jump, spike, scaled and late have one");
-  if (off && fault.sensor == FaultySensor::imu)
+  if (off && fault.sensor == simulation::FaultySensor::imu)
     given.fail("sensor",
                "a jump or spike is of the gyro or of the accelerometer, which have "
                "different units");
-  const bool whole =
-      fault.size == std::floor(fault.size) && fault.size >= 1.0 && fault.size <= kMaxDelayTicks;
+  const bool whole = fault.size == std::floor(fault.size) && fault.size >= 1.0 &&
+                     fault.size <= simulation::kMaxDelayTicks;
   if (late && given.has("size") && !whole)
-    given.fail("size",
-               "must be a whole number of ticks from 1 to " + std::to_string(kMaxDelayTicks));
+    given.fail("size", "must be a whole number of ticks from 1 to " +
+                           std::to_string(simulation::kMaxDelayTicks));
   if (has_size && !given.has("size")) given.fail("size", "this key is missing");
 }
 
-void check_fault(const SensorFault& fault, bool has_foot_sensors, const Given& given) {
+void check_fault(const simulation::SensorFault& fault, bool has_foot_sensors, const Given& given) {
   for (const char* key : {"sensor", "kind", "time"}) {
     if (!given.has(key)) given.fail(key, "this key is missing");
   }
-  const bool is_of_feet = fault.sensor == FaultySensor::foot_force;
+  const bool is_of_feet = fault.sensor == simulation::FaultySensor::foot_force;
   if (is_of_feet && !has_foot_sensors)
     given.fail("sensor", "the robot has none; sensors.foot_force.present: true gives it one");
-  if (fault.kind == FaultKind::spike && given.has("duration"))
+  if (fault.kind == simulation::FaultKind::spike && given.has("duration"))
     given.fail("duration", "a spike is one sample and has none; a jump has");
-  const bool is_of_joints =
-      fault.sensor == FaultySensor::encoders || fault.sensor == FaultySensor::joint_torques;
+  const bool is_of_joints = fault.sensor == simulation::FaultySensor::encoders ||
+                            fault.sensor == simulation::FaultySensor::joint_torques;
   if (fault.joint >= 0 && !is_of_joints)
     given.fail("joint", "only encoders and joint_torques have joints");
   if (fault.leg >= 0 && !is_of_feet) given.fail("leg", "only foot_force has legs");
@@ -92,19 +93,19 @@ void check_fault(const SensorFault& fault, bool has_foot_sensors, const Given& g
 }
 
 /// Of a leg that is not named, the joints of the stance.
-Group initial_joints(InitialState& o) {
+Group initial_joints(simulation::InitialState& o) {
   o.q.setConstant(kNaN);
   Group joints;
   for (const Leg leg : kLegs) {
     joints.fields.emplace_back(
-        leg_elements()[index(leg)],
+        simulation::leg_elements()[index(leg)],
         Numbers{&o.q[first_joint(leg)], {kJointNames.begin(), kJointNames.end()}}, kAnyNumber,
         "rad", "without them those of the stance");
   }
   return joints;
 }
 
-Group initial_fields(InitialState& o) {
+Group initial_fields(simulation::InitialState& o) {
   return Group{{"x", &o.position.x(), kAnyNumber, "m", "of the base"},
                {"y", &o.position.y(), kAnyNumber, "m", "of the base"},
                {"z", &o.position.z(), kAnyNumber, "m", "without it the feet are on the ground"},
@@ -119,16 +120,17 @@ Group initial_fields(InitialState& o) {
       });
 }
 
-Group plant_fields(PlantOptions& o) {
-  o.actuators.model = ActuatorModel::sea;  // of a scenario that names none
-  const Entries faults{{shape_of<SensorFault>("", [&o](const auto& fault, const Given& given) {
-    check_fault(fault, o.sensors.foot_force.present, given);
-    o.sensors.faults.push_back(fault);
-  })}};
+Group plant_fields(simulation::PlantOptions& o) {
+  o.actuators.model = simulation::ActuatorModel::sea;  // of a scenario that names none
+  const Entries faults{
+      {shape_of<simulation::SensorFault>("", [&o](const auto& fault, const Given& given) {
+        check_fault(fault, o.sensors.foot_force.present, given);
+        o.sensors.faults.push_back(fault);
+      })}};
   const Entries pushes{{shape_of<PushInFile>("", [&o](const auto& push, const Given& given) {
     o.disturbances.pushes.push_back(push_of(push, given));
   })}};
-  const Entries lifts{{shape_of<Lift>(
+  const Entries lifts{{shape_of<simulation::Lift>(
       "", [&o](const auto& lift, const Given&) { o.disturbances.lifts.push_back(lift); })}};
   return {
       {"timestep", &o.timestep, kTimestep, "s", "of the physics"},
@@ -139,11 +141,12 @@ Group plant_fields(PlantOptions& o) {
        }),
        "MuJoCo's solref, solimp and impratio of the feet"},
       {"actuators", fields(o.actuators), "drives"},
-      {"sensors", sensor_fields(o.sensors).and_also({{"faults", faults, "sensors that fail"}}),
+      {"sensors",
+       simulation::sensor_fields(o.sensors).and_also({{"faults", faults, "sensors that fail"}}),
        "what the controller gets"},
       {"disturbances",
        Group{{"pushes", pushes, "forces on a link"}, {"lifts", lifts, "a hand that lifts the base"}}
-           .and_also(disturbance_fields(o.disturbances)),
+           .and_also(simulation::disturbance_fields(o.disturbances)),
        "that the controller does not know of"},
       {"initial", initial_fields(o.initial), "where the robot begins"}};
 }
@@ -170,9 +173,9 @@ void check_scenario(Scenario& scenario, const Given& given) {
 
 /// Files that are named, and what only the robot or the stack can tell.
 Group named_fields(Scenario& scenario) {
-  std::vector<LevelSwitch>& switches = scenario.controller.level_switches;
+  std::vector<control::LevelSwitch>& switches = scenario.controller.level_switches;
   const Entries changes{
-      {shape_of<LevelSwitch>(
+      {shape_of<control::LevelSwitch>(
           "", [&switches](const auto& change, const Given&) { switches.push_back(change); })},
       "must be a list of switches, each with its time"};
   return {{"base", Other{"text"}, "scenario that this one is laid over"},
@@ -199,7 +202,7 @@ Group run_fields(Scenario& scenario) {
       {"name", &scenario.name, "for lists and tables"},
       {"description", &scenario.description, "for lists and tables"},
       {"duration", &scenario.duration, kDuration, "s", "longest run"},
-      {"estimation", choice(scenario.estimation, names_of(kEstimations)),
+      {"estimation", choice(scenario.estimation, names_of(estimation::kEstimations)),
        "truth: the simulator's state"},
       {"estimator", fields(scenario.estimator), "of estimation: sensors"},
       {"user", user, "commands from a time on, each complete"},
@@ -260,4 +263,4 @@ bool visit_scenario_option(const std::string& path, const std::function<void(con
   return visit_option(kAll, path, use);
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::config

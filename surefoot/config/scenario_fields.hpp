@@ -6,7 +6,7 @@
 #include <functional>
 #include <string>
 
-namespace surefoot {
+namespace surefoot::config {
 
 /// Of an entry of `user:`.
 [[nodiscard]] Group fields(TimedCommand& o);
@@ -19,4 +19,4 @@ namespace surefoot {
 /// is none.
 bool visit_scenario_option(const std::string& path, const std::function<void(const Field&)>& use);
 
-}  // namespace surefoot
+}  // namespace surefoot::config

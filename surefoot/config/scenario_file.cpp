@@ -26,7 +26,7 @@
 #include <fstream>
 #include <sstream>
 
-namespace surefoot {
+namespace surefoot::config {
 namespace {
 
 namespace fs = std::filesystem;
@@ -146,15 +146,15 @@ void read_body(Section& top, Scenario& scenario) {
 }
 
 /// What the scenario changes of the stack that it names.
-void read_stack_changes(Section& top, ControllerOptions& controller) {
+void read_stack_changes(Section& top, control::ControllerOptions& controller) {
   if (const ConfigNode* tasks = top.node("tasks")) {
     override_tasks(controller.stack, *tasks, "tasks");
   }
-  const std::vector<LevelSwitch>& switches = controller.level_switches;
+  const std::vector<control::LevelSwitch>& switches = controller.level_switches;
   for (std::size_t i = 0; i < switches.size(); ++i) {
     const auto end = switches.begin() + static_cast<std::ptrdiff_t>(i) + 1;
     try {
-      (void)LevelSwitcher(controller.stack, {switches.begin(), end});
+      (void)control::LevelSwitcher(controller.stack, {switches.begin(), end});
     } catch (const Error& error) {
       fail_at(top.node("stack_switches")->items[i], "stack_switches", error.what());
     }
@@ -168,7 +168,7 @@ void read_robot_and_stack(Section& top, const fs::path& file, Scenario& scenario
     return load_robot(name, folder);
   });
   scenario.controller.stack = load_named(top, "stack", [&](const std::string& name) {
-    StackOptions stack = load_stack(name, folder);
+    control::StackOptions stack = load_stack(name, folder);
     keep_sources(scenario, "stack", "stack_base", stack_files(name, folder));
     return stack;
   });
@@ -181,7 +181,8 @@ void check_pushes(const ConfigNode& tree, const Scenario& scenario) {
   const ConfigNode* pushes = disturbances == nullptr ? nullptr : disturbances->find("pushes");
   if (pushes == nullptr || pushes->members.empty()) return;
   std::vector<std::string> links;
-  for (const UrdfLink& link : read_urdf(scenario.robot.urdf_path).links) links.push_back(link.name);
+  for (const model::UrdfLink& link : model::read_urdf(scenario.robot.urdf_path).links)
+    links.push_back(link.name);
   for (const auto& [name, push] : pushes->members) {
     const ConfigNode* body = push.find("body");
     if (body == nullptr || std::ranges::find(links, body->text) != links.end()) continue;
@@ -192,10 +193,11 @@ void check_pushes(const ConfigNode& tree, const Scenario& scenario) {
 
 /// Bounds of the stack are of this robot. Told of the number where the scenario gives it, or else
 /// of its stack.
-void check_reach(const ConfigNode& tree, const RobotModel& model, const StackOptions& stack) {
+void check_reach(const ConfigNode& tree, const model::RobotModel& model,
+                 const control::StackOptions& stack) {
   try {
-    surefoot::check_reach(stack, reach_of(model));
-  } catch (const BeyondReachError& error) {
+    control::check_reach(stack, control::reach_of(model));
+  } catch (const control::BeyondReachError& error) {
     const ConfigNode* tasks = tree.find("tasks");
     const ConfigNode* task = tasks == nullptr ? nullptr : tasks->find(error.task());
     const ConfigNode* number = task == nullptr ? nullptr : task->find(error.number());
@@ -215,8 +217,8 @@ const ConfigNode& place_of_stance(const ConfigNode& tree) {
   return drawn == stance->members.end() ? *stance : drawn->second;
 }
 
-JointVector read_posture(const ConfigNode& tree, const RobotModel& model,
-                         const StanceOptions& stance) {
+JointVector read_posture(const ConfigNode& tree, const model::RobotModel& model,
+                         const gaits::StanceOptions& stance) {
   try {
     return stance_posture(model, stance);
   } catch (const Error& error) {
@@ -225,14 +227,14 @@ JointVector read_posture(const ConfigNode& tree, const RobotModel& model,
 }
 
 /// The stance, but for the joints that the scenario gives.
-void complete_posture(const ConfigNode& tree, const RobotModel& model, Scenario& scenario) {
-  InitialState& initial = scenario.plant.initial;
+void complete_posture(const ConfigNode& tree, const model::RobotModel& model, Scenario& scenario) {
+  simulation::InitialState& initial = scenario.plant.initial;
   const JointVector stance = read_posture(tree, model, scenario.controller.planner.stance);
   if (!initial.is_given) initial.q = stance;
   for (Eigen::Index i = 0; i < kNumJoints; ++i) {
     double& q = initial.q[i];
     if (std::isnan(q)) q = stance[i];
-    const RobotDescription& robot = scenario.robot;
+    const model::RobotDescription& robot = scenario.robot;
     if (!initial.is_given || (q >= robot.q_min[i] && q <= robot.q_max[i])) continue;
     const ConfigNode& joints = *tree.find("initial")->find("joints");
     const auto leg = static_cast<std::size_t>(i / kJointsPerLeg);
@@ -244,9 +246,9 @@ void complete_posture(const ConfigNode& tree, const RobotModel& model, Scenario&
 }
 
 /// Nothing walks that can't stand, and masses may be in another unit.
-void check_strength(const ConfigNode& tree, RobotModel& model, const JointVector& stance) {
-  const JointVector torque = standing_torque(model, stance).cwiseAbs();
-  const RobotDescription& robot = model.description();
+void check_strength(const ConfigNode& tree, model::RobotModel& model, const JointVector& stance) {
+  const JointVector torque = control::standing_torque(model, stance).cwiseAbs();
+  const model::RobotDescription& robot = model.description();
   Eigen::Index i = 0;
   if (torque.cwiseQuotient(robot.torque_limit).maxCoeff(&i) <= 1.0) return;
   const auto leg = static_cast<std::size_t>(i / kJointsPerLeg);
@@ -272,7 +274,7 @@ class EndOfRanges {
   }
 
   /// What the robot and the stack, as loaded, have to say.
-  void check(const RobotModel& model, const StackOptions& stack) {
+  void check(const model::RobotModel& model, const control::StackOptions& stack) {
     Section top(tree_, "");
     controller_.stack = stack;
     read_stack_changes(top, controller_);
@@ -282,7 +284,7 @@ class EndOfRanges {
 
  private:
   ConfigNode tree_;
-  ControllerOptions controller_;
+  control::ControllerOptions controller_;
 };
 
 std::vector<EndOfRanges> read_ends(const ConfigNode& tree,
@@ -339,7 +341,7 @@ Scenario load_scenario(const ScenarioRequest& request) {
   scenario.plant.seed = request.seed;
   check_pushes(tree, scenario);
   scenario.notes = scenario_notes(tree, scenario);
-  RobotModel model(scenario.robot);
+  model::RobotModel model(scenario.robot);
   check_reach(tree, model, scenario.controller.stack);
   complete_posture(tree, model, scenario);
   check_strength(tree, model, stance_posture(model, scenario.controller.planner.stance));
@@ -347,4 +349,4 @@ Scenario load_scenario(const ScenarioRequest& request) {
   return scenario;
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::config

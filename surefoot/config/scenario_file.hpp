@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace surefoot {
+namespace surefoot::config {
 
 inline constexpr int kLargestSeed = 999'999'999;
 /// Of a whole number in digits. Throws Error unless it is from 0 to kLargestSeed.
@@ -27,4 +27,4 @@ struct ScenarioRequest {
 /// the wrong type or out of range.
 [[nodiscard]] Scenario load_scenario(const ScenarioRequest& request);
 
-}  // namespace surefoot
+}  // namespace surefoot::config

@@ -6,7 +6,7 @@
 #include <array>
 #include <string_view>
 
-namespace surefoot {
+namespace surefoot::config {
 namespace {
 
 constexpr std::string_view kRandomisePrefix = "randomise.";
@@ -44,11 +44,12 @@ void note_undrawn(const std::vector<std::string>& assigned, std::vector<std::str
 }
 
 void note_unused_actuator(const std::vector<std::string>& assigned,
-                          const ActuatorOptions& actuators, std::vector<std::string>& notes) {
+                          const simulation::ActuatorOptions& actuators,
+                          std::vector<std::string>& notes) {
   for (const std::string& path : assigned) {
     if (!path.starts_with(kActuators) || path == "actuators.model") continue;
     const auto begins_path = [&](std::string_view part) { return path.starts_with(part); };
-    if (actuators.model == ActuatorModel::ideal) {
+    if (actuators.model == simulation::ActuatorModel::ideal) {
       notes.push_back(path + " changes nothing, as actuators.model is ideal");
     } else if (actuators.level == 1 && std::ranges::any_of(kOfSpring, begins_path)) {
       notes.push_back(path +
@@ -65,7 +66,7 @@ std::vector<std::string> scenario_notes(const ConfigNode& tree, const Scenario& 
     assigned.push_back(assigned_path(assignment));
 
   std::vector<std::string> notes;
-  const PlantOptions& plant = scenario.plant;
+  const simulation::PlantOptions& plant = scenario.plant;
   note_late(tree, "disturbances", "pushes", plant.disturbances.pushes, scenario, notes);
   note_late(tree, "disturbances", "lifts", plant.disturbances.lifts, scenario, notes);
   note_late(tree, "sensors", "faults", plant.sensors.faults, scenario, notes);
@@ -74,4 +75,4 @@ std::vector<std::string> scenario_notes(const ConfigNode& tree, const Scenario& 
   return notes;
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::config

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace surefoot {
+namespace surefoot::config {
 
 /// What is worth telling of a scenario that is valid: what it says, but nothing comes of. Pushes
 /// and faults that begin after the end; of the assignments those to ranges of keys that are
@@ -14,4 +14,4 @@ namespace surefoot {
 [[nodiscard]] std::vector<std::string> scenario_notes(const ConfigNode& tree,
                                                       const Scenario& scenario);
 
-}  // namespace surefoot
+}  // namespace surefoot::config

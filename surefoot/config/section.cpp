@@ -7,7 +7,7 @@
 #include <charconv>
 #include <cmath>
 
-namespace surefoot {
+namespace surefoot::config {
 namespace {
 
 std::string describe(const ConfigNode& node) {
@@ -180,4 +180,4 @@ std::optional<std::size_t> Section::choice(const char* key, const std::vector<st
   return static_cast<std::size_t>(found - names.begin());
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::config

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace surefoot {
+namespace surefoot::config {
 
 /// Reads one map of a configuration key by key. A key that is absent leaves the value as it is;
 /// a key that nobody asked for is an error. Every error names file, line and the key's whole path,
@@ -91,4 +91,4 @@ void Section::section(const char* key, Fields&& fields) {
   below.finish();
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::config

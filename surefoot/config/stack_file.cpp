@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <iterator>
 
-namespace surefoot {
+namespace surefoot::config {
 namespace {
 
 template <typename Named>
@@ -25,11 +25,11 @@ bool contains(const std::vector<std::string>& names, const std::string& name) {
 
 /// A parameter is a number, or a choice by name; the catalog says which.
 void read_parameter(const ConfigNode& node, const std::string& key, const std::string& path,
-                    TaskSpec& task) {
-  const TaskInfo& info = task_info(task.task);
+                    control::TaskSpec& task) {
+  const tasks::TaskInfo& info = tasks::task_info(task.task);
   const std::vector<std::string> numbers = names_of(info.parameters),
                                  choices = names_of(info.choices);
-  TaskParameters parameter;
+  tasks::TaskParameters parameter;
   if (contains(numbers, key)) {
     parameter.numbers[key] = task.numbers[key] = read_number(node, path);
   } else if (contains(choices, key)) {
@@ -42,20 +42,20 @@ void read_parameter(const ConfigNode& node, const std::string& key, const std::s
             "the task " + task.task + " has no such parameter; " + valid_names(key, valid));
   }
   try {
-    (void)make_task(task.task, parameter);
+    (void)tasks::make_task(task.task, parameter);
   } catch (const Error& error) {
     fail_at(node, path, error.what());
   }
 }
 
 /// `is_level`: what belongs to the level stands beside the parameters.
-TaskSpec read_task(const ConfigNode& node, const std::string& path, bool is_level) {
+control::TaskSpec read_task(const ConfigNode& node, const std::string& path, bool is_level) {
   Section section(node, path);
-  TaskSpec task;
+  control::TaskSpec task;
   section.text("task", task.task);
   section.number("weight", task.weight, kPositive);
   if (section.node("task") == nullptr) section.fail("task", "this key is missing");
-  const std::vector<std::string> valid = names_of(task_catalog());
+  const std::vector<std::string> valid = names_of(tasks::task_catalog());
   if (!contains(valid, task.task)) {
     section.fail("task", "unknown task \"" + task.task + "\"; " + valid_names(task.task, valid));
   }
@@ -70,15 +70,15 @@ TaskSpec read_task(const ConfigNode& node, const std::string& path, bool is_leve
   return task;
 }
 
-std::vector<TaskSpec> read_task_list(const ConfigNode& list, const std::string& path) {
+std::vector<control::TaskSpec> read_task_list(const ConfigNode& list, const std::string& path) {
   if (list.items.empty()) fail_at(list, path, "must be a list of at least one task");
-  std::vector<TaskSpec> tasks;
+  std::vector<control::TaskSpec> tasks;
   for (const ConfigNode& item : list.items) tasks.push_back(read_task(item, path, false));
   return tasks;
 }
 
-LevelSpec read_level(const ConfigNode& node, const std::string& path) {
-  LevelSpec level;
+control::LevelSpec read_level(const ConfigNode& node, const std::string& path) {
+  control::LevelSpec level;
   if (const ConfigNode* tasks = node.find("tasks")) {
     Section section(node, path);
     double weight = 1.0;
@@ -87,7 +87,7 @@ LevelSpec read_level(const ConfigNode& node, const std::string& path) {
     section.number("weight", weight, kPositive);
     section.number("damping", level.damping, kNotNegative);
     level.tasks = read_task_list(*tasks, path);
-    for (TaskSpec& task : level.tasks) task.weight *= weight;
+    for (control::TaskSpec& task : level.tasks) task.weight *= weight;
     (void)section.node("tasks");
     section.finish();
   } else {
@@ -101,18 +101,18 @@ LevelSpec read_level(const ConfigNode& node, const std::string& path) {
   return level;
 }
 
-std::vector<std::string> task_names(const StackOptions& stack) {
+std::vector<std::string> task_names(const control::StackOptions& stack) {
   std::vector<std::string> names;
-  for (const LevelSpec& level : stack.levels) {
-    for (const TaskSpec& task : level.tasks) names.push_back(task.task);
+  for (const control::LevelSpec& level : stack.levels) {
+    for (const control::TaskSpec& task : level.tasks) names.push_back(task.task);
   }
   return names;
 }
 
-void override_task(StackOptions& stack, const std::string& name, const ConfigNode& parameters,
-                   const std::string& path) {
-  for (LevelSpec& level : stack.levels) {
-    for (TaskSpec& task : level.tasks) {
+void override_task(control::StackOptions& stack, const std::string& name,
+                   const ConfigNode& parameters, const std::string& path) {
+  for (control::LevelSpec& level : stack.levels) {
+    for (control::TaskSpec& task : level.tasks) {
       if (task.task != name) continue;
       for (const auto& [key, value] : parameters.members) {
         read_parameter(value, key, path + "." + key, task);
@@ -126,9 +126,9 @@ void override_task(StackOptions& stack, const std::string& name, const ConfigNod
 namespace {
 
 /// A level of the base, by its name.
-LevelSpec take_level(const ConfigNode& name, const std::string& path,
-                     const std::vector<LevelSpec>& base) {
-  const auto found = std::ranges::find(base, name.text, &LevelSpec::name);
+control::LevelSpec take_level(const ConfigNode& name, const std::string& path,
+                              const std::vector<control::LevelSpec>& base) {
+  const auto found = std::ranges::find(base, name.text, &control::LevelSpec::name);
   if (found != base.end()) return *found;
   fail_at(name, path,
           "unknown level \"" + name.text + "\"" +
@@ -137,8 +137,8 @@ LevelSpec take_level(const ConfigNode& name, const std::string& path,
 }
 
 /// Levels of the file's own, and those of the base that are named among them.
-void read_levels(const ConfigNode& levels, const std::vector<LevelSpec>& base,
-                 StackOptions& stack) {
+void read_levels(const ConfigNode& levels, const std::vector<control::LevelSpec>& base,
+                 control::StackOptions& stack) {
   if (levels.items.empty()) fail_at(levels, "levels", "must be a list of at least one level");
   for (std::size_t i = 0; i < levels.items.size(); ++i) {
     const ConfigNode& level = levels.items[i];
@@ -148,7 +148,7 @@ void read_levels(const ConfigNode& levels, const std::vector<LevelSpec>& base,
   }
 }
 
-void leave_out(const ConfigNode& without, StackOptions& stack) {
+void leave_out(const ConfigNode& without, control::StackOptions& stack) {
   if (without.items.empty()) {
     fail_at(without, "without",
             "must be a list of at least one level, such as [" + stack.levels.back().name + "]; " +
@@ -160,21 +160,22 @@ void leave_out(const ConfigNode& without, StackOptions& stack) {
       fail_at(name, "without",
               "unknown level \"" + name.text + "\"; " + valid_names(name.text, names));
     }
-    std::erase_if(stack.levels, [&](const LevelSpec& level) { return level.name == name.text; });
+    std::erase_if(stack.levels,
+                  [&](const control::LevelSpec& level) { return level.name == name.text; });
   }
 }
 
 /// Weights of levels by their names.
-void weigh(Section& weights, StackOptions& stack) {
-  for (LevelSpec& level : stack.levels) {
+void weigh(Section& weights, control::StackOptions& stack) {
+  for (control::LevelSpec& level : stack.levels) {
     double weight = 1.0;
     weights.number(level.name.c_str(), weight, kPositive);
-    for (TaskSpec& task : level.tasks) task.weight *= weight;
+    for (control::TaskSpec& task : level.tasks) task.weight *= weight;
   }
 }
 
 /// `name`: of the level from which on all become one.
-StackOptions merge(const ConfigNode& name, const StackOptions& stack) {
+control::StackOptions merge(const ConfigNode& name, const control::StackOptions& stack) {
   const std::vector<std::string> names = names_of(stack.levels);
   const auto found = std::ranges::find(names, read_text(name, "weighted_from"));
   if (found == names.end()) {
@@ -182,15 +183,15 @@ StackOptions merge(const ConfigNode& name, const StackOptions& stack) {
             "unknown level \"" + name.text + "\"; " + valid_names(name.text, names));
   }
   try {
-    return weighted_from(stack, static_cast<std::size_t>(found - names.begin()));
+    return control::weighted_from(stack, static_cast<std::size_t>(found - names.begin()));
   } catch (const Error& error) {
     fail_at(name, "weighted_from", error.what());
   }
 }
 
 /// The levels of another stack.
-std::vector<LevelSpec> read_base(const Section& top, const ConfigNode& base,
-                                 const std::filesystem::path& folder) {
+std::vector<control::LevelSpec> read_base(const Section& top, const ConfigNode& base,
+                                          const std::filesystem::path& folder) {
   try {
     return load_stack(read_text(base, "base"), folder).levels;
   } catch (const UnknownNameError& error) {
@@ -199,9 +200,9 @@ std::vector<LevelSpec> read_base(const Section& top, const ConfigNode& base,
 }
 
 /// `folder`: where the base may stand.
-StackOptions read_stack(const ConfigNode& tree, const std::filesystem::path& folder) {
+control::StackOptions read_stack(const ConfigNode& tree, const std::filesystem::path& folder) {
   Section top(tree, "");
-  StackOptions stack;
+  control::StackOptions stack;
   std::string description;
   top.require("name");
   top.text("name", stack.name);
@@ -217,7 +218,7 @@ StackOptions read_stack(const ConfigNode& tree, const std::filesystem::path& fol
   top.finish();
   if (without != nullptr && levels != nullptr)
     top.fail("without", "there are levels, too: what they don't name is left out already");
-  std::vector<LevelSpec> below;
+  std::vector<control::LevelSpec> below;
   if (base != nullptr) below = read_base(top, *base, folder);
   if (levels != nullptr) {
     read_levels(*levels, below, stack);
@@ -231,12 +232,13 @@ StackOptions read_stack(const ConfigNode& tree, const std::filesystem::path& fol
 
 }  // namespace
 
-StackOptions load_stack(const std::string& name_or_path, const std::filesystem::path& beside) {
+control::StackOptions load_stack(const std::string& name_or_path,
+                                 const std::filesystem::path& beside) {
   const std::filesystem::path file = find_data_file("stacks", name_or_path, beside);
   return read_stack(parse_yaml_file(file), file.parent_path());
 }
 
-StackOptions parse_stack(const std::string& text, const std::string& name) {
+control::StackOptions parse_stack(const std::string& text, const std::string& name) {
   return read_stack(parse_yaml_map(text, name), {});
 }
 
@@ -251,7 +253,8 @@ std::vector<std::filesystem::path> stack_files(const std::string& name_or_path,
   return files;
 }
 
-void override_tasks(StackOptions& stack, const ConfigNode& tasks, const std::string& path) {
+void override_tasks(control::StackOptions& stack, const ConfigNode& tasks,
+                    const std::string& path) {
   Section section(tasks, path);
   const std::vector<std::string> names = task_names(stack);
   for (const std::string& name : section.keys()) {
@@ -265,4 +268,4 @@ void override_tasks(StackOptions& stack, const ConfigNode& tasks, const std::str
   }
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::config

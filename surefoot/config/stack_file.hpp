@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace surefoot {
+namespace surefoot::config {
 
 /// Reads stacks/*.yaml by name or path: levels, highest priority first, each with one task or a
 /// list of them.
@@ -41,11 +41,11 @@ namespace surefoot {
 ///     weighted_from: com_xy
 ///
 /// Unknown tasks and parameters are errors. Throws Error.
-[[nodiscard]] StackOptions load_stack(const std::string& name_or_path,
-                                      const std::filesystem::path& beside = {});
+[[nodiscard]] control::StackOptions load_stack(const std::string& name_or_path,
+                                               const std::filesystem::path& beside = {});
 
 /// The same of a stack file's text; `name` stands for the file in errors. Throws Error.
-[[nodiscard]] StackOptions parse_stack(const std::string& text, const std::string& name);
+[[nodiscard]] control::StackOptions parse_stack(const std::string& text, const std::string& name);
 
 /// The files that a stack is read from: its own, then that of its base, that one's base, …
 /// Throws Error.
@@ -54,6 +54,6 @@ namespace surefoot {
 
 /// Lays parameters over every task of that name: a map from task names to maps of parameters.
 /// Throws Error on a task that the stack does not have.
-void override_tasks(StackOptions& stack, const ConfigNode& tasks, const std::string& path);
+void override_tasks(control::StackOptions& stack, const ConfigNode& tasks, const std::string& path);
 
-}  // namespace surefoot
+}  // namespace surefoot::config

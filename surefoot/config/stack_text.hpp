@@ -4,15 +4,15 @@
 
 #include <string>
 
-namespace surefoot {
+namespace surefoot::config {
 
 /// The stack with every parameter of its tasks, also those that were left to their defaults.
-[[nodiscard]] StackOptions with_defaults(StackOptions stack);
+[[nodiscard]] control::StackOptions with_defaults(control::StackOptions stack);
 
 /// The stack as a stack file that needs no other file; load_stack gives the same levels again.
-[[nodiscard]] std::string stack_yaml(const StackOptions& stack);
+[[nodiscard]] std::string stack_yaml(const control::StackOptions& stack);
 
 /// Of the levels, highest first.
-[[nodiscard]] std::vector<std::string> level_names(const StackOptions& stack);
+[[nodiscard]] std::vector<std::string> level_names(const control::StackOptions& stack);
 
-}  // namespace surefoot
+}  // namespace surefoot::config

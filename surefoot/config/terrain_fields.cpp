@@ -7,7 +7,7 @@
 
 #include <algorithm>
 
-namespace surefoot {
+namespace surefoot::config {
 namespace {
 
 constexpr double kFloorDepth = 1.0;  // of the boxes that make steps, below the lowest ground [m]
@@ -15,14 +15,14 @@ constexpr double kPlatform = 20.0;   // length of the level ground at both ends,
 constexpr double kMostTiles = 2000.0;
 constexpr NumberRange kAngle{.min = -1.2, .max = 1.2, .words = "an angle from -1.2 to 1.2 rad"};
 
-using Elements = std::vector<TerrainElement>;
+using Elements = std::vector<simulation::TerrainElement>;
 
 Field friction_of(double& friction) {
   return {"friction", &friction, kNotNegative, "", "coefficient; without it that of the terrain"};
 }
 
 /// Heights of its own, or the amplitude of generated ones.
-void check_heights(const TerrainHeightField& field, const Given& given) {
+void check_heights(const simulation::TerrainHeightField& field, const Given& given) {
   const bool has_heights = given.has("heights");
   if (has_heights == given.has("amplitude")) {
     given.fail("heights",
@@ -48,7 +48,7 @@ struct FrictionTiles {
 
 Group fields(FrictionTiles& o) {
   return Group{
-      {"position", Numbers{o.position.data(), axis_elements()}, kAnyNumber, "m",
+      {"position", Numbers{o.position.data(), simulation::axis_elements()}, kAnyNumber, "m",
        "centre of the field, at the height of its top"},
       Field{"size_x", &o.size_x, kPositive, "m", "extent"}.required(),
       Field{"size_y", &o.size_y, kPositive, "m", "extent"}.required(),
@@ -66,13 +66,13 @@ Group fields(FrictionTiles& o) {
 
 /// Level tiles, each with a friction of its own, uniform in its range and the same for a seed.
 void add_friction_tiles(const FrictionTiles& field, Elements& elements) {
-  const TerrainRandomBoxes level{.position = field.position,
-                                 .size_x = field.size_x,
-                                 .size_y = field.size_y,
-                                 .cell = field.tile,
-                                 .max_height = 0.0};
+  const simulation::TerrainRandomBoxes level{.position = field.position,
+                                             .size_x = field.size_x,
+                                             .size_y = field.size_y,
+                                             .cell = field.tile,
+                                             .max_height = 0.0};
   simulation::Random random(field.seed);
-  for (TerrainBox box : simulation::random_boxes(level)) {
+  for (simulation::TerrainBox box : simulation::random_boxes(level)) {
     box.friction =
         field.friction_min + (field.friction_max - field.friction_min) * random.uniform();
     elements.push_back(box);
@@ -101,10 +101,11 @@ void add_steps(const Steps& steps, Elements& elements) {
     const double begin = i == 0 ? steps.edge - kPlatform : steps.edge + (i - 1) * steps.tread;
     const double end = i == steps.count ? begin + kPlatform : steps.edge + i * steps.tread;
     const double top = steps.height * i;
-    elements.push_back(TerrainBox{.position = {(begin + end) / 2.0, 0.0, (bottom + top) / 2.0},
-                                  .size = {end - begin, kPlatform, top - bottom},
-                                  .rpy = Vec3::Zero(),
-                                  .friction = steps.friction});
+    elements.push_back(
+        simulation::TerrainBox{.position = {(begin + end) / 2.0, 0.0, (bottom + top) / 2.0},
+                               .size = {end - begin, kPlatform, top - bottom},
+                               .rpy = Vec3::Zero(),
+                               .friction = steps.friction});
   }
 }
 
@@ -141,23 +142,24 @@ void add_slope(const Slope& slope, Elements& elements) {
   const Vec3 level(slope.start - kPlatform / 2.0, 0.0, -kFloorDepth / 2.0);
   const Vec3 tilted = Vec3(slope.start, 0.0, 0.0) +
                       from_roll_pitch_yaw(rpy) * Vec3(kPlatform / 2.0, 0.0, -kFloorDepth / 2.0);
-  elements.push_back(TerrainBox{level, size, Vec3::Zero(), slope.friction});
-  elements.push_back(TerrainBox{tilted, size, rpy, slope.friction});
+  elements.push_back(simulation::TerrainBox{level, size, Vec3::Zero(), slope.friction});
+  elements.push_back(simulation::TerrainBox{tilted, size, rpy, slope.friction});
 }
 
 }  // namespace
 
-Group terrain_fields(TerrainOptions& terrain) {
+Group terrain_fields(simulation::TerrainOptions& terrain) {
   Elements& elements = terrain.elements;
   const auto keep = [&elements](const auto& element, const Given&) { elements.push_back(element); };
   const Entries shapes{
-      {shape_of<TerrainLevel>("plane", keep), shape_of<TerrainBox>("box", keep),
-       shape_of<TerrainHeightField>("height_field",
-                                    [&elements](const auto& field, const Given& given) {
-                                      check_heights(field, given);
-                                      elements.emplace_back(field);
-                                    }),
-       shape_of<TerrainRandomBoxes>("random_boxes", keep),
+      {shape_of<simulation::TerrainLevel>("plane", keep),
+       shape_of<simulation::TerrainBox>("box", keep),
+       shape_of<simulation::TerrainHeightField>("height_field",
+                                                [&elements](const auto& field, const Given& given) {
+                                                  check_heights(field, given);
+                                                  elements.emplace_back(field);
+                                                }),
+       shape_of<simulation::TerrainRandomBoxes>("random_boxes", keep),
        shape_of<FrictionTiles>(
            "friction_tiles",
            [&](const auto& tiles, const Given&) { add_friction_tiles(tiles, elements); }),
@@ -168,8 +170,8 @@ Group terrain_fields(TerrainOptions& terrain) {
   return Group{{"friction", &terrain.friction, kNotNegative, "", "coefficient of all elements"},
                {"elements", shapes, "by names of their own; without any the plane z = 0"}}
       .with([&elements](const Given&) {
-        if (elements.empty()) elements.emplace_back(TerrainLevel{});
+        if (elements.empty()) elements.emplace_back(simulation::TerrainLevel{});
       });
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::config

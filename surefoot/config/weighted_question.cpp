@@ -3,7 +3,7 @@
 #include "surefoot/base/error.hpp"
 #include "surefoot/solver/weighted_levels.hpp"
 
-namespace surefoot {
+namespace surefoot::config {
 namespace {
 
 /// Those of the line: what x is to be close to is no level to be weighed.
@@ -11,12 +11,12 @@ std::size_t num_levels_of_line(const NamedHierarchy& question) {
   return question.hierarchy.num_levels() - (question.has_reference ? 1 : 0);
 }
 
-void append_level(const Level& level, Hierarchy& hierarchy) {
+void append_level(const solver::Level& level, solver::Hierarchy& hierarchy) {
   hierarchy.level(hierarchy.add_level(level.name(), level.num_rows())).add(level);
 }
 
-Hierarchy first_levels(const Hierarchy& hierarchy, std::size_t count) {
-  Hierarchy result(hierarchy.unknowns());
+solver::Hierarchy first_levels(const solver::Hierarchy& hierarchy, std::size_t count) {
+  solver::Hierarchy result(hierarchy.unknowns());
   for (std::size_t k = 0; k < count; ++k) append_level(hierarchy.level(k), result);
   return result;
 }
@@ -25,8 +25,8 @@ Hierarchy first_levels(const Hierarchy& hierarchy, std::size_t count) {
 NamedHierarchy weighted(const NamedHierarchy& question, std::size_t first,
                         const std::vector<double>& weights) {
   const std::size_t num_levels = num_levels_of_line(question);
-  const Hierarchy of_line = first_levels(question.hierarchy, num_levels);
-  WeightedLevels levels(of_line, first, weights);
+  const solver::Hierarchy of_line = first_levels(question.hierarchy, num_levels);
+  solver::WeightedLevels levels(of_line, first, weights);
   NamedHierarchy result{levels.update(of_line), {}, {}};
   const auto weight_of = [&](std::size_t k) {
     return k < first || k - first >= weights.size() ? 1.0 : weights[k - first];
@@ -76,10 +76,10 @@ NamedHierarchy weighted_question(const NamedHierarchy& strict, int first,
   return weighted(strict, from - 1, weights);
 }
 
-std::vector<double> residuals_at(const Hierarchy& hierarchy, const Eigen::VectorXd& x) {
+std::vector<double> residuals_at(const solver::Hierarchy& hierarchy, const Eigen::VectorXd& x) {
   std::vector<double> residuals;
   for (std::size_t k = 0; k < hierarchy.num_levels(); ++k) {
-    const Level& level = hierarchy.level(k);
+    const solver::Level& level = hierarchy.level(k);
     const Eigen::ArrayXd value = (level.A() * x).array();
     const Eigen::ArrayXd by = (value - level.upper().array()).max(level.lower().array() - value);
     residuals.push_back(by.size() > 0 ? by.max(0.0).matrix().norm() : 0.0);
@@ -87,4 +87,4 @@ std::vector<double> residuals_at(const Hierarchy& hierarchy, const Eigen::Vector
   return residuals;
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::config

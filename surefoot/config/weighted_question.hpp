@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace surefoot {
+namespace surefoot::config {
 
 /// The question with its levels from `first` on, counted from 1, as one level, in which each
 /// counts with its weight (1 where there is none). What x is to be close to stays a last level
@@ -16,7 +16,7 @@ namespace surefoot {
                                                const std::string& place);
 
 /// √Σ violation² of each level at x.
-[[nodiscard]] std::vector<double> residuals_at(const Hierarchy& hierarchy,
+[[nodiscard]] std::vector<double> residuals_at(const solver::Hierarchy& hierarchy,
                                                const Eigen::VectorXd& x);
 
-}  // namespace surefoot
+}  // namespace surefoot::config

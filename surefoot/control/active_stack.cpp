@@ -4,31 +4,32 @@
 
 #include <utility>
 
-namespace surefoot {
+namespace surefoot::control {
 
-ActiveStack::ActiveStack(const ControllerOptions& options, const RobotDescription& robot)
+ActiveStack::ActiveStack(const ControllerOptions& options, const model::RobotDescription& robot)
     : solver_options_(options.solver),
       robot_(robot),
       solved_(std::make_unique<SolvedStack>(options.stack, options.solver, robot)),
       switcher_(options.stack, options.level_switches) {}
 
-const Hierarchy& ActiveStack::update(double time, const Dynamics& dynamics,
-                                     const MotionPlan& plan) noexcept {
+const solver::Hierarchy& ActiveStack::update(double time, const model::Dynamics& dynamics,
+                                             const MotionPlan& plan) noexcept {
   const LevelTransition& transition = switcher_.update(time);
   solved_->stack.set_present(transition.before | transition.after);
   return solved_->stack.update(dynamics, plan);
 }
 
-const Solution& ActiveStack::solve(double time, const Dynamics& dynamics,
-                                   const MotionPlan& plan) noexcept {
+const solver::Solution& ActiveStack::solve(double time, const model::Dynamics& dynamics,
+                                           const MotionPlan& plan) noexcept {
   auto& [stack, solver] = *solved_;
-  const Substitution* physics =
+  const solver::Substitution* physics =
       solver.wants_substitution() ? stack.substitution(dynamics) : nullptr;
-  const Solution& solution = solver.solve(stack.hierarchy(), physics, switcher_.transition());
+  const solver::Solution& solution =
+      solver.solve(stack.hierarchy(), physics, switcher_.transition());
   return is_fading() ? fade_->between(dynamics, plan, time, stack.hierarchy(), solution) : solution;
 }
 
-void ActiveStack::describe(const Solution& solution, bool explains,
+void ActiveStack::describe(const solver::Solution& solution, bool explains,
                            HierarchyReport& report) noexcept {
   summarise(solution, hierarchy(), report);
   if (explains && !is_fading()) {
@@ -38,7 +39,8 @@ void ActiveStack::describe(const Solution& solution, bool explains,
   report.level_switch = switcher_.begun();
 }
 
-HierarchyOutcome ActiveStack::outcome(const Solution& solution, const MotionPlan& plan) const {
+HierarchyOutcome ActiveStack::outcome(const solver::Solution& solution,
+                                      const MotionPlan& plan) const {
   const bool is_optimum = share() >= 1.0;
   return {.tilt_shortfall = is_optimum ? tasks().tilt_shortfall(solution) : kNaN,
           .pyramid_normal = tasks().pyramid_normals(plan)};
@@ -69,4 +71,4 @@ bool ActiveStack::set_stack(const StackOptions& options, double duration) {
   return true;
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::control

@@ -2,12 +2,12 @@
 
 #include "surefoot/control/hierarchy_summary.hpp"
 
-namespace surefoot {
+namespace surefoot::control {
 
 // Lying posture and period are of no use: where no sensor is said to be at fault, no ladder leads
 // to `sit`, every state that is asked has its time, and nobody waits for a log's robot to begin.
 AskedStack::AskedStack(const StackOptions& stack, const SolverOptions& solver,
-                       const SafetyOptions& safety, const RobotDescription& robot)
+                       const SafetyOptions& safety, const model::RobotDescription& robot)
     : solved_(stack, solver, robot),
       ladder_at_start_(safety, robot, solved_.stack.first_free_level(), JointVector::Zero(), 0.0),
       ladder_(ladder_at_start_) {
@@ -16,12 +16,12 @@ AskedStack::AskedStack(const StackOptions& stack, const SolverOptions& solver,
   at_rest_.after.set();
 }
 
-const StackAnswer& AskedStack::ask(const RobotState& state, const Dynamics& dynamics,
+const StackAnswer& AskedStack::ask(const RobotState& state, const model::Dynamics& dynamics,
                                    const MotionPlan& plan) noexcept {
-  const Hierarchy& hierarchy = solved_.stack.update(dynamics, plan);
-  const Substitution* physics =
+  const solver::Hierarchy& hierarchy = solved_.stack.update(dynamics, plan);
+  const solver::Substitution* physics =
       solved_.solver.wants_substitution() ? solved_.stack.substitution(dynamics) : nullptr;
-  const Solution& solution = solved_.solver.solve(hierarchy, physics, at_rest_);
+  const solver::Solution& solution = solved_.solver.solve(hierarchy, physics, at_rest_);
   summarise(solution, hierarchy, answer_.hierarchy);
   command(state, solution, plan.standing());
   return answer_;
@@ -29,7 +29,7 @@ const StackAnswer& AskedStack::ask(const RobotState& state, const Dynamics& dyna
 
 // A stop is latched: the robot would lie there. Who is asked at the next tick stands as the log
 // has it, with a ladder on which nothing has happened.
-void AskedStack::command(const RobotState& state, const Solution& solution,
+void AskedStack::command(const RobotState& state, const solver::Solution& solution,
                          const PerLeg<bool>& stands) noexcept {
   ladder_.set_standing(stands);
   answer_.command = ladder_.command(state, &solution);
@@ -43,11 +43,11 @@ void AskedStack::command(const RobotState& state, const Solution& solution,
 }
 
 std::vector<std::string> AskedStack::level_names() const {
-  const Hierarchy& hierarchy = solved_.stack.hierarchy();
+  const solver::Hierarchy& hierarchy = solved_.stack.hierarchy();
   std::vector<std::string> names;
   for (std::size_t k = 0; k < hierarchy.num_levels(); ++k)
     names.push_back(hierarchy.level(k).name());
   return names;
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::control

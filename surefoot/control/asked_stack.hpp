@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace surefoot {
+namespace surefoot::control {
 
 /// What a hierarchy says to one tick.
 struct StackAnswer {
@@ -30,10 +30,10 @@ class AskedStack {
  public:
   /// Throws Error on options that make no sense. Allocates here only.
   AskedStack(const StackOptions& stack, const SolverOptions& solver, const SafetyOptions& safety,
-             const RobotDescription& robot);
+             const model::RobotDescription& robot);
 
   /// One tick, with all levels present. The reference stays valid until the next call.
-  const StackAnswer& ask(const RobotState& state, const Dynamics& dynamics,
+  const StackAnswer& ask(const RobotState& state, const model::Dynamics& dynamics,
                          const MotionPlan& plan) noexcept;
 
   /// Names of the levels, highest priority first, and the units of their residuals.
@@ -41,7 +41,7 @@ class AskedStack {
   [[nodiscard]] std::vector<std::string> level_units() const { return solved_.stack.units(); }
 
  private:
-  void command(const RobotState& state, const Solution& solution,
+  void command(const RobotState& state, const solver::Solution& solution,
                const PerLeg<bool>& stands) noexcept;
 
   SolvedStack solved_;
@@ -51,4 +51,4 @@ class AskedStack {
   StackAnswer answer_;
 };
 
-}  // namespace surefoot
+}  // namespace surefoot::control

@@ -2,16 +2,16 @@
 
 #include "surefoot/gaits/parts/calibration_motion.hpp"
 
-namespace surefoot {
+namespace surefoot::control {
 
-static_assert(KinematicCalibration::kFadeIn <= CalibrationMotion::kTakeOver);
+static_assert(estimation::KinematicCalibration::kFadeIn <= gaits::CalibrationMotion::kTakeOver);
 
-Calibration::Calibration(const LinkMassOptions& options, const RobotDescription& robot,
-                         double base_mass, double period)
+Calibration::Calibration(const estimation::LinkMassOptions& options,
+                         const model::RobotDescription& robot, double base_mass, double period)
     : kinematics_(robot, period), link_masses_(options, period), com_(period, base_mass) {}
 
-void Calibration::update(const RobotState& state, const Dynamics& dynamics, const Vec3& gyro_B,
-                         const LastTick& last, bool is_quiet) noexcept {
+void Calibration::update(const RobotState& state, const model::Dynamics& dynamics,
+                         const Vec3& gyro_B, const LastTick& last, bool is_quiet) noexcept {
   const CalibrationStage stage = last.plan.calibration;
   const bool turning = stage == CalibrationStage::turning;
   if (turning && !is_quiet) {
@@ -24,4 +24,4 @@ void Calibration::update(const RobotState& state, const Dynamics& dynamics, cons
   com_.update(dynamics, state.foot_force, stage, is_quiet);
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::control

@@ -5,19 +5,19 @@
 #include "surefoot/estimation/kinematic_calibration.hpp"
 #include "surefoot/estimation/link_mass_estimator.hpp"
 
-namespace surefoot {
+namespace surefoot::control {
 
 /// What the robot learns of itself: lengths and zeros of its legs, masses of its links, its load.
 /// Does not allocate.
 class Calibration {
  public:
   /// `base_mass` without a load [kg], `period` of the control loop [s].
-  Calibration(const LinkMassOptions& options, const RobotDescription& robot, double base_mass,
-              double period);
+  Calibration(const estimation::LinkMassOptions& options, const model::RobotDescription& robot,
+              double base_mass, double period);
 
   /// One tick of a robot on its feet. `gyro_B` [rad/s]; `is_quiet`: it stands on all feet and
   /// nothing disturbs it.
-  void update(const RobotState& state, const Dynamics& dynamics, const Vec3& gyro_B,
+  void update(const RobotState& state, const model::Dynamics& dynamics, const Vec3& gyro_B,
               const LastTick& last, bool is_quiet) noexcept;
   /// The robot is off its feet: what was heard of this turn is worth nothing.
   void forget() noexcept { kinematics_.forget(); }
@@ -28,9 +28,9 @@ class Calibration {
   [[nodiscard]] bool is_known() const { return kinematics_.knows_legs() && com_.knows_load(); }
 
  private:
-  KinematicCalibration kinematics_;
-  LinkMassEstimator link_masses_;
-  ComCalibration com_;
+  estimation::KinematicCalibration kinematics_;
+  estimation::LinkMassEstimator link_masses_;
+  estimation::ComCalibration com_;
 };
 
-}  // namespace surefoot
+}  // namespace surefoot::control

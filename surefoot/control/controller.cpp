@@ -21,7 +21,7 @@
 #include <string>
 #include <utility>
 
-namespace surefoot {
+namespace surefoot::control {
 namespace {
 
 double checked_period(double period) {
@@ -56,32 +56,33 @@ struct Controller::Implementation {
   /// What the readings so far have taught, beside what `Safety` and the stack know: all that is
   /// forgotten when the robot begins anew.
   struct Memory {
-    ReadingGuard guard;
+    estimation::ReadingGuard guard;
     StateEstimation estimation;
     Calibration calibration;
     Footing footing;
-    Planner planner;
+    gaits::Planner planner;
     LastTick last;
   };
 
-  Implementation(const RobotDescription& robot, const ControllerOptions& options,
-                 std::unique_ptr<StateEstimator> state_estimator);
+  Implementation(const model::RobotDescription& robot, const ControllerOptions& options,
+                 std::unique_ptr<estimation::StateEstimator> state_estimator);
 
   const JointCommand& step(const SensorReading& reading, const UserCommand& user) noexcept;
   void begin_tick(const SensorReading& reading, const UserCommand& user) noexcept;
-  const ReadingGuard& sense() noexcept;
+  const estimation::ReadingGuard& sense() noexcept;
   void take_in(SensorReading reading) noexcept;
   void begin_anew() noexcept;
   void stand_anew() noexcept;
-  [[nodiscard]] bool estimate(const ReadingGuard& seen) noexcept;
+  [[nodiscard]] bool estimate(const estimation::ReadingGuard& seen) noexcept;
   [[nodiscard]] bool is_on_its_feet() noexcept;
-  const Dynamics& calibrate(const ReadingGuard& seen) noexcept;
-  const MotionPlan& plan_motion(const Dynamics& dynamics) noexcept;
-  void describe(const Dynamics& dynamics, const Solution& solution) noexcept;
-  const JointCommand& command(const Solution& solution) noexcept;
+  const model::Dynamics& calibrate(const estimation::ReadingGuard& seen) noexcept;
+  const MotionPlan& plan_motion(const model::Dynamics& dynamics) noexcept;
+  void describe(const model::Dynamics& dynamics, const solver::Solution& solution) noexcept;
+  const JointCommand& command(const solver::Solution& solution) noexcept;
   const JointCommand& command_without_state() noexcept;
   const JointCommand& command_off_its_feet() noexcept;
-  const JointCommand& finish(const Solution* solution, const HierarchyOutcome& outcome) noexcept;
+  const JointCommand& finish(const solver::Solution* solution,
+                             const HierarchyOutcome& outcome) noexcept;
   void describe_unsolved() noexcept;
   void keep_posture() noexcept;
   [[nodiscard]] RobotMode mode() const;
@@ -90,11 +91,11 @@ struct Controller::Implementation {
     if (observer != nullptr) observer->stage_ends(stage);
   }
 
-  RobotModel model;
-  std::unique_ptr<StateEstimator> estimator;
+  model::RobotModel model;
+  std::unique_ptr<estimation::StateEstimator> estimator;
   Memory memory;
   Memory at_start;
-  FirstReadings first_readings;
+  estimation::FirstReadings first_readings;
   ActiveStack stack;
   Safety safety;
   TickRecord record;
@@ -105,9 +106,9 @@ struct Controller::Implementation {
   StageObserver* observer = nullptr;
 };
 
-Controller::Implementation::Implementation(const RobotDescription& robot,
-                                           const ControllerOptions& options,
-                                           std::unique_ptr<StateEstimator> state_estimator)
+Controller::Implementation::Implementation(
+    const model::RobotDescription& robot, const ControllerOptions& options,
+    std::unique_ptr<estimation::StateEstimator> state_estimator)
     : model(robot),
       estimator(std::move(state_estimator)),
       memory{.guard = {options.guard, robot, checked_period(options.period)},
@@ -127,14 +128,14 @@ Controller::Implementation::Implementation(const RobotDescription& robot,
 const JointCommand& Controller::Implementation::step(const SensorReading& reading,
                                                      const UserCommand& user) noexcept {
   begin_tick(reading, user);
-  const ReadingGuard& seen = sense();
+  const estimation::ReadingGuard& seen = sense();
   if (!estimate(seen)) return command_without_state();
   if (!is_on_its_feet()) return command_off_its_feet();
-  const Dynamics& dynamics = calibrate(seen);
+  const model::Dynamics& dynamics = calibrate(seen);
   const MotionPlan& plan = plan_motion(dynamics);
   stack.update(record.state.time, dynamics, plan);
   ended(Stage::stack);
-  const Solution& solution = stack.solve(record.state.time, dynamics, plan);
+  const solver::Solution& solution = stack.solve(record.state.time, dynamics, plan);
   ended(Stage::solve);
   describe(dynamics, solution);
   return command(solution);
@@ -148,9 +149,9 @@ void Controller::Implementation::begin_tick(const SensorReading& reading,
 }
 
 /// The only stage that sees raw samples.
-const ReadingGuard& Controller::Implementation::sense() noexcept {
+const estimation::ReadingGuard& Controller::Implementation::sense() noexcept {
   const RobotMode before = mode();
-  ReadingGuard& guard = memory.guard;
+  estimation::ReadingGuard& guard = memory.guard;
   guard.set_loose(before.has_stopped || !before.has_begun || !before.stands);
   if (memory.last.imu_step) guard.judge_imu_step(*memory.last.imu_step);
   take_in(record.reading);
@@ -194,7 +195,7 @@ void Controller::Implementation::stand_anew() noexcept {
 }
 
 /// False: the state is not one to plan with.
-bool Controller::Implementation::estimate(const ReadingGuard& seen) noexcept {
+bool Controller::Implementation::estimate(const estimation::ReadingGuard& seen) noexcept {
   const RobotMode now = mode();
   StateEstimation& estimation = memory.estimation;
   const LastTick& last = memory.last;
@@ -203,7 +204,7 @@ bool Controller::Implementation::estimate(const ReadingGuard& seen) noexcept {
   if (is_known) {
     model.set_leg_lengths(last.kinematics);
     model.set_base_load(last.load);
-    const Dynamics& dynamics = model.update(estimation.state(), last.terrain_normal_W);
+    const model::Dynamics& dynamics = model.update(estimation.state(), last.terrain_normal_W);
     estimation.feel(seen, dynamics, last, now, record.health);
   }
   record.state = estimation.state();
@@ -220,7 +221,8 @@ bool Controller::Implementation::is_on_its_feet() noexcept {
 }
 
 /// What the robot learns of itself acts from the next tick on; the push that is felt, at once.
-const Dynamics& Controller::Implementation::calibrate(const ReadingGuard& seen) noexcept {
+const model::Dynamics& Controller::Implementation::calibrate(
+    const estimation::ReadingGuard& seen) noexcept {
   const RobotState& state = record.state;
   memory.calibration.update(state, model.dynamics(), seen.repaired().gyro, memory.last,
                             memory.planner.is_undisturbed(state));
@@ -230,13 +232,14 @@ const Dynamics& Controller::Implementation::calibrate(const ReadingGuard& seen) 
   return model.dynamics();
 }
 
-const MotionPlan& Controller::Implementation::plan_motion(const Dynamics& dynamics) noexcept {
+const MotionPlan& Controller::Implementation::plan_motion(
+    const model::Dynamics& dynamics) noexcept {
   record.plan = memory.planner.update(record.user, record.state, dynamics, memory.last.outcome);
   ended(Stage::plan);
   return record.plan;
 }
 
-const JointCommand& Controller::Implementation::command(const Solution& solution) noexcept {
+const JointCommand& Controller::Implementation::command(const solver::Solution& solution) noexcept {
   safety.set_standing(record.plan.standing());
   return finish(&solution, stack.outcome(solution, record.plan));
 }
@@ -277,7 +280,7 @@ void Controller::Implementation::keep_posture() noexcept {
 }
 
 /// `solution` is null where nothing was solved.
-const JointCommand& Controller::Implementation::finish(const Solution* solution,
+const JointCommand& Controller::Implementation::finish(const solver::Solution* solution,
                                                        const HierarchyOutcome& outcome) noexcept {
   if (has_begun_anew) record.plan.events.add({.kind = PlanEvent::begun_anew});
   has_solved = solution != nullptr;
@@ -308,8 +311,8 @@ LastTick Controller::Implementation::remember(const HierarchyOutcome& outcome) c
           .restarts = memory.planner.restarts() || memory.footing.restarts()};
 }
 
-void Controller::Implementation::describe(const Dynamics& dynamics,
-                                          const Solution& solution) noexcept {
+void Controller::Implementation::describe(const model::Dynamics& dynamics,
+                                          const solver::Solution& solution) noexcept {
   stack.describe(solution, explains_levels, record.hierarchy);
   level_times.fill(0.0);
   for (std::size_t k = 0; k < std::min(solution.levels.size(), kMaxLevels); ++k) {
@@ -334,11 +337,11 @@ void Controller::Implementation::describe_unsolved() noexcept {
   record.hierarchy = HierarchyReport{};
   record.hierarchy.num_levels = num_levels;
   for (LevelReport& level : record.hierarchy.levels) level.residual = kNaN;
-  record.hierarchy.status = static_cast<std::int32_t>(SolveStatus::invalid_input);
+  record.hierarchy.status = static_cast<std::int32_t>(solver::SolveStatus::invalid_input);
 }
 
-Controller::Controller(const RobotDescription& robot, const ControllerOptions& options,
-                       std::unique_ptr<StateEstimator> estimator) {
+Controller::Controller(const model::RobotDescription& robot, const ControllerOptions& options,
+                       std::unique_ptr<estimation::StateEstimator> estimator) {
   if (estimator == nullptr) throw Error("the controller was given no state estimator");
   implementation_ = std::make_unique<Implementation>(robot, options, std::move(estimator));
   ControllerOptions given = options;
@@ -373,14 +376,16 @@ const std::array<double, kMaxLevels>& Controller::level_times() const {
   return implementation_->level_times;
 }
 
-const Hierarchy& Controller::hierarchy() const { return implementation_->stack.hierarchy(); }
+const solver::Hierarchy& Controller::hierarchy() const {
+  return implementation_->stack.hierarchy();
+}
 
-const Dynamics* Controller::dynamics() const {
+const model::Dynamics* Controller::dynamics() const {
   return implementation_->has_solved ? &implementation_->model.dynamics() : nullptr;
 }
 
 std::vector<std::string> Controller::level_names() const {
-  const Hierarchy& hierarchy = implementation_->stack.hierarchy();
+  const solver::Hierarchy& hierarchy = implementation_->stack.hierarchy();
   std::vector<std::string> names;
   for (std::size_t i = 0; i < hierarchy.num_levels(); ++i)
     names.push_back(hierarchy.level(i).name());
@@ -409,4 +414,4 @@ void Controller::set_stage_observer(StageObserver* observer) {
 
 int Controller::steps_taken() const { return implementation_->memory.planner.steps_taken(); }
 
-}  // namespace surefoot
+}  // namespace surefoot::control

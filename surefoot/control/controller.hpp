@@ -22,8 +22,14 @@
 #include <vector>
 
 namespace surefoot {
+struct Group;
+}  // namespace surefoot
 
+namespace surefoot::model {
 struct Dynamics;
+}  // namespace surefoot::model
+
+namespace surefoot::control {
 
 /// Stages of a tick, in order.
 enum class Stage : int { estimate = 0, model = 1, plan = 2, stack = 3, solve = 4, command = 5 };
@@ -42,20 +48,19 @@ class StageObserver {
 
 struct ControllerOptions {
   double period = 0.0025;  ///< of the control loop [s]
-  PlannerOptions planner;
+  gaits::PlannerOptions planner;
   StackOptions stack;
   std::vector<LevelSwitch> level_switches;  ///< of the stack, by time; one ends before the next
   SolverOptions solver;
-  ReadingGuardOptions guard;
-  SensorConsistencyOptions consistency;
-  ContactForceOptions contact_force;
-  LinkMassOptions link_masses;
-  SlipOptions slip;
-  ExternalForceOptions external_force;
+  estimation::ReadingGuardOptions guard;
+  estimation::SensorConsistencyOptions consistency;
+  estimation::ContactForceOptions contact_force;
+  estimation::LinkMassOptions link_masses;
+  estimation::SlipOptions slip;
+  estimation::ExternalForceOptions external_force;
   SafetyOptions safety;
 };
 
-struct Group;
 /// Their names, units, ranges and help.
 [[nodiscard]] Group fields(ControllerOptions& o);
 
@@ -63,8 +68,8 @@ struct Group;
 class Controller {
  public:
   /// Throws Error on options that make no sense. Allocates here only.
-  Controller(const RobotDescription& robot, const ControllerOptions& options,
-             std::unique_ptr<StateEstimator> estimator);
+  Controller(const model::RobotDescription& robot, const ControllerOptions& options,
+             std::unique_ptr<estimation::StateEstimator> estimator);
   ~Controller();
 
   /// One tick: estimate, model, plan, stack, solve, command. Always returns finite torques inside
@@ -93,10 +98,10 @@ class Controller {
   /// and of levels that were not solved by themselves. No torque depends on it.
   [[nodiscard]] const std::array<double, kMaxLevels>& level_times() const;
   /// The rows of the last tick that was believed, as the solver saw them.
-  [[nodiscard]] const Hierarchy& hierarchy() const;
+  [[nodiscard]] const solver::Hierarchy& hierarchy() const;
   /// The model of the last tick, as its hierarchy had it; null where the tick's state was refused,
   /// or a sensor lost, so that nothing was planned and solved.
-  [[nodiscard]] const Dynamics* dynamics() const;
+  [[nodiscard]] const model::Dynamics* dynamics() const;
   /// Names of the levels, highest priority first.
   [[nodiscard]] std::vector<std::string> level_names() const;
   /// Unit of each level's residual, or units, as "m/s² and rad/s²"; empty where rows have weights.
@@ -120,4 +125,4 @@ class Controller {
   std::unique_ptr<Implementation> implementation_;
 };
 
-}  // namespace surefoot
+}  // namespace surefoot::control

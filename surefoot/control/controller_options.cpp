@@ -3,7 +3,7 @@
 #include "surefoot/base/names_of.hpp"
 #include "surefoot/control/controller.hpp"
 
-namespace surefoot {
+namespace surefoot::control {
 namespace {
 
 constexpr NumberRange kPeriod{
@@ -78,4 +78,4 @@ Group fields(ControllerOptions& o) {
       .with([&o](const Given& given) { check_bridge(o, given); });
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::control

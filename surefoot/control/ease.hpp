@@ -1,6 +1,6 @@
 #pragma once
 
-namespace surefoot {
+namespace surefoot::control {
 
 /// From 0 to 1 over s from 0 to 1, with velocity and acceleration 0 at both ends: 6 s⁵ − 15 s⁴ + 10
 /// s³.
@@ -8,4 +8,4 @@ namespace surefoot {
 /// Its derivative.
 [[nodiscard]] constexpr double ease_slope(double s) { return 30.0 * s * s * (1.0 - s) * (1.0 - s); }
 
-}  // namespace surefoot
+}  // namespace surefoot::control

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace surefoot {
+namespace surefoot::control {
 namespace {
 
 constexpr double kLow = 0.6;       // of the stance's height: a robot that is lower lies
@@ -25,7 +25,7 @@ constexpr double kAtRest = 0.3;    // [rad/s]
 
 }  // namespace
 
-void Footing::look_at_start(const RobotModel& model, const JointVector& q) noexcept {
+void Footing::look_at_start(const model::RobotModel& model, const JointVector& q) noexcept {
   if (!stands() || !q.allFinite()) return;
   double height = 0.0;
   for (const Leg leg : kLegs) {
@@ -37,8 +37,8 @@ void Footing::look_at_start(const RobotModel& model, const JointVector& q) noexc
   go(State::folds, q, posture_at(model, std::max(height, kFolded * stance_.height)), kLeastWay);
 }
 
-PlanEvent Footing::update(const RobotModel& model, const RobotState& state,
-                          const LiftDetector& lift) noexcept {
+PlanEvent Footing::update(const model::RobotModel& model, const RobotState& state,
+                          const estimation::LiftDetector& lift) noexcept {
   const JointVector& q = state.q;
   restarts_ = false;
   time_ += period_;
@@ -61,8 +61,8 @@ PlanEvent Footing::update(const RobotModel& model, const RobotState& state,
   return PlanEvent::none;
 }
 
-PlanEvent Footing::update_rise(const RobotModel& model, const RobotState& state,
-                               const LiftDetector& lift) {
+PlanEvent Footing::update_rise(const model::RobotModel& model, const RobotState& state,
+                               const estimation::LiftDetector& lift) {
   if (lift.is_down()) stood_for_ += period_;
   const bool has_arrived = time_ > duration_ + kSettle;
   if (lift.is_lifted() && (stood_for_ > 0.0 || has_arrived)) return hang(model, state.q);
@@ -79,7 +79,7 @@ PlanEvent Footing::update_rise(const RobotModel& model, const RobotState& state,
   return PlanEvent::none;
 }
 
-bool Footing::lies(const RobotModel& model, const RobotState& state) const {
+bool Footing::lies(const model::RobotModel& model, const RobotState& state) const {
   const Mat3 R_WB = state.R_WB();
   double lowest = 0.0;
   for (const Leg leg : kLegs) {
@@ -89,12 +89,12 @@ bool Footing::lies(const RobotModel& model, const RobotState& state) const {
   return R_WB(2, 2) < std::cos(kTips) || -lowest < kLow * stance_.height;
 }
 
-PlanEvent Footing::hang(const RobotModel& model, const JointVector& q) {
+PlanEvent Footing::hang(const model::RobotModel& model, const JointVector& q) {
   go(State::hangs, q, posture_at(model, stance_.height), kLeastWay);
   return PlanEvent::lifted;
 }
 
-void Footing::rise(const RobotModel& model, const JointVector& q, double borne) {
+void Footing::rise(const model::RobotModel& model, const JointVector& q, double borne) {
   go(State::rises, q, posture_at(model, stance_.height), kLeastWay);
   borne_ = borne;
   stood_for_ = 0.0;
@@ -108,22 +108,22 @@ void Footing::go(State state, const JointVector& q, const JointVector& to, doubl
   duration_ = std::max(at_least, (to - q).cwiseAbs().maxCoeff() / kSpeed);
 }
 
-JointVector Footing::posture_at(const RobotModel& model, double height) const {
-  const RobotDescription& robot = model.description();
+JointVector Footing::posture_at(const model::RobotModel& model, double height) const {
+  const model::RobotDescription& robot = model.description();
   JointVector result;
   for (const Leg leg : kLegs) {
     const Vec3 nominal = robot.q_nominal.segment<3>(first_joint(leg));
     const double knee = kBentKnee * knees_[index(leg)];
     const double hip = std::copysign(kBentHip, nominal.y() * nominal.z() * knee);
     Vec3 p_BF, q_leg;
-    p_BF << nominal_offset(stance_, leg), -height;
+    p_BF << gaits::nominal_offset(stance_, leg), -height;
     (void)model.inverse_kinematics(leg, p_BF, Vec3(nominal.x(), hip, knee), q_leg);
     result.segment<3>(first_joint(leg)) = q_leg;
   }
   return result.cwiseMax(robot.q_min).cwiseMin(robot.q_max);
 }
 
-LegPosture Footing::posture(const LiftDetector& lift) const {
+LegPosture Footing::posture(const estimation::LiftDetector& lift) const {
   const double share = std::min(1.0, time_ / duration_);
   const JointVector way = to_ - from_;
   LegPosture result{.q = from_ + ease(share) * way, .qd = ease_slope(share) / duration_ * way};
@@ -137,4 +137,4 @@ LegPosture Footing::posture(const LiftDetector& lift) const {
   return result;
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::control

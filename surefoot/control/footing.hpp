@@ -6,7 +6,7 @@
 #include "surefoot/model/robot_model.hpp"
 #include "surefoot/signals/plan_event.hpp"
 
-namespace surefoot {
+namespace surefoot::control {
 
 /// What a robot does that is not on its feet: one that is lifted, or that lies.
 ///
@@ -23,15 +23,15 @@ namespace surefoot {
 class Footing {
  public:
   /// `period` of the control loop [s].
-  Footing(const StanceOptions& stance, double period) : stance_(stance), period_(period) {}
+  Footing(const gaits::StanceOptions& stance, double period) : stance_(stance), period_(period) {}
 
   /// Before a robot stands for the first time: where are its knees, and does it lie? Nothing
   /// happens where q [rad] is not known.
-  void look_at_start(const RobotModel& model, const JointVector& q) noexcept;
+  void look_at_start(const model::RobotModel& model, const JointVector& q) noexcept;
 
   /// One tick: the state, and `lift` of this tick. What has happened.
-  PlanEvent update(const RobotModel& model, const RobotState& state,
-                   const LiftDetector& lift) noexcept;
+  PlanEvent update(const model::RobotModel& model, const RobotState& state,
+                   const estimation::LiftDetector& lift) noexcept;
 
   [[nodiscard]] bool stands() const { return state_ == State::stands; }
   [[nodiscard]] bool hangs() const { return state_ == State::hangs; }
@@ -41,22 +41,23 @@ class Footing {
   /// It walked, and the torso lies on the ground.
   [[nodiscard]] bool has_fallen() const { return has_fallen_; }
   /// While it does not stand.
-  [[nodiscard]] LegPosture posture(const LiftDetector& lift) const;
+  [[nodiscard]] LegPosture posture(const estimation::LiftDetector& lift) const;
 
  private:
   enum class State { stands, hangs, folds, rises };
 
   /// From where the joints are to another posture, at rest at both ends.
   void go(State state, const JointVector& q, const JointVector& to, double at_least);
-  void rise(const RobotModel& model, const JointVector& q, double borne);
-  PlanEvent update_rise(const RobotModel& model, const RobotState& state, const LiftDetector& lift);
-  PlanEvent hang(const RobotModel& model, const JointVector& q);
+  void rise(const model::RobotModel& model, const JointVector& q, double borne);
+  PlanEvent update_rise(const model::RobotModel& model, const RobotState& state,
+                        const estimation::LiftDetector& lift);
+  PlanEvent hang(const model::RobotModel& model, const JointVector& q);
   /// Of a robot that something else than its feet holds: is that the ground?
-  [[nodiscard]] bool lies(const RobotModel& model, const RobotState& state) const;
+  [[nodiscard]] bool lies(const model::RobotModel& model, const RobotState& state) const;
   /// Feet at their places of the stance but for the height of the base over them [m].
-  [[nodiscard]] JointVector posture_at(const RobotModel& model, double height) const;
+  [[nodiscard]] JointVector posture_at(const model::RobotModel& model, double height) const;
 
-  StanceOptions stance_;
+  gaits::StanceOptions stance_;
   double period_;
   State state_ = State::stands;
   PerLeg<double> knees_{1.0, 1.0, 1.0, 1.0};  // sides on which they were at the start: ±1
@@ -67,4 +68,4 @@ class Footing {
   bool restarts_ = false, has_failed_ = false, has_fallen_ = false;
 };
 
-}  // namespace surefoot
+}  // namespace surefoot::control

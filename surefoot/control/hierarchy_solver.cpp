@@ -1,49 +1,51 @@
 #include "surefoot/control/hierarchy_solver.hpp"
 
-namespace surefoot {
+namespace surefoot::control {
 
-HierarchySolver::HierarchySolver(const Hierarchy& capacity, const SolverOptions& options)
+HierarchySolver::HierarchySolver(const solver::Hierarchy& capacity, const SolverOptions& options)
     : solver_(make(capacity, options)),
       solver_after_(make(capacity, options)),
       soft_levels_(capacity),
       wants_substitution_(options.structure && options.method == SolverMethod::lexicographic) {}
 
-HierarchySolver::Solver HierarchySolver::make(const Hierarchy& capacity,
+HierarchySolver::Solver HierarchySolver::make(const solver::Hierarchy& capacity,
                                               const SolverOptions& options) {
   if (options.method == SolverMethod::cascade) {
-    CascadeOptions cascade;
+    solver::CascadeOptions cascade;
     cascade.clock = options.clock;
-    return Solver(std::in_place_type<CascadeSolver>, capacity, cascade);
+    return Solver(std::in_place_type<solver::CascadeSolver>, capacity, cascade);
   }
-  LexicographicOptions lexicographic;
+  solver::LexicographicOptions lexicographic;
   lexicographic.budget.flops = options.budget.flops;
   lexicographic.clock = options.clock;
-  return Solver(std::in_place_type<LexicographicSolver>, capacity, lexicographic);
+  return Solver(std::in_place_type<solver::LexicographicSolver>, capacity, lexicographic);
 }
 
-const Solution& HierarchySolver::solve(const Hierarchy& hierarchy, const Substitution* substitution,
-                                       const LevelTransition& transition) noexcept {
+const solver::Solution& HierarchySolver::solve(const solver::Hierarchy& hierarchy,
+                                               const solver::Substitution* substitution,
+                                               const LevelTransition& transition) noexcept {
   is_optimum_ = !transition.is_going_on();
   if (is_optimum_) return solve_with(solver_, hierarchy, substitution);
-  const Solution& before =
+  const solver::Solution& before =
       solve_with(solver_, soft_levels_.select(hierarchy, transition.before), substitution);
-  const Solution& after =
+  const solver::Solution& after =
       solve_with(solver_after_, soft_levels_.select(hierarchy, transition.after), substitution);
   return soft_levels_.between(hierarchy, before, after, transition.share);
 }
 
-const Solution& HierarchySolver::solve_with(Solver& solver, const Hierarchy& hierarchy,
-                                            const Substitution* substitution) noexcept {
-  if (auto* cascade = std::get_if<CascadeSolver>(&solver)) return cascade->solve(hierarchy);
-  auto& lexicographic = *std::get_if<LexicographicSolver>(&solver);
+const solver::Solution& HierarchySolver::solve_with(
+    Solver& solver, const solver::Hierarchy& hierarchy,
+    const solver::Substitution* substitution) noexcept {
+  if (auto* cascade = std::get_if<solver::CascadeSolver>(&solver)) return cascade->solve(hierarchy);
+  auto& lexicographic = *std::get_if<solver::LexicographicSolver>(&solver);
   return substitution == nullptr ? lexicographic.solve(hierarchy)
                                  : lexicographic.solve(hierarchy, *substitution);
 }
 
-std::span<const LevelBlockers> HierarchySolver::blockers() noexcept {
-  auto* lexicographic = std::get_if<LexicographicSolver>(&solver_);
+std::span<const solver::LevelBlockers> HierarchySolver::blockers() noexcept {
+  auto* lexicographic = std::get_if<solver::LexicographicSolver>(&solver_);
   if (lexicographic == nullptr || !is_optimum_) return {};
   return lexicographic->blockers();
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::control

@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-namespace surefoot {
+namespace surefoot::control {
 namespace {
 
 constexpr std::size_t kMostOfLevel = 3;  // blockers, or equalities that it missed
@@ -14,20 +14,21 @@ constexpr double kSmallestShare = 0.1;   // of the cost of the dearest, of the m
 
 static_assert(kMaxReportedMisses >= kMostOfLevel * kMaxLevels);
 
-double violation(const Level& level, Eigen::Index row, const Eigen::VectorXd& x) {
-  return signed_violation(level.A().row(row).dot(x), level.lower()[row], level.upper()[row]);
+double violation(const solver::Level& level, Eigen::Index row, const Eigen::VectorXd& x) {
+  return solver::signed_violation(level.A().row(row).dot(x), level.lower()[row],
+                                  level.upper()[row]);
 }
 
-bool is_beyond(RowState state) {
-  return state == RowState::below_lower || state == RowState::above_upper;
+bool is_beyond(solver::RowState state) {
+  return state == solver::RowState::below_lower || state == solver::RowState::above_upper;
 }
 
-void add_active_rows(const LevelResult& result, const Level& level, std::size_t index,
-                     const Eigen::VectorXd& x, HierarchyReport& report) {
+void add_active_rows(const solver::LevelResult& result, const solver::Level& level,
+                     std::size_t index, const Eigen::VectorXd& x, HierarchyReport& report) {
   const Eigen::Index rows = std::min(result.num_rows, level.num_rows());
   for (Eigen::Index i = 0; i < rows; ++i) {
-    const RowState state = result.rows[static_cast<std::size_t>(i)];
-    if (state == RowState::inactive || state == RowState::equality) continue;
+    const solver::RowState state = result.rows[static_cast<std::size_t>(i)];
+    if (state == solver::RowState::inactive || state == solver::RowState::equality) continue;
     if (report.num_active == static_cast<std::int32_t>(kMaxReportedRows)) return;
     report.active[static_cast<std::size_t>(report.num_active++)] = {
         static_cast<std::int16_t>(index), static_cast<std::int16_t>(state), level.id(i),
@@ -48,13 +49,13 @@ struct WorstMisses {
   }
 };
 
-void add_missed_rows(const LevelResult& result, const Level& level, std::size_t index,
-                     const Eigen::VectorXd& x, HierarchyReport& report) {
+void add_missed_rows(const solver::LevelResult& result, const solver::Level& level,
+                     std::size_t index, const Eigen::VectorXd& x, HierarchyReport& report) {
   if (!(result.residual > kResidualRounding)) return;
   WorstMisses worst;
   const Eigen::Index rows = std::min(result.num_rows, level.num_rows());
   for (Eigen::Index i = 0; i < rows; ++i) {
-    if (result.rows[static_cast<std::size_t>(i)] != RowState::equality) continue;
+    if (result.rows[static_cast<std::size_t>(i)] != solver::RowState::equality) continue;
     worst.add({static_cast<std::int16_t>(index), level.id(i), violation(level, i, x)});
   }
   const double least =
@@ -63,10 +64,10 @@ void add_missed_rows(const LevelResult& result, const Level& level, std::size_t 
     report.missed[static_cast<std::size_t>(report.num_missed++)] = worst.rows[i];
 }
 
-void add_blockers(const LevelBlockers& blockers, const Hierarchy& hierarchy, std::size_t level,
-                  HierarchyReport& report) {
+void add_blockers(const solver::LevelBlockers& blockers, const solver::Hierarchy& hierarchy,
+                  std::size_t level, HierarchyReport& report) {
   for (std::size_t i = 0; i < std::min(blockers.count, kMostOfLevel); ++i) {
-    const Blocker& blocker = blockers.dearest[i];
+    const solver::Blocker& blocker = blockers.dearest[i];
     if (i > 0 && blocker.cost < kSmallestShare * blockers.dearest[0].cost) return;
     if (report.num_blocking == static_cast<std::int32_t>(kMaxReportedBlockers)) return;
     report.blocking[static_cast<std::size_t>(report.num_blocking++)] = {
@@ -77,7 +78,7 @@ void add_blockers(const LevelBlockers& blockers, const Hierarchy& hierarchy, std
 
 }  // namespace
 
-void summarise(const Solution& solution, const Hierarchy& hierarchy,
+void summarise(const solver::Solution& solution, const solver::Hierarchy& hierarchy,
                HierarchyReport& report) noexcept {
   report = HierarchyReport{};
   report.status = static_cast<std::int32_t>(solution.status);
@@ -86,7 +87,7 @@ void summarise(const Solution& solution, const Hierarchy& hierarchy,
   const std::size_t count = std::min({solution.levels.size(), hierarchy.num_levels(), kMaxLevels});
   report.num_levels = static_cast<std::int32_t>(count);
   for (std::size_t i = 0; i < count; ++i) {
-    const LevelResult& result = solution.levels[i];
+    const solver::LevelResult& result = solution.levels[i];
     report.levels[i] = {result.residual, static_cast<std::int32_t>(result.degrees_of_freedom_left),
                         result.iterations, static_cast<std::int32_t>(result.num_rows),
                         result.num_active()};
@@ -95,8 +96,8 @@ void summarise(const Solution& solution, const Hierarchy& hierarchy,
   }
 }
 
-void summarise_blockers(std::span<const LevelBlockers> blockers, const Hierarchy& hierarchy,
-                        HierarchyReport& report) noexcept {
+void summarise_blockers(std::span<const solver::LevelBlockers> blockers,
+                        const solver::Hierarchy& hierarchy, HierarchyReport& report) noexcept {
   const auto count = static_cast<std::size_t>(report.num_levels);
   report.num_blocking = 0;
   report.blocking_is_known = blockers.size() >= count;
@@ -106,4 +107,4 @@ void summarise_blockers(std::span<const LevelBlockers> blockers, const Hierarchy
   }
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::control

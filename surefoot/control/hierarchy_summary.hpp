@@ -7,18 +7,18 @@
 
 #include <span>
 
-namespace surefoot {
+namespace surefoot::control {
 
 /// Residuals of a solution, its active inequality rows and by how much they are beyond their
 /// bounds, and the equality rows that were missed, as plain data, for the log: of these at most
 /// three a level, the worst, and those that miss at least a tenth of it. Does not allocate.
-void summarise(const Solution& solution, const Hierarchy& hierarchy,
+void summarise(const solver::Solution& solution, const solver::Hierarchy& hierarchy,
                HierarchyReport& report) noexcept;
 
 /// Adds the dearest rows that hold each level back, at most three a level: the dearest, and those
 /// that cost at least a tenth of it; of rows that hold the same, and cost nothing alone, three too.
 /// After `summarise`; empty `blockers`: nothing is known.
-void summarise_blockers(std::span<const LevelBlockers> blockers, const Hierarchy& hierarchy,
-                        HierarchyReport& report) noexcept;
+void summarise_blockers(std::span<const solver::LevelBlockers> blockers,
+                        const solver::Hierarchy& hierarchy, HierarchyReport& report) noexcept;
 
-}  // namespace surefoot
+}  // namespace surefoot::control

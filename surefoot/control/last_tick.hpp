@@ -8,7 +8,7 @@
 
 #include <optional>
 
-namespace surefoot {
+namespace surefoot::control {
 
 /// All that a tick knows of the tick before.
 struct LastTick {
@@ -22,8 +22,8 @@ struct LastTick {
   KinematicErrors kinematics;                        ///< calibrated
   BaseLoad load;                                     ///< of the model's base, calibrated
   HierarchyOutcome outcome;
-  std::optional<ImuStep> imu_step;  ///< what the legs say of a step of the IMU
-  bool restarts = false;            ///< the estimate is to begin again, all feet standing
+  std::optional<estimation::ImuStep> imu_step;  ///< what the legs say of a step of the IMU
+  bool restarts = false;  ///< the estimate is to begin again, all feet standing
 };
 
-}  // namespace surefoot
+}  // namespace surefoot::control

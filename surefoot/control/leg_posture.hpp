@@ -2,7 +2,7 @@
 
 #include "surefoot/signals/leg.hpp"
 
-namespace surefoot {
+namespace surefoot::control {
 
 /// Where the legs of a robot that is not on its feet are to go, in joint space.
 struct LegPosture {
@@ -13,4 +13,4 @@ struct LegPosture {
   double bears = 0.0;                    ///< share of the weight that the feet are to bear
 };
 
-}  // namespace surefoot
+}  // namespace surefoot::control

@@ -4,6 +4,10 @@
 #include <vector>
 
 namespace surefoot {
+struct Group;
+}  // namespace surefoot
+
+namespace surefoot::control {
 
 /// Levels of the stack that come and go, by name. The torques pass from those without to those with
 /// them, in equal shares of the whole change (see `SoftLevels`), over the duration.
@@ -13,8 +17,7 @@ struct LevelSwitch {
   double duration = 0.5;
 };
 
-struct Group;
 /// Their names, units, ranges and help.
 [[nodiscard]] Group fields(LevelSwitch& o);
 
-}  // namespace surefoot
+}  // namespace surefoot::control

@@ -8,7 +8,7 @@
 #include <sstream>
 #include <string>
 
-namespace surefoot {
+namespace surefoot::control {
 namespace {
 
 std::string text(double number) {
@@ -43,8 +43,8 @@ void check_time(const char* what, double value) {
               "; valid is a time of at least 0 s");
 }
 
-LevelSet levels_of(const StackOptions& stack, const std::vector<std::string>& names) {
-  LevelSet set;
+solver::LevelSet levels_of(const StackOptions& stack, const std::vector<std::string>& names) {
+  solver::LevelSet set;
   for (std::size_t k = 0; k < std::min(stack.levels.size(), set.size()); ++k) {
     set[k] = std::ranges::find(names, stack.levels[k].name) != names.end();
   }
@@ -171,4 +171,4 @@ LevelSwitcher::Change LevelSwitcher::compiled(const LevelSwitch& change) const {
           levels_of(stack_, change.remove)};
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::control

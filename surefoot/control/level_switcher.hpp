@@ -8,11 +8,11 @@
 #include <cstddef>
 #include <vector>
 
-namespace surefoot {
+namespace surefoot::control {
 
 /// On the way from one set of levels to another; at rest the two are the same.
 struct LevelTransition {
-  LevelSet before, after;
+  solver::LevelSet before, after;
   double share = 1.0;  ///< of `after`, 0 … 1
 
   [[nodiscard]] bool is_going_on() const { return before != after; }
@@ -58,7 +58,7 @@ class LevelSwitcher {
  private:
   struct Change {
     double time, duration;
-    LevelSet add, remove;
+    solver::LevelSet add, remove;
   };
 
   [[nodiscard]] static LevelSwitchReport report(const Change& change);
@@ -76,4 +76,4 @@ class LevelSwitcher {
   double begin_ = 0.0, duration_ = 0.0;  // of the transition [s]
 };
 
-}  // namespace surefoot
+}  // namespace surefoot::control

@@ -3,7 +3,7 @@
 #include "surefoot/signals/joint_command.hpp"
 #include "surefoot/signals/sensor_health.hpp"
 
-namespace surefoot {
+namespace surefoot::control {
 
 /// Was the last good sample longer ago than may be bridged? Times in s.
 [[nodiscard]] constexpr bool is_lost(double age, double bridge_time) {
@@ -19,4 +19,4 @@ namespace surefoot {
                                                         : StopCause::none;
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::control

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace surefoot {
+namespace surefoot::control {
 namespace {
 
 // Well bent, so that the straight leg does not lie between start and solution [rad].
@@ -11,8 +11,8 @@ constexpr double kFoldedKnee = 2.4;
 
 }  // namespace
 
-JointVector lying_posture(const RobotModel& model, double height) {
-  const RobotDescription& robot = model.description();
+JointVector lying_posture(const model::RobotModel& model, double height) {
+  const model::RobotDescription& robot = model.description();
   JointVector result = robot.q_nominal;
   for (const Leg leg : kLegs) {
     const Vec3 nominal = robot.q_nominal.segment<3>(first_joint(leg));
@@ -27,4 +27,4 @@ JointVector lying_posture(const RobotModel& model, double height) {
   return result.cwiseMax(robot.q_min).cwiseMin(robot.q_max);
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::control

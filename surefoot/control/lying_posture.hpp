@@ -2,10 +2,10 @@
 
 #include "surefoot/model/robot_model.hpp"
 
-namespace surefoot {
+namespace surefoot::control {
 
 /// Joint angles of a folded robot: each foot below its hip by `height` [m], knees on the side of
 /// the nominal posture. Where a leg can't fold so far, as far as it comes.
-[[nodiscard]] JointVector lying_posture(const RobotModel& model, double height);
+[[nodiscard]] JointVector lying_posture(const model::RobotModel& model, double height);
 
-}  // namespace surefoot
+}  // namespace surefoot::control

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace surefoot {
+namespace surefoot::control {
 namespace {
 
 constexpr double kFullTurn = 2.0 * kPi;  // no joint is turned further [rad]
@@ -63,8 +63,8 @@ double progress(double share, double from, double to) {
 
 }  // namespace
 
-Safety::Safety(const SafetyOptions& options, const RobotDescription& robot, int first_free_level,
-               const JointVector& lying, double period)
+Safety::Safety(const SafetyOptions& options, const model::RobotDescription& robot,
+               int first_free_level, const JointVector& lying, double period)
     : options_(options),
       torque_limit_(robot.torque_limit),
       hold_kp_(robot.hold_kp),
@@ -77,7 +77,7 @@ Safety::Safety(const SafetyOptions& options, const RobotDescription& robot, int 
   stands_.fill(true);
 }
 
-const JointCommand& Safety::command(const RobotState& state, const Solution* solution,
+const JointCommand& Safety::command(const RobotState& state, const solver::Solution* solution,
                                     const SensorHealth& health) noexcept {
   const JointVector before = command_.torque;
   command_.time = std::isfinite(state.time) ? state.time : command_.time + period_;
@@ -130,11 +130,11 @@ bool Safety::tips(const RobotState& state) const {
   return soon.toRotationMatrix()(2, 2) < std::cos(options_.max_tilt);
 }
 
-bool Safety::is_good(const RobotState& state, const Solution* solution) const {
+bool Safety::is_good(const RobotState& state, const solver::Solution* solution) const {
   if (solution == nullptr || is_tilted(state)) return false;
-  const bool usable =
-      solution->status == SolveStatus::optimal || (solution->status == SolveStatus::iteration_cap &&
-                                                   solution->failed_level >= first_free_level_);
+  const bool usable = solution->status == solver::SolveStatus::optimal ||
+                      (solution->status == solver::SolveStatus::iteration_cap &&
+                       solution->failed_level >= first_free_level_);
   return usable && solution->x.allFinite() && solution->x.size() == kNumUnknowns;
 }
 
@@ -230,8 +230,8 @@ void Safety::stop(CommandMode mode, StopCause cause, const SensorHealth& health)
   stopped_at_ = command_.time;
 }
 
-void Safety::follow(const RobotState& state, const Solution& solution) {
-  const bool solved = solution.status == SolveStatus::optimal;
+void Safety::follow(const RobotState& state, const solver::Solution& solution) {
+  const bool solved = solution.status == solver::SolveStatus::optimal;
   command_.mode = solved ? CommandMode::optimal : CommandMode::degraded;
   command_.torque = solution.x.tail<kNumJoints>();
   good_q_ = state.q;
@@ -313,4 +313,4 @@ void Safety::limit_change(const JointVector& before, bool wanted) {
   command_.torque = limited;
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::control

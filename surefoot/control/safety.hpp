@@ -11,7 +11,7 @@
 #include <array>
 #include <optional>
 
-namespace surefoot {
+namespace surefoot::control {
 
 /// The last stage of a tick: whatever came before, the command is finite and inside the torque
 /// limits.
@@ -51,12 +51,13 @@ class Safety {
  public:
   /// `first_free_level`: a solve that ended at or after this level is still usable. `lying`: where
   /// `sit` leads [rad]. `period` of the control loop [s].
-  Safety(const SafetyOptions& options, const RobotDescription& robot, int first_free_level,
+  Safety(const SafetyOptions& options, const model::RobotDescription& robot, int first_free_level,
          const JointVector& lying, double period);
 
   /// `state` may hold NaN, and without a time a period has gone by; `solution` is null where the
   /// tick could not come to solve.
-  [[nodiscard]] const JointCommand& command(const RobotState& state, const Solution* solution,
+  [[nodiscard]] const JointCommand& command(const RobotState& state,
+                                            const solver::Solution* solution,
                                             const SensorHealth& health = {}) noexcept;
 
   /// For another stack.
@@ -99,7 +100,7 @@ class Safety {
   [[nodiscard]] bool is_tilted(const RobotState& state) const;
   /// Will it be tilted soon, as it turns now?
   [[nodiscard]] bool tips(const RobotState& state) const;
-  [[nodiscard]] bool is_good(const RobotState& state, const Solution* solution) const;
+  [[nodiscard]] bool is_good(const RobotState& state, const solver::Solution* solution) const;
   void note_lame_joints(const RobotState& state, const SensorHealth& health);
   /// Can the robot sit down with the joints whose angles are known?
   [[nodiscard]] bool can_sit(const RobotState& state) const;
@@ -108,7 +109,7 @@ class Safety {
   void look_for_a_stop(const RobotState& state, const SensorHealth& health);
   void stop_after_failures(const RobotState& state, const SensorHealth& health);
   void stop(CommandMode mode, StopCause cause, const SensorHealth& health);
-  void follow(const RobotState& state, const Solution& solution);
+  void follow(const RobotState& state, const solver::Solution& solution);
   void hold(const RobotState& state);
   /// Towards q and q̇, where the PD of legs that stand is as hard (0) or soft (1) as this, and of
   /// its spring this share is left.
@@ -150,4 +151,4 @@ class Safety {
   JointCommand command_;
 };
 
-}  // namespace surefoot
+}  // namespace surefoot::control

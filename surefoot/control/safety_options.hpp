@@ -1,6 +1,6 @@
 #pragma once
 
-namespace surefoot {
+namespace surefoot::control {
 
 /// When the controller gives up its optimum for good, and how it then comes to rest.
 struct SafetyOptions {
@@ -10,4 +10,4 @@ struct SafetyOptions {
   double max_torque_change = 4.0;
 };
 
-}  // namespace surefoot
+}  // namespace surefoot::control

@@ -5,7 +5,7 @@
 #include <array>
 #include <string_view>
 
-namespace surefoot {
+namespace surefoot::control {
 
 /// Which solver the controller asks.
 enum class SolverMethod : int {
@@ -36,9 +36,9 @@ struct SolverOptions {
   /// What a tick may cost; where it ends the search x is feasible for all levels that are finished.
   /// The controller has no clock, so that a replay ends at the same place: only the flops count.
   /// The cascade has none.
-  SolveBudget budget{};
+  solver::SolveBudget budget{};
   /// Seconds of any steady clock, for `Controller::level_times` alone: nothing else depends on it.
   double (*clock)() = nullptr;
 };
 
-}  // namespace surefoot
+}  // namespace surefoot::control

@@ -5,10 +5,10 @@
 
 #include <cmath>
 
-namespace surefoot {
+namespace surefoot::control {
 
-StackFade::StackFade(std::unique_ptr<SolvedStack> before, const LevelSet& present,
-                     const Hierarchy& after, double duration)
+StackFade::StackFade(std::unique_ptr<SolvedStack> before, const solver::LevelSet& present,
+                     const solver::Hierarchy& after, double duration)
     : before_(std::move(before)),
       at_rest_{.before = present, .after = present},
       soft_levels_(after),
@@ -17,16 +17,17 @@ StackFade::StackFade(std::unique_ptr<SolvedStack> before, const LevelSet& presen
   before_->stack.set_present(present);
 }
 
-const Solution& StackFade::between(const Dynamics& dynamics, const MotionPlan& plan, double time,
-                                   const Hierarchy& hierarchy, const Solution& after) noexcept {
+const solver::Solution& StackFade::between(const model::Dynamics& dynamics, const MotionPlan& plan,
+                                           double time, const solver::Hierarchy& hierarchy,
+                                           const solver::Solution& after) noexcept {
   if (std::isnan(begin_)) begin_ = time;
   share_ = duration_ > 0.0 ? smooth_ramp(time - begin_, duration_) : 1.0;
   if (share_ >= 1.0) return after;
-  const Hierarchy& rows = before_->stack.update(dynamics, plan);
-  const Substitution* physics =
+  const solver::Hierarchy& rows = before_->stack.update(dynamics, plan);
+  const solver::Substitution* physics =
       before_->solver.wants_substitution() ? before_->stack.substitution(dynamics) : nullptr;
-  const Solution& before = before_->solver.solve(rows, physics, at_rest_);
+  const solver::Solution& before = before_->solver.solve(rows, physics, at_rest_);
   return soft_levels_.between(hierarchy, before, after, share_);
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::control

@@ -5,12 +5,12 @@
 
 #include <memory>
 
-namespace surefoot {
+namespace surefoot::control {
 
 /// A stack with its solver.
 struct SolvedStack {
   SolvedStack(const StackOptions& options, const SolverOptions& solver_options,
-              const RobotDescription& robot)
+              const model::RobotDescription& robot)
       : stack(options, robot), solver(stack.hierarchy(), solver_options) {}
 
   TaskStack stack;
@@ -23,8 +23,8 @@ class StackFade {
  public:
   /// From `before`, whose levels `present` have rows, to a stack with as many levels and the
   /// capacity `after`; `duration` [s].
-  StackFade(std::unique_ptr<SolvedStack> before, const LevelSet& present, const Hierarchy& after,
-            double duration);
+  StackFade(std::unique_ptr<SolvedStack> before, const solver::LevelSet& present,
+            const solver::Hierarchy& after, double duration);
 
   /// Begins with the first tick, and is over with the last; 0 … 1.
   [[nodiscard]] bool is_going_on() const { return share_ < 1.0; }
@@ -35,16 +35,17 @@ class StackFade {
 
   /// One tick at its time [s], of which the new stack has the hierarchy and its optimum. The
   /// reference stays valid until the next call. Does not allocate.
-  const Solution& between(const Dynamics& dynamics, const MotionPlan& plan, double time,
-                          const Hierarchy& hierarchy, const Solution& after) noexcept;
+  const solver::Solution& between(const model::Dynamics& dynamics, const MotionPlan& plan,
+                                  double time, const solver::Hierarchy& hierarchy,
+                                  const solver::Solution& after) noexcept;
 
  private:
   std::unique_ptr<SolvedStack> before_;
   LevelTransition at_rest_;  // of the stack before
-  SoftLevels soft_levels_;
+  solver::SoftLevels soft_levels_;
   double duration_;
   double begin_;  // [s]; NaN before the first tick
   double share_ = 0.0;
 };
 
-}  // namespace surefoot
+}  // namespace surefoot::control

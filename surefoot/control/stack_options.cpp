@@ -7,7 +7,7 @@
 #include <string_view>
 #include <utility>
 
-namespace surefoot {
+namespace surefoot::control {
 namespace {
 
 constexpr std::array<std::string_view, 4> kPhysics{"equations_of_motion", "no_contact_motion",
@@ -37,4 +37,4 @@ StackOptions weighted_from(StackOptions stack, std::size_t first) {
   return stack;
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::control

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace surefoot {
+namespace surefoot::control {
 
 /// One task of a stack file: its name in the catalog and its parameters as written.
 struct TaskSpec {
@@ -37,4 +37,4 @@ struct StackOptions {
 /// where one of them keeps the physics: a robot can't trade that for a task.
 [[nodiscard]] StackOptions weighted_from(StackOptions stack, std::size_t first);
 
-}  // namespace surefoot
+}  // namespace surefoot::control

@@ -7,13 +7,13 @@
 #include <sstream>
 #include <string>
 
-namespace surefoot {
+namespace surefoot::control {
 namespace {
 
 constexpr int kAngles = 3600;  // of the knee, all around: the longest leg is found to 1e-6 of it
 
 /// The greatest distance of hip and foot, which only the knee changes, whatever its limits are.
-double leg_length(const RobotModel& model, Leg leg) {
+double leg_length(const model::RobotModel& model, Leg leg) {
   double longest = 0.0;
   for (int i = 0; i < kAngles; ++i) {
     const Vec3 q(0.0, 0.0, 2.0 * kPi * i / kAngles);
@@ -23,7 +23,7 @@ double leg_length(const RobotModel& model, Leg leg) {
 }
 
 void check(const LevelSpec& level, const TaskSpec& task, const StackReach& reach) {
-  for (const TaskParameter& parameter : task_info(task.task).parameters) {
+  for (const tasks::TaskParameter& parameter : tasks::task_info(task.task).parameters) {
     const std::string name(parameter.name);
     const auto given = task.numbers.find(name);
     const double value = given == task.numbers.end() ? parameter.default_value : given->second;
@@ -47,7 +47,7 @@ double StackReach::greatest(std::string_view task, std::string_view number) cons
   return std::numeric_limits<double>::infinity();
 }
 
-StackReach reach_of(const RobotModel& model) {
+StackReach reach_of(const model::RobotModel& model) {
   StackReach reach{.leg = 0.0, .base = 0.0};
   for (const Leg leg : kLegs) {
     const double length = leg_length(model, leg);
@@ -63,4 +63,4 @@ void check_reach(const StackOptions& stack, const StackReach& reach) {
   }
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::control

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <utility>
 
-namespace surefoot {
+namespace surefoot::control {
 
 /// A number of a stack lies beyond the robot's reach.
 class BeyondReachError : public Error {
@@ -33,10 +33,10 @@ struct StackReach {
   [[nodiscard]] double greatest(std::string_view task, std::string_view number) const;
 };
 
-[[nodiscard]] StackReach reach_of(const RobotModel& model);
+[[nodiscard]] StackReach reach_of(const model::RobotModel& model);
 
 /// Throws BeyondReachError on a number beyond the robot's reach, given or by default; the message
 /// says how far that is.
 void check_reach(const StackOptions& stack, const StackReach& reach);
 
-}  // namespace surefoot
+}  // namespace surefoot::control

@@ -4,12 +4,12 @@
 
 #include <Eigen/Cholesky>
 
-namespace surefoot {
+namespace surefoot::control {
 namespace {
 
 /// Vertical forces at the feet with Σ f = m g, and, unless one would pull, no moment about the
 /// centre of mass.
-Eigen::Vector4d bearing_forces(const Dynamics& dynamics) {
+Eigen::Vector4d bearing_forces(const model::Dynamics& dynamics) {
   Eigen::Matrix<double, 3, kNumLegs> balance;
   for (const Leg leg : kLegs) {
     const Vec3 arm = dynamics.contact[index(leg)].p - dynamics.com.p;
@@ -34,27 +34,29 @@ RobotState level_at_rest(const JointVector& q) {
   return state;
 }
 
-JointVector standing_torque(RobotModel& model, const JointVector& q) noexcept {
-  const Dynamics& dynamics = model.update(level_at_rest(q), Vec3::UnitZ());
+JointVector standing_torque(model::RobotModel& model, const JointVector& q) noexcept {
+  const model::Dynamics& dynamics = model.update(level_at_rest(q), Vec3::UnitZ());
   const Eigen::Vector4d force = bearing_forces(dynamics);
   JointVector torque = dynamics.h.tail<kNumJoints>();
   for (const Leg leg : kLegs) {
-    const Jacobian3& J = dynamics.contact[index(leg)].J;
+    const model::Jacobian3& J = dynamics.contact[index(leg)].J;
     torque -=
         force[static_cast<Eigen::Index>(index(leg))] * J.row(2).tail<kNumJoints>().transpose();
   }
   return torque;
 }
 
-Vec3 borne_force(RobotModel& model, const JointVector& q, const JointVector& torque) noexcept {
-  const Dynamics& dynamics = model.update(level_at_rest(q), Vec3::UnitZ());
+Vec3 borne_force(model::RobotModel& model, const JointVector& q,
+                 const JointVector& torque) noexcept {
+  const model::Dynamics& dynamics = model.update(level_at_rest(q), Vec3::UnitZ());
   const JointVector by_ground = dynamics.h.tail<kNumJoints>() - torque;
   Vec3 force = Vec3::Zero();
   for (const Leg leg : kLegs) {
-    const Mat3 inverse = damped_inverse(leg_jacobian(dynamics.contact[index(leg)], leg));
+    const Mat3 inverse =
+        model::damped_inverse(model::leg_jacobian(dynamics.contact[index(leg)], leg));
     force += inverse.transpose() * by_ground.segment<kJointsPerLeg>(first_joint(leg));
   }
   return force;
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::control

@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-namespace surefoot {
+namespace surefoot::control {
 namespace {
 
 // No robot comes near these; a single such number would stay in the filters for long.
@@ -26,8 +26,8 @@ bool is_plausible(const RobotState& state) {
          within(state.torque, kMaxTorque);
 }
 
-TickContext context(const ReadingGuard& seen, const LastTick& last, const RobotMode& mode,
-                    const JointVector& joint_velocity) {
+TickContext context(const estimation::ReadingGuard& seen, const LastTick& last,
+                    const RobotMode& mode, const JointVector& joint_velocity) {
   TickContext result{.joint_velocity = joint_velocity,
                      .joint_lag = seen.joint_lag(),
                      .imu_lag = seen.imu_lag(),
@@ -45,8 +45,8 @@ TickContext context(const ReadingGuard& seen, const LastTick& last, const RobotM
 
 }  // namespace
 
-StateEstimation::StateEstimation(const ControllerOptions& options, StateEstimator& estimator,
-                                 RobotModel& model)
+StateEstimation::StateEstimation(const ControllerOptions& options,
+                                 estimation::StateEstimator& estimator, model::RobotModel& model)
     : estimator_(&estimator),
       model_(&model),
       bridge_time_(options.safety.bridge_time),
@@ -59,8 +59,8 @@ StateEstimation::StateEstimation(const ControllerOptions& options, StateEstimato
 
 bool StateEstimation::has_begun() const { return std::isfinite(time_); }
 
-bool StateEstimation::follow(const ReadingGuard& seen, const LastTick& last, const RobotMode& mode,
-                             SensorHealth& health) noexcept {
+bool StateEstimation::follow(const estimation::ReadingGuard& seen, const LastTick& last,
+                             const RobotMode& mode, SensorHealth& health) noexcept {
   imu_step_.reset();
   observe_joints(seen);
   if (!seen.clock_is_right()) {
@@ -79,13 +79,14 @@ bool StateEstimation::follow(const ReadingGuard& seen, const LastTick& last, con
          lost_sensor(health, bridge_time_) == StopCause::none;
 }
 
-void StateEstimation::observe_joints(const ReadingGuard& seen) noexcept {
+void StateEstimation::observe_joints(const estimation::ReadingGuard& seen) noexcept {
   joint_velocity_ = contact_force_.observe(
       seen.measured(), {.encoders = seen.encoder_delay(), .torques = seen.torque_delay()});
 }
 
 // An IMU that is upside down or has another unit would else be known by its tilt, or never begin.
-bool StateEstimation::fits_at_rest(const ReadingGuard& seen, SensorHealth& health) noexcept {
+bool StateEstimation::fits_at_rest(const estimation::ReadingGuard& seen,
+                                   SensorHealth& health) noexcept {
   const SensorReading& reading = seen.repaired();
   const Vec3 force = borne_force(*model_, reading.q, reading.torque);
   rest_check_.update(reading, joint_velocity_, force, model_->dynamics().mass);
@@ -97,7 +98,7 @@ bool StateEstimation::fits_at_rest(const ReadingGuard& seen, SensorHealth& healt
 }
 
 // What was filled in for an encoder is good for a short time only.
-void StateEstimation::forget_lost_joints(const ReadingGuard& seen,
+void StateEstimation::forget_lost_joints(const estimation::ReadingGuard& seen,
                                          const SensorHealth& health) noexcept {
   if (lost_sensor(health, bridge_time_) != StopCause::encoders) return;
   const JointVector age = seen.encoder_age();
@@ -108,8 +109,9 @@ void StateEstimation::forget_lost_joints(const ReadingGuard& seen,
   }
 }
 
-void StateEstimation::feel(const ReadingGuard& seen, const Dynamics& dynamics, const LastTick& last,
-                           const RobotMode& mode, SensorHealth& health) noexcept {
+void StateEstimation::feel(const estimation::ReadingGuard& seen, const model::Dynamics& dynamics,
+                           const LastTick& last, const RobotMode& mode,
+                           SensorHealth& health) noexcept {
   const PerLeg<bool> stands = last.plan.standing();
   contact_force_.update(dynamics, stands, last.terrain_normal_W, seen.repaired(), state_);
   lift_.update(kGravity * dynamics.mass, state_.foot_force, seen.repaired().accelerometer);
@@ -121,8 +123,9 @@ void StateEstimation::feel(const ReadingGuard& seen, const Dynamics& dynamics, c
 
 // Legs that are found to be other than they were believed to be have not moved; feet that bear
 // nothing do not stand.
-void StateEstimation::compare_sensors(const ReadingGuard& seen, const Dynamics& dynamics,
-                                      const LastTick& last, SensorHealth& health) noexcept {
+void StateEstimation::compare_sensors(const estimation::ReadingGuard& seen,
+                                      const model::Dynamics& dynamics, const LastTick& last,
+                                      SensorHealth& health) noexcept {
   if (last.kinematics != kinematics_before_) consistency_.legs_have_changed();
   kinematics_before_ = last.kinematics;
   if (lift_.seems_lifted()) {
@@ -150,4 +153,4 @@ void StateEstimation::stand_anew(const StateEstimation& at_start) noexcept {
   rest_check_ = at_start.rest_check_;
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::control

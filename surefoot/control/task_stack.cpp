@@ -9,9 +9,9 @@
 #include <algorithm>
 #include <string_view>
 
-namespace surefoot {
+namespace surefoot::control {
 
-TaskStack::TaskStack(const StackOptions& options, const RobotDescription& robot)
+TaskStack::TaskStack(const StackOptions& options, const model::RobotDescription& robot)
     : robot_(robot), hierarchy_(kNumUnknowns), no_motion_(Eigen::VectorXd::Zero(kNumUnknowns)) {
   if (options.levels.empty() || options.levels.size() > kMaxLevels) {
     throw Error("stack \"" + options.name + "\" has " + std::to_string(options.levels.size()) +
@@ -20,12 +20,14 @@ TaskStack::TaskStack(const StackOptions& options, const RobotDescription& robot)
   for (const LevelSpec& spec : options.levels) {
     LevelTasks level;
     int rows = 0, ids = 0;
-    if (spec.damping != 0.0) check_weight(spec.damping, "damping of level \"" + spec.name + "\"");
+    if (spec.damping != 0.0)
+      solver::check_weight(spec.damping, "damping of level \"" + spec.name + "\"");
     for (const TaskSpec& task_spec : spec.tasks) {
-      check_weight(task_spec.weight, "weight of task \"" + task_spec.task + "\"");
-      level.tasks.push_back(make_task(task_spec.task, {task_spec.numbers, task_spec.choices}));
-      Task& task = *level.tasks.back();
-      if (const auto* cone = dynamic_cast<const FrictionCone*>(&task)) friction_cone_ = cone;
+      solver::check_weight(task_spec.weight, "weight of task \"" + task_spec.task + "\"");
+      level.tasks.push_back(
+          tasks::make_task(task_spec.task, {task_spec.numbers, task_spec.choices}));
+      tasks::Task& task = *level.tasks.back();
+      if (const auto* cone = dynamic_cast<const tasks::FrictionCone*>(&task)) friction_cone_ = cone;
       task.set_first_id(ids);
       ids += task.num_ids();
       rows += task.max_rows();
@@ -40,22 +42,23 @@ TaskStack::TaskStack(const StackOptions& options, const RobotDescription& robot)
   torso_tilt_ = level_of("torso_roll_pitch");
 }
 
-const Hierarchy& TaskStack::update(const Dynamics& dynamics, const MotionPlan& plan) noexcept {
+const solver::Hierarchy& TaskStack::update(const model::Dynamics& dynamics,
+                                           const MotionPlan& plan) noexcept {
   support_.update(dynamics, plan);
-  const TaskInput input{dynamics, plan, support_, robot_};
+  const tasks::TaskInput input{dynamics, plan, support_, robot_};
   for (std::size_t i = 0; i < levels_.size(); ++i) {
-    Level& level = hierarchy_.level(i);
+    solver::Level& level = hierarchy_.level(i);
     level.clear();
     if (levels_[i].is_present) write(levels_[i], input, level);
   }
   return hierarchy_;
 }
 
-void TaskStack::set_present(const LevelSet& present) noexcept {
+void TaskStack::set_present(const solver::LevelSet& present) noexcept {
   for (std::size_t i = 0; i < levels_.size(); ++i) levels_[i].is_present = present[i];
 }
 
-const Substitution* TaskStack::substitution(const Dynamics& dynamics) noexcept {
+const solver::Substitution* TaskStack::substitution(const model::Dynamics& dynamics) noexcept {
   if (!is_only(0, "equations_of_motion") || !is_only(1, "no_contact_motion")) return nullptr;
   return physics_.update(dynamics, support_, hierarchy_.level(1).lower());
 }
@@ -73,11 +76,12 @@ std::size_t TaskStack::level_of(std::string_view task) const {
   return level;
 }
 
-double TaskStack::tilt_shortfall(const Solution& solution) const noexcept {
+double TaskStack::tilt_shortfall(const solver::Solution& solution) const noexcept {
   if (torso_tilt_ >= levels_.size()) return 0.0;
-  const bool is_cut_off = solution.status != SolveStatus::optimal && solution.failed_level >= 0 &&
+  const bool is_cut_off = solution.status != solver::SolveStatus::optimal &&
+                          solution.failed_level >= 0 &&
                           static_cast<std::size_t>(solution.failed_level) <= torso_tilt_;
-  const bool is_solved = solution.status != SolveStatus::invalid_input && !is_cut_off &&
+  const bool is_solved = solution.status != solver::SolveStatus::invalid_input && !is_cut_off &&
                          torso_tilt_ < solution.levels.size();
   return is_solved ? solution.levels[torso_tilt_].residual : kNaN;
 }
@@ -89,14 +93,14 @@ PerLeg<Vec3> TaskStack::pyramid_normals(const MotionPlan& plan) const noexcept {
   return normals;
 }
 
-void TaskStack::write(const LevelTasks& tasks, const TaskInput& input,
-                      Level& level) const noexcept {
+void TaskStack::write(const LevelTasks& tasks, const tasks::TaskInput& input,
+                      solver::Level& level) const noexcept {
   for (std::size_t i = 0; i < tasks.tasks.size(); ++i) {
     const Eigen::Index first = level.num_rows();
     tasks.tasks[i]->write(input, level);
     if (tasks.weights[i] != 1.0) level.rows(first).weigh(tasks.weights[i]);
   }
-  if (tasks.damping > 0.0) add_damping(level, tasks.damping, no_motion_, tasks.num_ids);
+  if (tasks.damping > 0.0) solver::add_damping(level, tasks.damping, no_motion_, tasks.num_ids);
 }
 
 std::vector<std::string> TaskStack::units() const {
@@ -104,7 +108,7 @@ std::vector<std::string> TaskStack::units() const {
   for (const LevelTasks& level : levels_) {
     std::vector<std::string_view> of_tasks;
     for (const auto& task : level.tasks) {
-      const std::string_view unit = task_info(task->name()).unit;
+      const std::string_view unit = tasks::task_info(task->name()).unit;
       if (std::ranges::find(of_tasks, unit) == of_tasks.end()) of_tasks.push_back(unit);
     }
     std::string& text = units.emplace_back();
@@ -140,4 +144,4 @@ std::vector<std::vector<std::string>> TaskStack::row_names() const {
   return names;
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::control

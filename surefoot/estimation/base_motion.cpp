@@ -2,7 +2,7 @@
 
 #include <Eigen/LU>
 
-namespace surefoot {
+namespace surefoot::estimation {
 
 // About the points' mean v and ω decouple.
 BaseMotion base_motion(const PerLeg<Vec3>& p_BC, const PerLeg<Vec3>& v_BC) {
@@ -23,4 +23,4 @@ BaseMotion base_motion(const PerLeg<Vec3>& p_BC, const PerLeg<Vec3>& v_BC) {
   return motion.v.allFinite() ? motion : BaseMotion{};
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::estimation

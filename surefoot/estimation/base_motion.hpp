@@ -2,7 +2,7 @@
 
 #include "surefoot/signals/leg.hpp"
 
-namespace surefoot {
+namespace surefoot::estimation {
 
 /// Velocity of the base's origin and its angular velocity, in B [m/s], [rad/s].
 struct BaseMotion {
@@ -15,4 +15,4 @@ struct BaseMotion {
 /// are collinear, as the turn about their line is unknown.
 [[nodiscard]] BaseMotion base_motion(const PerLeg<Vec3>& p_BC, const PerLeg<Vec3>& v_BC);
 
-}  // namespace surefoot
+}  // namespace surefoot::estimation

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace surefoot {
+namespace surefoot::estimation {
 namespace {
 
 constexpr double kFadeInTime = 0.5;     // of a weighing [s]
@@ -22,7 +22,7 @@ constexpr double kMinForceShare = 0.5;      // of the weight, on the feet
 constexpr double kMinWeighingTime = 0.5;    // [s]
 constexpr double kVerticalTime = 1.0;       // the vertical settles only after the motion [s]
 
-Vec3 com_in_base(const Dynamics& dynamics) {
+Vec3 com_in_base(const model::Dynamics& dynamics) {
   return dynamics.base_rotation.R.transpose() * (dynamics.com.p - dynamics.base.p);
 }
 
@@ -35,7 +35,7 @@ Vec3 believable(const Vec3& offset) {
 
 }  // namespace
 
-void ComCalibration::update(const Dynamics& dynamics, const PerLeg<Vec3>& foot_force,
+void ComCalibration::update(const model::Dynamics& dynamics, const PerLeg<Vec3>& foot_force,
                             CalibrationStage stage, bool is_quiet) noexcept {
   const bool turns = stage == CalibrationStage::turning;
   if (turns && (!turning_ || !is_quiet)) height_.forget();
@@ -53,7 +53,7 @@ void ComCalibration::update(const Dynamics& dynamics, const PerLeg<Vec3>& foot_f
   if (turns && is_felt) height_.add(dynamics, reaction);
 }
 
-void ComCalibration::weigh(const Dynamics& dynamics, const GroundReaction& reaction) {
+void ComCalibration::weigh(const model::Dynamics& dynamics, const GroundReaction& reaction) {
   Vec3 error = Vec3::Zero();
   error.head<2>() = reaction.line_of_action(reaction.ground) - dynamics.com.p.head<2>();
   const Vec3 in_base = dynamics.base_rotation.R.transpose() * error;
@@ -66,7 +66,7 @@ void ComCalibration::weigh(const Dynamics& dynamics, const GroundReaction& react
 }
 
 // The weighing ignores heavier links; the load in use during it includes them.
-void ComCalibration::end_weighing(const Dynamics& dynamics) {
+void ComCalibration::end_weighing(const model::Dynamics& dynamics) {
   const std::optional<double> higher = height_.found();
   const bool is_long_enough = samples_ >= std::lround(kMinWeighingTime / period_);
   knows_load_ = is_long_enough && higher.has_value();
@@ -100,11 +100,11 @@ void ComCalibration::end_weighing(const Dynamics& dynamics) {
   weighing_ = false;
 }
 
-ComCalibration::Slope ComCalibration::slope(const Dynamics& dynamics) const {
+ComCalibration::Slope ComCalibration::slope(const model::Dynamics& dynamics) const {
   Slope result;
   for (const Leg leg : kLegs) {
-    const PointKinematics& contact = dynamics.contact[index(leg)];
-    const Mat3 forces = -damped_inverse(leg_jacobian(contact, leg)).transpose() *
+    const model::PointKinematics& contact = dynamics.contact[index(leg)];
+    const Mat3 forces = -model::damped_inverse(model::leg_jacobian(contact, leg)).transpose() *
                         dynamics.links[index(leg)].free_rate;
     for (int l = 0; l < kJointsPerLeg; ++l) {
       const Vec3 f = forces.col(l);
@@ -124,4 +124,4 @@ BaseLoad ComCalibration::load() const noexcept {
           .first_moment = moment + slope_ * heavier_in_use_};
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::estimation

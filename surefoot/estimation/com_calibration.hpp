@@ -6,7 +6,7 @@
 #include "surefoot/signals/base_load.hpp"
 #include "surefoot/signals/motion_plan.hpp"
 
-namespace surefoot {
+namespace surefoot::estimation {
 
 /// Estimates the payload of a standing robot, mass and place, from its foot forces; also covers
 /// wrong link masses and an inclined vertical.
@@ -35,8 +35,8 @@ class ComCalibration {
   /// One tick: turns or weighs, by stage; forces in W [N]. `is_quiet`: the robot stands on all
   /// feet, undisturbed. Other ticks are not weighed and restart the turn. `dynamics` include the
   /// load.
-  void update(const Dynamics& dynamics, const PerLeg<Vec3>& foot_force, CalibrationStage stage,
-              bool is_quiet) noexcept;
+  void update(const model::Dynamics& dynamics, const PerLeg<Vec3>& foot_force,
+              CalibrationStage stage, bool is_quiet) noexcept;
 
   /// Sets the links' estimated extra masses from now on (LinkMassEstimator).
   void correct(const LinkMassEstimator::Shares& heavier) noexcept { heavier_ = heavier; }
@@ -51,9 +51,9 @@ class ComCalibration {
   using Shares = LinkMassEstimator::Shares;
   using Slope = Eigen::Matrix<double, 3, LinkMassEstimator::kNumLinks>;
 
-  void weigh(const Dynamics& dynamics, const GroundReaction& reaction);
-  void end_weighing(const Dynamics& dynamics);
-  [[nodiscard]] Slope slope(const Dynamics& dynamics) const;
+  void weigh(const model::Dynamics& dynamics, const GroundReaction& reaction);
+  void end_weighing(const model::Dynamics& dynamics);
+  [[nodiscard]] Slope slope(const model::Dynamics& dynamics) const;
 
   double period_, base_mass_;
   bool turning_ = false, weighing_ = false, knows_load_ = false;
@@ -71,4 +71,4 @@ class ComCalibration {
   Shares heavier_ = Shares::Zero(), heavier_in_use_ = Shares::Zero();
 };
 
-}  // namespace surefoot
+}  // namespace surefoot::estimation

@@ -2,7 +2,7 @@
 
 #include "surefoot/model/angular_momentum.hpp"
 
-namespace surefoot {
+namespace surefoot::estimation {
 namespace {
 
 // ∫ of the tilts' squared deviations [rad² s]: a third of a turn.
@@ -15,13 +15,13 @@ Vec2 projected(const Vec3& v, const Vec3& up) {
 
 }  // namespace
 
-void ComHeight::add(const Dynamics& dynamics, const GroundReaction& reaction) noexcept {
+void ComHeight::add(const model::Dynamics& dynamics, const GroundReaction& reaction) noexcept {
   const Mat3 R_BW = dynamics.base_rotation.R.transpose();
   const Vec3& c = dynamics.com.p;
   const Vec3 up = R_BW.col(2);
   Vec3 error = Vec3::Zero();
   error.head<2>() = reaction.line_of_action(c.z()) - c.head<2>();
-  const Vec3 L = angular_momentum(dynamics);
+  const Vec3 L = model::angular_momentum(dynamics);
   const Vec2 e = projected(R_BW * error, up);
   const Vec2 D = projected(R_BW * Vec3(L.y(), -L.x(), 0.0), up) / reaction.force.z();
   const Vec2 tilt = -up.head<2>() / up.z();
@@ -45,4 +45,4 @@ std::optional<double> ComHeight::found() const noexcept {
   return together.sum() / spread.sum();
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::estimation

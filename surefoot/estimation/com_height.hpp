@@ -4,7 +4,7 @@
 
 #include <optional>
 
-namespace surefoot {
+namespace surefoot::estimation {
 
 /// Estimates the centre of mass's height in B relative to the model's, from a torso that turns on
 /// the spot: a higher COM moves further sideways as the torso tilts.
@@ -28,7 +28,7 @@ class ComHeight {
   /// Discards the past.
   void forget() noexcept { sums_ = Sums{}; }
   /// Adds a tick of the motion.
-  void add(const Dynamics& dynamics, const GroundReaction& reaction) noexcept;
+  void add(const model::Dynamics& dynamics, const GroundReaction& reaction) noexcept;
   /// o_z by the motion so far [m]; empty if the torso has hardly tilted.
   [[nodiscard]] std::optional<double> found() const noexcept;
 
@@ -45,4 +45,4 @@ class ComHeight {
   Sums sums_;
 };
 
-}  // namespace surefoot
+}  // namespace surefoot::estimation

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace surefoot {
+namespace surefoot::estimation {
 namespace {
 
 constexpr double kBaseCutoffHz = 40.0;  // of the base's acceleration
@@ -81,7 +81,7 @@ const JointVector& ContactForceEstimator::observe(const SensorReading& reading,
   return velocity_observer_.velocity();
 }
 
-void ContactForceEstimator::update(const Dynamics& dynamics, const PerLeg<bool>& stands,
+void ContactForceEstimator::update(const model::Dynamics& dynamics, const PerLeg<bool>& stands,
                                    const Vec3& terrain_normal_W, const SensorReading& reading,
                                    RobotState& state) noexcept {
   update_base_acceleration(dynamics.u);
@@ -104,7 +104,7 @@ void ContactForceEstimator::update(const Dynamics& dynamics, const PerLeg<bool>&
   for (const Leg leg : kLegs) {
     const std::size_t k = index(leg);
     Vec3& force = state.foot_force[k];
-    force = damped_inverse(leg_jacobian(dynamics.contact[k], leg)).transpose() *
+    force = model::damped_inverse(model::leg_jacobian(dynamics.contact[k], leg)).transpose() *
             by_ground.segment<3>(first_joint(leg));
     if (!options_.use_foot_sensor) continue;
     const double by_joints = terrain_normal_W.dot(force);
@@ -122,7 +122,7 @@ void ContactForceEstimator::update_base_acceleration(const GeneralizedVector& u)
   base_velocity_ = velocity;
 }
 
-Vec3 ContactForceEstimator::free_acceleration(const Dynamics& dynamics, Leg leg,
+Vec3 ContactForceEstimator::free_acceleration(const model::Dynamics& dynamics, Leg leg,
                                               const JointVector& torque) const {
   const int first = leg_rows(leg);
   const Vec3 left = torque.segment<3>(first_joint(leg)) - dynamics.h.segment<3>(first) -
@@ -130,13 +130,13 @@ Vec3 ContactForceEstimator::free_acceleration(const Dynamics& dynamics, Leg leg,
   return dynamics.M.block<3, 3>(first, first).llt().solve(left);
 }
 
-Vec3 ContactForceEstimator::stance_acceleration(const Dynamics& dynamics, Leg leg) const {
-  const PointKinematics& contact = dynamics.contact[index(leg)];
+Vec3 ContactForceEstimator::stance_acceleration(const model::Dynamics& dynamics, Leg leg) const {
+  const model::PointKinematics& contact = dynamics.contact[index(leg)];
   const Vec3 rest = contact.J.leftCols<6>() * base_acceleration_ + contact.Jdot_u;
-  return -damped_inverse(leg_jacobian(contact, leg)) * rest;
+  return -model::damped_inverse(model::leg_jacobian(contact, leg)) * rest;
 }
 
-JointVector ContactForceEstimator::missing_torque(const Dynamics& dynamics) const {
+JointVector ContactForceEstimator::missing_torque(const model::Dynamics& dynamics) const {
   JointVector result;
   for (const Leg leg : kLegs) {
     const int first = leg_rows(leg);
@@ -153,4 +153,4 @@ Group fields(ContactForceOptions& o) {
           {"tare", &o.tare.enabled, "whether legs in the air are weighed"}};
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::estimation

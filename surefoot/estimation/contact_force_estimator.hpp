@@ -10,6 +10,10 @@
 #include <array>
 
 namespace surefoot {
+struct Group;
+}  // namespace surefoot
+
+namespace surefoot::estimation {
 
 struct ContactForceOptions {
   double bandwidth_hz = 40.0;
@@ -17,7 +21,6 @@ struct ContactForceOptions {
   SwingTareOptions tare = {};
 };
 
-struct Group;
 /// Their names, units, ranges and help.
 [[nodiscard]] Group fields(ContactForceOptions& o);
 
@@ -48,8 +51,9 @@ class ContactForceEstimator {
 
   /// Then, with the dynamics at the state: fills state.foot_force. `terrain_normal_W` is the unit
   /// normal estimate, along which a foot sensor measures. `stands`: the feet planned to carry load.
-  void update(const Dynamics& dynamics, const PerLeg<bool>& stands, const Vec3& terrain_normal_W,
-              const SensorReading& reading, RobotState& state) noexcept;
+  void update(const model::Dynamics& dynamics, const PerLeg<bool>& stands,
+              const Vec3& terrain_normal_W, const SensorReading& reading,
+              RobotState& state) noexcept;
 
  private:
   using BaseVector = Eigen::Matrix<double, 6, 1>;
@@ -69,11 +73,11 @@ class ContactForceEstimator {
   void follow(const JointDelays& delays);
   void update_base_acceleration(const GeneralizedVector& u);
   /// Accelerations of a leg's joints, in the air under the measured torques and with a fixed foot.
-  [[nodiscard]] Vec3 free_acceleration(const Dynamics& dynamics, Leg leg,
+  [[nodiscard]] Vec3 free_acceleration(const model::Dynamics& dynamics, Leg leg,
                                        const JointVector& torque) const;
-  [[nodiscard]] Vec3 stance_acceleration(const Dynamics& dynamics, Leg leg) const;
+  [[nodiscard]] Vec3 stance_acceleration(const model::Dynamics& dynamics, Leg leg) const;
   /// M_kk d̂_k of all legs [N·m].
-  [[nodiscard]] JointVector missing_torque(const Dynamics& dynamics) const;
+  [[nodiscard]] JointVector missing_torque(const model::Dynamics& dynamics) const;
 
   ContactForceOptions options_;
   double period_;
@@ -90,4 +94,4 @@ class ContactForceEstimator {
   BaseVector base_velocity_ = BaseVector::Zero(), base_acceleration_ = BaseVector::Zero();
 };
 
-}  // namespace surefoot
+}  // namespace surefoot::estimation

@@ -3,7 +3,7 @@
 #include <array>
 #include <string_view>
 
-namespace surefoot {
+namespace surefoot::estimation {
 
 /// Source of the controller's state, chosen by a scenario's `estimation:`.
 enum class Estimation : int {
@@ -24,4 +24,4 @@ inline constexpr std::array kEstimations{Estimation::truth, Estimation::sensors}
   return "unknown";
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::estimation

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace surefoot {
+namespace surefoot::estimation {
 namespace {
 
 constexpr double kLongestGap = 0.05;  // between two updates; a longer one restarts the observer [s]
@@ -23,7 +23,7 @@ Eigen::Matrix<double, N, 1> beyond(const Eigen::Matrix<double, N, 1>& v, double 
 }  // namespace
 
 // Mass that enters the model leaves the unknown load.
-void ExternalForceEstimator::take_over(const Dynamics& dynamics) {
+void ExternalForceEstimator::take_over(const model::Dynamics& dynamics) {
   const double more = dynamics.mass - mass_;
   mass_ = dynamics.mass;
   if (!std::isfinite(more)) return;
@@ -38,13 +38,13 @@ void ExternalForceEstimator::start(const Vec3& momentum, const Vec3& angular_mom
   angular_explained_ = angular_momentum;
 }
 
-void ExternalForceEstimator::update(const Dynamics& dynamics, const PerLeg<bool>& stands,
+void ExternalForceEstimator::update(const model::Dynamics& dynamics, const PerLeg<bool>& stands,
                                     RobotState& state) noexcept {
   state.external_force.setZero();
   state.external_moment.setZero();
   if (!options_.enabled) return;
   const Vec3 momentum = dynamics.mass * dynamics.com.v;
-  const Vec3 angular = angular_momentum(dynamics);
+  const Vec3 angular = model::angular_momentum(dynamics);
   Vec3 ground = -dynamics.mass * kGravity * Vec3::UnitZ(), turning = Vec3::Zero();
   for (const Leg leg : kLegs) {
     if (!stands[index(leg)]) continue;
@@ -86,4 +86,4 @@ Group fields(ExternalForceOptions& o) {
           {"max_moment", &o.max_moment, kNotNegative, "N·m", "that is handed on"}};
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::estimation

@@ -4,6 +4,10 @@
 #include "surefoot/signals/robot_state.hpp"
 
 namespace surefoot {
+struct Group;
+}  // namespace surefoot
+
+namespace surefoot::estimation {
 
 struct ExternalForceOptions {
   bool enabled = true;
@@ -12,7 +16,6 @@ struct ExternalForceOptions {
   double max_force = 150.0, max_moment = 20.0;
 };
 
-struct Group;
 /// Their names, units, ranges and help.
 [[nodiscard]] Group fields(ExternalForceOptions& o);
 
@@ -34,7 +37,8 @@ class ExternalForceEstimator {
 
   /// One tick: fills `external_force` and `external_moment` of the state, whose `foot_force` must
   /// be of this tick. `stands`: the feet planned to carry load.
-  void update(const Dynamics& dynamics, const PerLeg<bool>& stands, RobotState& state) noexcept;
+  void update(const model::Dynamics& dynamics, const PerLeg<bool>& stands,
+              RobotState& state) noexcept;
 
   /// The residuals in W, before dead band and saturation [N], [N·m].
   [[nodiscard]] const Vec3& force() const { return force_; }
@@ -42,7 +46,7 @@ class ExternalForceEstimator {
 
  private:
   void start(const Vec3& momentum, const Vec3& angular_momentum);
-  void take_over(const Dynamics& dynamics);
+  void take_over(const model::Dynamics& dynamics);
 
   ExternalForceOptions options_;
   double time_ = kNaN;  // of the last update [s]
@@ -52,4 +56,4 @@ class ExternalForceEstimator {
   Vec3 angular_explained_ = Vec3::Zero();  // [N·m·s]
 };
 
-}  // namespace surefoot
+}  // namespace surefoot::estimation

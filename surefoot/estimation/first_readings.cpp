@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace surefoot {
+namespace surefoot::estimation {
 namespace {
 
 constexpr double kWindow = 0.1;                                   // of an estimate [s]
@@ -74,4 +74,4 @@ void FirstReadings::restart() {
   encoders_.jumps = imu_.jumps = 0;
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::estimation

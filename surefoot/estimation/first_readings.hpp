@@ -3,7 +3,7 @@
 #include "surefoot/signals/sensor_health.hpp"
 #include "surefoot/signals/sensor_reading.hpp"
 
-namespace surefoot {
+namespace surefoot::estimation {
 
 /// Watches whether the first readings were true.
 ///
@@ -54,4 +54,4 @@ class FirstReadings {
   Vec3 gyro_ = Vec3::Constant(kNaN), accelerometer_ = Vec3::Constant(kNaN);
 };
 
-}  // namespace surefoot
+}  // namespace surefoot::estimation

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace surefoot {
+namespace surefoot::estimation {
 namespace {
 
 constexpr double kMaxDeficit = 20.0;  // of the sensor against the joints [N]
@@ -37,4 +37,4 @@ double FootSensorTrust::force(double sensed, double by_joints) noexcept {
   return by_joints + weight * std::min(error, kMaxExcess + share);
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::estimation

@@ -1,6 +1,6 @@
 #pragma once
 
-namespace surefoot {
+namespace surefoot::estimation {
 
 /// Chooses the normal force of a foot: the foot sensor's while the joints measure up to 10 N, as it
 /// feels a touchdown earlier; the joints' from 30 N on; a mixture between.
@@ -23,4 +23,4 @@ class FootSensorTrust {
   bool is_trusted_ = true;
 };
 
-}  // namespace surefoot
+}  // namespace surefoot::estimation

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace surefoot {
+namespace surefoot::estimation {
 namespace {
 
 /// A base velocity estimated at rest adds up to a motion, too; so older motion fades [s].
@@ -13,17 +13,17 @@ constexpr double kSecondJointShare = 0.25;  // of the motion, next to another fr
 
 /// Velocities of a leg's joints that hold its stance foot or move its swing foot as planned
 /// [rad/s].
-Vec3 asked_velocity(const Dynamics& dynamics, bool stands, const Vec3& v_WF, Leg leg) {
+Vec3 asked_velocity(const model::Dynamics& dynamics, bool stands, const Vec3& v_WF, Leg leg) {
   const std::size_t k = index(leg);
-  const PointKinematics& point = stands ? dynamics.contact[k] : dynamics.foot[k];
+  const model::PointKinematics& point = stands ? dynamics.contact[k] : dynamics.foot[k];
   const Vec3 target = stands ? Vec3(Vec3::Zero()) : v_WF;
   const Vec3 by_base = point.J.leftCols<6>() * dynamics.u.head<6>();
-  return damped_inverse(leg_jacobian(point, leg)) * (target - by_base);
+  return model::damped_inverse(model::leg_jacobian(point, leg)) * (target - by_base);
 }
 
 }  // namespace
 
-void FrozenJoints::update(const SensorReading& reading, const Dynamics& dynamics,
+void FrozenJoints::update(const SensorReading& reading, const model::Dynamics& dynamics,
                           const PerLeg<bool>& stands, const PerLeg<Vec3>& v_WF,
                           const JointVector& command) noexcept {
   JointVector motion;
@@ -78,4 +78,4 @@ void FrozenJoints::look_at_torques(const SensorReading& reading, const JointVect
   measured_ = reading.torque;
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::estimation

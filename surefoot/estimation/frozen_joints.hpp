@@ -6,7 +6,7 @@
 
 #include <array>
 
-namespace surefoot {
+namespace surefoot::estimation {
 
 /// Finds frozen encoders and joint torque sensors: bit-identical values in new samples, though the
 /// joint should move or its command changes.
@@ -27,8 +27,9 @@ class FrozenJoints {
 
   /// One tick. `stands`: the feet planned to carry load; `v_WF`: planned velocity of swing feet
   /// [m/s]; `command`: torques [N·m]; all of the tick before.
-  void update(const SensorReading& reading, const Dynamics& dynamics, const PerLeg<bool>& stands,
-              const PerLeg<Vec3>& v_WF, const JointVector& command) noexcept;
+  void update(const SensorReading& reading, const model::Dynamics& dynamics,
+              const PerLeg<bool>& stands, const PerLeg<Vec3>& v_WF,
+              const JointVector& command) noexcept;
 
   /// Discards the past.
   void forget() noexcept { *this = FrozenJoints(options_, period_); }
@@ -53,4 +54,4 @@ class FrozenJoints {
   Frozen encoders_, torques_;
 };
 
-}  // namespace surefoot
+}  // namespace surefoot::estimation

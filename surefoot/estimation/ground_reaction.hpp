@@ -2,7 +2,7 @@
 
 #include "surefoot/model/dynamics.hpp"
 
-namespace surefoot {
+namespace surefoot::estimation {
 
 /// Total force and moment of the ground on the feet, in W.
 struct GroundReaction {
@@ -20,7 +20,7 @@ struct GroundReaction {
 };
 
 /// Sum of the forces on the four contact points.
-[[nodiscard]] inline GroundReaction ground_reaction(const Dynamics& dynamics,
+[[nodiscard]] inline GroundReaction ground_reaction(const model::Dynamics& dynamics,
                                                     const PerLeg<Vec3>& foot_force) noexcept {
   GroundReaction result;
   for (const Leg leg : kLegs) {
@@ -33,4 +33,4 @@ struct GroundReaction {
   return result;
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::estimation

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-namespace surefoot {
+namespace surefoot::estimation {
 
 inline constexpr double kUnlimited = std::numeric_limits<double>::infinity();
 
@@ -191,4 +191,4 @@ class GuardedValues {
   StepDoubt all_;
 };
 
-}  // namespace surefoot
+}  // namespace surefoot::estimation

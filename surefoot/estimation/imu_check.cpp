@@ -8,7 +8,7 @@
 #include <cmath>
 #include <limits>
 
-namespace surefoot {
+namespace surefoot::estimation {
 namespace {
 
 constexpr double kUnlimited = std::numeric_limits<double>::infinity();
@@ -47,7 +47,7 @@ const ImuCheck::Moment& ImuCheck::before(int ticks) const {
 }
 
 void ImuCheck::update(const SensorReading& reading, const RobotState& state,
-                      const Dynamics& dynamics, const PerLeg<bool>& stands,
+                      const model::Dynamics& dynamics, const PerLeg<bool>& stands,
                       const Vec3& normal_W) noexcept {
   const bool follows = std::abs(reading.time - time_ - period_) < kJitter * period_;
   const bool is_finite =
@@ -66,7 +66,7 @@ void ImuCheck::update(const SensorReading& reading, const RobotState& state,
 }
 
 void ImuCheck::move(const SensorReading& reading, const RobotState& state,
-                    const Dynamics& dynamics) {
+                    const model::Dynamics& dynamics) {
   const Vec3 turn = 0.5 * period_ * (gyro_before_ + reading.gyro);
   const Mat3 R_half = R_IB_ * exp_rotation(0.5 * turn).toRotationMatrix();
   R_IB_ = Quat(R_IB_ * exp_rotation(turn).toRotationMatrix()).normalized().toRotationMatrix();
@@ -92,7 +92,7 @@ void ImuCheck::move(const SensorReading& reading, const RobotState& state,
 
 // A shock that both sense is no fault, and feet lift off before their forces show it.
 bool ImuCheck::is_shaken(const SensorReading& reading, const RobotState& state,
-                         const Dynamics& dynamics, const PerLeg<bool>& stands) const {
+                         const model::Dynamics& dynamics, const PerLeg<bool>& stands) const {
   Vec3 by_feet = kGravityVector;
   for (std::size_t k = 0; k < kNumLegs; ++k)
     if (stands[k]) by_feet += state.foot_force[k] / dynamics.mass;
@@ -240,4 +240,4 @@ void ImuCheck::judge() {
   wrong_for_ = lasts_ > kOneSample * period_ ? longest + lasts_ : 0.0;
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::estimation

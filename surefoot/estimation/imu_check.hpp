@@ -8,7 +8,7 @@
 #include <array>
 #include <vector>
 
-namespace surefoot {
+namespace surefoot::estimation {
 
 /// Compares the IMU with the stance feet, over the last `window` and shorter spans of it.
 ///
@@ -37,8 +37,9 @@ class ImuCheck {
 
   /// One tick, with the dynamics at the state. `stands`: the feet planned to carry load; `normal_W`
   /// of the terrain.
-  void update(const SensorReading& reading, const RobotState& state, const Dynamics& dynamics,
-              const PerLeg<bool>& stands, const Vec3& normal_W) noexcept;
+  void update(const SensorReading& reading, const RobotState& state,
+              const model::Dynamics& dynamics, const PerLeg<bool>& stands,
+              const Vec3& normal_W) noexcept;
   /// Discards the past, as the leg geometry has changed.
   void forget() noexcept;
 
@@ -76,9 +77,9 @@ class ImuCheck {
   };
 
   [[nodiscard]] const Moment& before(int ticks) const;
-  void move(const SensorReading& reading, const RobotState& state, const Dynamics& dynamics);
+  void move(const SensorReading& reading, const RobotState& state, const model::Dynamics& dynamics);
   [[nodiscard]] bool is_shaken(const SensorReading& reading, const RobotState& state,
-                               const Dynamics& dynamics, const PerLeg<bool>& stands) const;
+                               const model::Dynamics& dynamics, const PerLeg<bool>& stands) const;
   void count_firm_feet(const RobotState& state, const PerLeg<bool>& stands, const Vec3& normal_W);
   [[nodiscard]] Vec3 second_way_of_imu(int half) const;
   [[nodiscard]] double unseen_way(int ticks) const;
@@ -107,4 +108,4 @@ class ImuCheck {
   double lasts_ = 0.0, wrong_for_ = 0.0;  // [s]
 };
 
-}  // namespace surefoot
+}  // namespace surefoot::estimation

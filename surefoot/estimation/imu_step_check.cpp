@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace surefoot {
+namespace surefoot::estimation {
 namespace {
 
 constexpr double kMinForce = 20.0;  // of a stance foot [N]
@@ -23,7 +23,7 @@ void ImuStepCheck::forget() noexcept {
 }
 
 void ImuStepCheck::update(const SensorReading& offered, const SensorReading& held, bool is_doubted,
-                          const RobotState& state, const Dynamics& dynamics,
+                          const RobotState& state, const model::Dynamics& dynamics,
                           const PerLeg<bool>& stands, const Vec3& normal_W) noexcept {
   if (!is_doubted) {
     const bool was_blow = doubted_ticks_ > kShortHold && verdict_ != ImuStep::contradicted;
@@ -41,7 +41,7 @@ void ImuStepCheck::update(const SensorReading& offered, const SensorReading& hel
 }
 
 void ImuStepCheck::begin(const SensorReading& reading, const RobotState& state,
-                         const Dynamics& dynamics, const PerLeg<bool>& stands,
+                         const model::Dynamics& dynamics, const PerLeg<bool>& stands,
                          const Vec3& normal_W) {
   has_begun_ = true;
   offered_ = {.R = state.R_WB(), .p = dynamics.base.p, .v = state.v_WB, .gyro = reading.gyro};
@@ -62,7 +62,7 @@ void ImuStepCheck::carry(Way& way, const SensorReading& reading) const {
   way.gyro = reading.gyro;
 }
 
-void ImuStepCheck::judge(const Dynamics& dynamics, const PerLeg<bool>& stands) {
+void ImuStepCheck::judge(const model::Dynamics& dynamics, const PerLeg<bool>& stands) {
   const Mat3 R_BW = dynamics.base_rotation.R.transpose();
   int witnesses = 0, against = 0, in_favour = 0;
   for (std::size_t k = 0; k < kNumLegs; ++k) {
@@ -84,4 +84,4 @@ void ImuStepCheck::judge(const Dynamics& dynamics, const PerLeg<bool>& stands) {
     verdict_ = ImuStep::confirmed;
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::estimation

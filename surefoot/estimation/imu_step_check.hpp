@@ -4,7 +4,7 @@
 #include "surefoot/signals/robot_state.hpp"
 #include "surefoot/signals/sensor_reading.hpp"
 
-namespace surefoot {
+namespace surefoot::estimation {
 
 /// Verdict of the legs on a step of the IMU that `ReadingGuard` doubts.
 enum class ImuStep : int {
@@ -33,7 +33,7 @@ class ImuStepCheck {
   /// One tick. `offered`: raw samples, `held`: with replacements; `is_doubted`: they differ only by
   /// a step of the IMU; `stands` and `normal_W` as for `ImuCheck`.
   void update(const SensorReading& offered, const SensorReading& held, bool is_doubted,
-              const RobotState& state, const Dynamics& dynamics, const PerLeg<bool>& stands,
+              const RobotState& state, const model::Dynamics& dynamics, const PerLeg<bool>& stands,
               const Vec3& normal_W) noexcept;
   /// This tick gives no information.
   void forget() noexcept;
@@ -48,10 +48,10 @@ class ImuStepCheck {
     Vec3 gyro = Vec3::Zero();  // of the tick before
   };
 
-  void begin(const SensorReading& reading, const RobotState& state, const Dynamics& dynamics,
+  void begin(const SensorReading& reading, const RobotState& state, const model::Dynamics& dynamics,
              const PerLeg<bool>& stands, const Vec3& normal_W);
   void carry(Way& way, const SensorReading& reading) const;
-  void judge(const Dynamics& dynamics, const PerLeg<bool>& stands);
+  void judge(const model::Dynamics& dynamics, const PerLeg<bool>& stands);
 
   double period_;
   bool has_begun_ = false;
@@ -63,4 +63,4 @@ class ImuStepCheck {
   ImuStep verdict_ = ImuStep::not_judged;
 };
 
-}  // namespace surefoot
+}  // namespace surefoot::estimation

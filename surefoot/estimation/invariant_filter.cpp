@@ -7,7 +7,7 @@
 
 #include <cmath>
 
-namespace surefoot {
+namespace surefoot::estimation {
 namespace {
 
 double square(double x) { return x * x; }
@@ -179,4 +179,4 @@ void InvariantFilter::retract(const Eigen::Matrix<double, kSize, 1>& xi) {
   accelerometer_bias_ -= xi.segment<3>(kAccelerometerBias);
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::estimation

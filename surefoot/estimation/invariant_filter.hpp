@@ -2,7 +2,7 @@
 
 #include "surefoot/signals/leg.hpp"
 
-namespace surefoot {
+namespace surefoot::estimation {
 
 /// Standard deviations for an InvariantFilter.
 struct InvariantFilterOptions {
@@ -99,4 +99,4 @@ class InvariantFilter {
   Covariance P_ = Covariance::Zero();
 };
 
-}  // namespace surefoot
+}  // namespace surefoot::estimation

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace surefoot {
+namespace surefoot::estimation {
 namespace {
 
 constexpr int kLongestBridge = 40;  // periods for which a prediction is useful
@@ -60,4 +60,4 @@ void JointObserver::update(const JointVector& q, int periods) noexcept {
   }
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::estimation

@@ -4,7 +4,7 @@
 
 #include <array>
 
-namespace surefoot {
+namespace surefoot::estimation {
 
 /// Joint velocities and unmodelled accelerations from encoder readings alone: a steady-state Kalman
 /// filter of each joint's (q, q̇, d) around the model's acceleration a.
@@ -55,4 +55,4 @@ class JointObserver {
   JointVector disturbance_ = JointVector::Zero(), expected_ = JointVector::Zero();
 };
 
-}  // namespace surefoot
+}  // namespace surefoot::estimation

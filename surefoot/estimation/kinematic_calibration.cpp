@@ -11,7 +11,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace surefoot {
+namespace surefoot::estimation {
 namespace {
 
 constexpr double kSampleInterval = 0.025;  // [s]
@@ -29,11 +29,11 @@ constexpr double kMaxAngle = 0.02;            // limit of an angle error [rad]
 
 }  // namespace
 
-KinematicCalibration::KinematicCalibration(const RobotDescription& robot, double period)
+KinematicCalibration::KinematicCalibration(const model::RobotDescription& robot, double period)
     : period_(period),
       ticks_per_sample_(std::max(1, static_cast<int>(std::lround(kSampleInterval / period)))),
       foot_radius_(robot.foot_radius) {
-  const BodyTree tree = make_body_tree(robot, read_urdf(robot.urdf_path));
+  const model::BodyTree tree = model::make_body_tree(robot, model::read_urdf(robot.urdf_path));
   for (const Leg leg : kLegs) chains_[index(leg)] = tree.legs[index(leg)].chain;
 }
 
@@ -48,7 +48,7 @@ double KinematicCalibration::periods_until(double time) const {
   return std::fmax(1.0, std::round((time - time_) / period_));
 }
 
-void KinematicCalibration::update(double time, const Dynamics& dynamics, const Vec3& gyro_B,
+void KinematicCalibration::update(double time, const model::Dynamics& dynamics, const Vec3& gyro_B,
                                   const Vec3& normal, bool listening) noexcept {
   if (periods_until(time) > kLongestGapInPeriods) forget();
   const double periods = periods_until(time);
@@ -86,7 +86,7 @@ void KinematicCalibration::turn(const Vec3& gyro_B, double dt) noexcept {
   turned_ += dt * R_;
 }
 
-void KinematicCalibration::add_sample(const Dynamics& dynamics) noexcept {
+void KinematicCalibration::add_sample(const model::Dynamics& dynamics) noexcept {
   Coordinates y;
   Sensitivity H = Sensitivity::Zero();
   const Mat3 R_from_W = R_ * dynamics.base_rotation.R.transpose();
@@ -97,7 +97,7 @@ void KinematicCalibration::add_sample(const Dynamics& dynamics) noexcept {
     const Vec3 lever = R_from_W * (dynamics.foot[index(leg)].p - dynamics.base.p);
     y.segment<3>(k) = lever - rolled_[index(leg)];
     H.block<3, 2>(k, first) = R_ * chains_[index(leg)].lengthening_in_base(q);
-    H.block<3, 3>(k, first + 2) = -R_from_W * leg_jacobian(dynamics.foot[index(leg)], leg);
+    H.block<3, 3>(k, first + 2) = -R_from_W * model::leg_jacobian(dynamics.foot[index(leg)], leg);
     const Vec3 f = R_.transpose() * lever;
     H.block<3, 3>(k, kImu) = R_ * skew(f) - skew(lever) * R_start_;
     H.block<3, 3>(k, kBias) = skew(lever) * turned_;
@@ -165,4 +165,4 @@ void KinematicCalibration::fade() noexcept {
   in_use_.imu = now.segment<3>(kImu);
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::estimation

@@ -7,7 +7,7 @@
 #include "surefoot/signals/per_leg.hpp"
 #include "surefoot/signals/sensor_reading.hpp"
 
-namespace surefoot {
+namespace surefoot::estimation {
 
 /// Calibrates lengths of thighs and shanks, encoder zeros and the IMU's mounting, from stance feet
 /// while the torso turns.
@@ -33,12 +33,12 @@ class KinematicCalibration {
   static constexpr double kFadeIn = 0.6;  ///< of a new result [s]
 
   /// `period` of the control loop [s].
-  KinematicCalibration(const RobotDescription& robot, double period);
+  KinematicCalibration(const model::RobotDescription& robot, double period);
 
   /// One tick at its time [s]; `listening` while the torso turns on four feet. `dynamics` contain
   /// errors(). A few missed ticks are bridged with this tick's rate; a longer gap restarts the
   /// motion.
-  void update(double time, const Dynamics& dynamics, const Vec3& gyro_B,
+  void update(double time, const model::Dynamics& dynamics, const Vec3& gyro_B,
               const Vec3& terrain_normal_W, bool listening) noexcept;
 
   /// Discards this motion: a foot moved, or a push disturbed it.
@@ -65,7 +65,7 @@ class KinematicCalibration {
   void turn(const Vec3& gyro_B, double dt) noexcept;
   /// Whole periods, at least 1.
   [[nodiscard]] double periods_until(double time) const;
-  void add_sample(const Dynamics& dynamics) noexcept;
+  void add_sample(const model::Dynamics& dynamics) noexcept;
   [[nodiscard]] static Weights weights(const Coordinates& y);
   [[nodiscard]] static bool is_length(int error) {
     return error < kImu && error % kErrorsPerLeg < 2;
@@ -79,7 +79,7 @@ class KinematicCalibration {
   double time_ = kNaN;  // of the last update [s]
   int ticks_per_sample_;
   double foot_radius_;
-  PerLeg<LegChain> chains_;
+  PerLeg<model::LegChain> chains_;
   PerLeg<Vec3> rolled_ = per_leg<Vec3>(Vec3::Zero());
   Mat3 R_start_ = Mat3::Identity();
   Mat3 R_ = Mat3::Identity();   // of the base in W, from the gyroscope
@@ -97,4 +97,4 @@ class KinematicCalibration {
   KinematicErrors in_use_;
 };
 
-}  // namespace surefoot
+}  // namespace surefoot::estimation

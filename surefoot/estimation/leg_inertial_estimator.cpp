@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace surefoot {
+namespace surefoot::estimation {
 namespace {
 
 constexpr double kLongAgo = 1e3;              // [s]
@@ -18,14 +18,14 @@ Vec3 angles(const JointVector& q, Leg leg) { return q.segment<kJointsPerLeg>(fir
 
 }  // namespace
 
-LegInertialEstimator::LegInertialEstimator(const RobotDescription& robot,
+LegInertialEstimator::LegInertialEstimator(const model::RobotDescription& robot,
                                            const LegInertialOptions& options, double period)
     : options_(options),
       period_(period),
       foot_radius_(robot.foot_radius),
       filter_(options.filter),
       standing_start_(period) {
-  const BodyTree tree = make_body_tree(robot, read_urdf(robot.urdf_path));
+  const model::BodyTree tree = model::make_body_tree(robot, model::read_urdf(robot.urdf_path));
   for (const Leg leg : kLegs) described_[index(leg)] = tree.legs[index(leg)].chain;
   chains_ = described_;
 }
@@ -77,7 +77,7 @@ bool LegInertialEstimator::stands(const SensorReading& reading,
   PerLeg<Vec3> p_BC, v_BC;
   for (const Leg leg : kLegs) {
     const Vec3 q = angles(reading.q, leg);
-    LegChain chain = chains_[index(leg)];
+    model::LegChain chain = chains_[index(leg)];
     chain.foot -= chain.shank_in_base(q).transpose() * (foot_radius_ * Vec3::UnitZ());
     Mat3 J;
     p_BC[index(leg)] = chain.foot_in_base(q, &J);
@@ -180,7 +180,7 @@ void LegInertialEstimator::take_over(const KinematicErrors& errors, const JointV
 void LegInertialEstimator::see_feet(const SensorReading& reading) {
   for (const Leg leg : kLegs) {
     Foot& foot = feet_[index(leg)];
-    const LegChain& chain = chains_[index(leg)];
+    const model::LegChain& chain = chains_[index(leg)];
     const Vec3 q = angles(reading.q, leg);
     const Mat3 R_WS_before = R_WB_before_ * foot.R_BS;
     foot.p_BF = chain.foot_in_base(q, &foot.J);
@@ -266,4 +266,4 @@ Group fields(LegInertialOptions& o) {
        "standard deviations at the start"}};
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::estimation

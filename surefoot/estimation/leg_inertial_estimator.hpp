@@ -7,6 +7,10 @@
 #include "surefoot/model/leg_chain.hpp"
 
 namespace surefoot {
+struct Group;
+}  // namespace surefoot
+
+namespace surefoot::estimation {
 
 struct LegInertialOptions {
   InvariantFilterOptions filter;
@@ -20,7 +24,6 @@ struct LegInertialOptions {
   bool predict = true;
 };
 
-struct Group;
 /// Their names, units, ranges and help.
 [[nodiscard]] Group fields(LegInertialOptions& o);
 
@@ -43,7 +46,7 @@ struct Group;
 class LegInertialEstimator final : public StateEstimator {
  public:
   /// Throws Error if the URDF can't be read. `period` of the control loop [s].
-  LegInertialEstimator(const RobotDescription& robot, const LegInertialOptions& options,
+  LegInertialEstimator(const model::RobotDescription& robot, const LegInertialOptions& options,
                        double period);
 
   [[nodiscard]] const RobotState& update(const SensorReading& reading,
@@ -85,7 +88,7 @@ class LegInertialEstimator final : public StateEstimator {
   LegInertialOptions options_;
   double period_;
   double foot_radius_;
-  PerLeg<LegChain> described_, chains_;  // of the URDF, and as estimated
+  PerLeg<model::LegChain> described_, chains_;  // of the URDF, and as estimated
   KinematicErrors errors_;
   InvariantFilter filter_;
   PerLeg<Foot> feet_{};
@@ -100,4 +103,4 @@ class LegInertialEstimator final : public StateEstimator {
   StandingStart standing_start_;
 };
 
-}  // namespace surefoot
+}  // namespace surefoot::estimation

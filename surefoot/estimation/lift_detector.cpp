@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace surefoot {
+namespace surefoot::estimation {
 namespace {
 
 constexpr double kFilterTime = 0.02;      // of forces and acceleration [s]
@@ -52,4 +52,4 @@ bool LiftDetector::feet_bear() const {
   return bearing >= kMinStanceFeet && borne > kMinStandingLoad;
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::estimation

@@ -2,7 +2,7 @@
 
 #include "surefoot/signals/leg.hpp"
 
-namespace surefoot {
+namespace surefoot::estimation {
 
 /// Distinguishes a lifted robot from one that stands and from one that falls.
 ///
@@ -45,4 +45,4 @@ class LiftDetector {
   double down_for_ = 0.0;                                                       // [s]
 };
 
-}  // namespace surefoot
+}  // namespace surefoot::estimation

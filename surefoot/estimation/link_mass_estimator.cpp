@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace surefoot {
+namespace surefoot::estimation {
 namespace {
 
 constexpr double kMaxShare = 0.5;  // of a link's modelled mass
@@ -24,8 +24,8 @@ LinkMassEstimator::LinkMassEstimator(const LinkMassOptions& options, double peri
   covariance_ = usual.cwiseAbs2().asDiagonal();
 }
 
-void LinkMassEstimator::update(double time, const Dynamics& dynamics, const PerLeg<bool>& stands,
-                               const JointVector& torque) noexcept {
+void LinkMassEstimator::update(double time, const model::Dynamics& dynamics,
+                               const PerLeg<bool>& stands, const JointVector& torque) noexcept {
   if (!options_.enabled) return;
   const bool is_next = std::abs(time - time_ - period_) < 0.5 * period_;
   time_ = time;
@@ -51,7 +51,7 @@ LinkMassEstimator::Shares LinkMassEstimator::shares() const {
   return state_.head<kNumLinks>().cwiseMax(-kMaxShare).cwiseMin(kMaxShare);
 }
 
-void LinkMassEstimator::add(Swing& swing, const LegLinks& links, const Vec3& torque) const {
+void LinkMassEstimator::add(Swing& swing, const model::LegLinks& links, const Vec3& torque) const {
   const double T = period_ * (end_ - begin_);
   const double t = period_ * (swing.ticks - begin_);
   const double s = std::sin(kPi * t / T), c = std::cos(kPi * t / T);
@@ -85,4 +85,4 @@ void LinkMassEstimator::learn(Leg leg, const Swing& swing) {
   covariance_ = 0.5 * (covariance_ + covariance_.transpose()).eval();
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::estimation

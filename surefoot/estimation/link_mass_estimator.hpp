@@ -5,7 +5,7 @@
 
 #include <array>
 
-namespace surefoot {
+namespace surefoot::estimation {
 
 /// When a swing leg is measured, and how much is believed.
 struct LinkMassOptions {
@@ -39,7 +39,7 @@ class LinkMassEstimator {
 
   /// A tick at `time` [s]: `stands`: the feet in contact; `torque`: measured [N·m]. A swing with a
   /// missed tick is ignored.
-  void update(double time, const Dynamics& dynamics, const PerLeg<bool>& stands,
+  void update(double time, const model::Dynamics& dynamics, const PerLeg<bool>& stands,
               const JointVector& torque) noexcept;
 
   /// Extra mass of each link as a share of its modelled mass, within ±0.5: LF hip, thigh, shank,
@@ -65,7 +65,7 @@ class LinkMassEstimator {
     bool is_over = false;  // used, or not usable
   };
 
-  void add(Swing& swing, const LegLinks& links, const Vec3& torque) const;
+  void add(Swing& swing, const model::LegLinks& links, const Vec3& torque) const;
   void learn(Leg leg, const Swing& swing);
 
   LinkMassOptions options_;
@@ -77,4 +77,4 @@ class LinkMassEstimator {
   Covariance covariance_;
 };
 
-}  // namespace surefoot
+}  // namespace surefoot::estimation

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <utility>
 
-namespace surefoot {
+namespace surefoot::estimation {
 namespace {
 
 constexpr double kLostFactor = 5.0;   // times patience, until any value is accepted
@@ -39,7 +39,7 @@ bool are_same(const JointVector& a, const JointVector& b) {
 
 }  // namespace
 
-ReadingGuard::ReadingGuard(const ReadingGuardOptions& options, const RobotDescription& robot,
+ReadingGuard::ReadingGuard(const ReadingGuardOptions& options, const model::RobotDescription& robot,
                            double period)
     : options_(options),
       period_(period),
@@ -236,4 +236,4 @@ JointVector ReadingGuard::encoder_age() const {
   return JointVector::Constant(time_) - angles_.seen();
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::estimation

@@ -5,7 +5,7 @@
 #include "surefoot/estimation/reading_guard_options.hpp"
 #include "surefoot/model/description.hpp"
 
-namespace surefoot {
+namespace surefoot::estimation {
 
 /// Finds impossible samples before anything reads them, and replaces them.
 ///
@@ -17,7 +17,8 @@ namespace surefoot {
 class ReadingGuard {
  public:
   /// `period` of the control loop [s].
-  ReadingGuard(const ReadingGuardOptions& options, const RobotDescription& robot, double period);
+  ReadingGuard(const ReadingGuardOptions& options, const model::RobotDescription& robot,
+               double period);
 
   /// One tick. `joint_velocity` is of the tick before [rad/s]. A reading whose clock is not a
   /// number, stands still, goes back, or leaps by more than 0.1 s gives no samples: all sensors
@@ -109,4 +110,4 @@ class ReadingGuard {
   SensorHealth health_;
 };
 
-}  // namespace surefoot
+}  // namespace surefoot::estimation

@@ -3,7 +3,7 @@
 #include "surefoot/base/fields.hpp"
 #include "surefoot/estimation/sensor_consistency_options.hpp"
 
-namespace surefoot {
+namespace surefoot::estimation {
 namespace {
 
 constexpr NumberRange kPatienceRange{.min = 0.0,
@@ -87,4 +87,4 @@ Group fields(ReadingGuardOptions& o) {
       {"repeats", &o.repeats, {.min = 1}, "", "of a sample, bit by bit: no measurement any more"}};
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::estimation

@@ -3,6 +3,10 @@
 #include "surefoot/math/types.hpp"
 
 namespace surefoot {
+struct Group;
+}  // namespace surefoot
+
+namespace surefoot::estimation {
 
 /// Limits of plausible sensor values of a legged robot.
 struct ReadingGuardOptions {
@@ -33,8 +37,7 @@ struct ReadingGuardOptions {
   int repeats = 3;
 };
 
-struct Group;
 /// Their names, units, ranges and help.
 [[nodiscard]] Group fields(ReadingGuardOptions& o);
 
-}  // namespace surefoot
+}  // namespace surefoot::estimation

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace surefoot {
+namespace surefoot::estimation {
 namespace {
 
 constexpr double kStandingSpeed = 0.5;      // of a standing robot [rad/s]
@@ -27,4 +27,4 @@ void RestCheck::update(const SensorReading& reading, const JointVector& joint_ve
   wrong_for_ = is_off || turns ? wrong_for_ + period_ : 0.0;
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::estimation

@@ -2,7 +2,7 @@
 
 #include "surefoot/signals/sensor_reading.hpp"
 
-namespace surefoot {
+namespace surefoot::estimation {
 
 /// Checks the IMU of a robot that stands still, before any estimate uses it.
 ///
@@ -35,4 +35,4 @@ class RestCheck {
   bool torques_pull_ = false;
 };
 
-}  // namespace surefoot
+}  // namespace surefoot::estimation

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace surefoot {
+namespace surefoot::estimation {
 namespace {
 
 constexpr double kLearningRate = 0.1;  // weight of a new value in the usual age
@@ -54,4 +54,4 @@ void SampleWatch::follow_delay() noexcept {
   others_ = 0;
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::estimation

@@ -2,7 +2,7 @@
 
 #include "surefoot/signals/sensor_health.hpp"
 
-namespace surefoot {
+namespace surefoot::estimation {
 
 /// Sample time that a reading at `time` gives [s]; NaN or a future time becomes the reading's.
 [[nodiscard]] inline double believed_sample_time(double given, double time) {
@@ -58,4 +58,4 @@ class SampleWatch {
   SampleFault fault_ = SampleFault::none;
 };
 
-}  // namespace surefoot
+}  // namespace surefoot::estimation

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace surefoot {
+namespace surefoot::estimation {
 namespace {
 
 constexpr double kSameForce = 12.0;        // of the IMU before and after an impact [m/s²]
@@ -78,4 +78,4 @@ void SensorConsistency::update(const SensorReading& reading, const SensorReading
     blame(health.joint_torques, SampleFault::contradicts, torques_.wrong_for(), torques_.joint());
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::estimation

@@ -6,12 +6,12 @@
 #include "surefoot/estimation/torque_check.hpp"
 #include "surefoot/signals/sensor_health.hpp"
 
-namespace surefoot {
+namespace surefoot::estimation {
 
 /// Inputs of a tick for cross-checks of the sensors.
 struct ConsistencyInputs {
   const RobotState& state;
-  const Dynamics& dynamics;
+  const model::Dynamics& dynamics;
   const PerLeg<bool>& stands;  ///< the feet planned to carry load, of the tick before
   const PerLeg<Vec3>& v_WF;    ///< planned velocities of the swing feet [m/s]
   const Vec3& normal_W;        ///< of the terrain
@@ -53,4 +53,4 @@ class SensorConsistency {
   Vec3 held_force_ = Vec3::Constant(kNaN), held_turn_ = Vec3::Constant(kNaN);
 };
 
-}  // namespace surefoot
+}  // namespace surefoot::estimation

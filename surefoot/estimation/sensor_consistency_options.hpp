@@ -1,6 +1,10 @@
 #pragma once
 
 namespace surefoot {
+struct Group;
+}  // namespace surefoot
+
+namespace surefoot::estimation {
 
 /// Limits of the disagreement between IMU and legs about the base's motion. Over a span T they are
 ///
@@ -36,8 +40,7 @@ struct SensorConsistencyOptions {
   TorqueCheckOptions torques;
 };
 
-struct Group;
 /// Their names, units, ranges and help.
 [[nodiscard]] Group fields(SensorConsistencyOptions& o);
 
-}  // namespace surefoot
+}  // namespace surefoot::estimation

@@ -9,13 +9,13 @@
 #include <cmath>
 #include <limits>
 
-namespace surefoot {
+namespace surefoot::estimation {
 namespace {
 
 constexpr int kMinFeetAtRest = 2;  // feet that stand still
 
 /// Median over the other stance feet's contact points and 0, along each axis of the heading.
-Vec3 velocity_of_others(const Dynamics& dynamics, const PerLeg<bool>& stands, Leg leg) {
+Vec3 velocity_of_others(const model::Dynamics& dynamics, const PerLeg<bool>& stands, Leg leg) {
   const Mat3 R = rotation_about_z(yaw(dynamics.base_rotation.R));
   Vec3 result;
   for (int axis = 0; axis < 3; ++axis) {
@@ -41,7 +41,7 @@ SlipDetector::SlipDetector(const SlipOptions& options, double period)
       period_(period),
       gain_(1.0 - std::exp(-2.0 * kPi * options.cutoff_hz * period)) {}
 
-void SlipDetector::update(const Dynamics& dynamics, const PerLeg<bool>& stands,
+void SlipDetector::update(const model::Dynamics& dynamics, const PerLeg<bool>& stands,
                           const Vec3& normal_W, RobotState& state) noexcept {
   for (const Leg leg : kLegs) {
     const std::size_t k = index(leg);
@@ -102,4 +102,4 @@ Group fields(SlipOptions& o) {
       });
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::estimation

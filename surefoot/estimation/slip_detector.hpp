@@ -4,6 +4,10 @@
 #include "surefoot/signals/robot_state.hpp"
 
 namespace surefoot {
+struct Group;
+}  // namespace surefoot
+
+namespace surefoot::estimation {
 
 /// When a stance foot counts as sliding.
 struct SlipOptions {
@@ -12,7 +16,6 @@ struct SlipOptions {
   double force = 20.0, settle = 0.05, cutoff_hz = 60.0;
 };
 
-struct Group;
 /// Their names, units, ranges and help.
 [[nodiscard]] Group fields(SlipOptions& o);
 
@@ -31,7 +34,7 @@ class SlipDetector {
 
   /// One tick, after foot forces are known: fills state.slip_velocity and state.slips. `stands`:
   /// the feet planned to carry load; `normal_W`: the terrain's estimate.
-  void update(const Dynamics& dynamics, const PerLeg<bool>& stands, const Vec3& normal_W,
+  void update(const model::Dynamics& dynamics, const PerLeg<bool>& stands, const Vec3& normal_W,
               RobotState& state) noexcept;
 
  private:
@@ -51,4 +54,4 @@ class SlipDetector {
   PerLeg<Foot> feet_{};
 };
 
-}  // namespace surefoot
+}  // namespace surefoot::estimation

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace surefoot {
+namespace surefoot::estimation {
 namespace {
 
 // A robot that stands:
@@ -58,4 +58,4 @@ StandingStart::State StandingStart::state() const noexcept {
           .doubt = has_waited_ ? kDoubt : 1.0};
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::estimation

@@ -4,7 +4,7 @@
 #include "surefoot/math/line_fit.hpp"
 #include "surefoot/signals/sensor_reading.hpp"
 
-namespace surefoot {
+namespace surefoot::estimation {
 
 /// Waits until a robot stands, and gives its motion at that time.
 ///
@@ -48,4 +48,4 @@ class StandingStart {
   Window window_;
 };
 
-}  // namespace surefoot
+}  // namespace surefoot::estimation

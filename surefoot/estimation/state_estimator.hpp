@@ -4,7 +4,7 @@
 #include "surefoot/signals/sensor_reading.hpp"
 #include "surefoot/signals/tick_context.hpp"
 
-namespace surefoot {
+namespace surefoot::estimation {
 
 /// Estimates the state from sensor readings.
 class StateEstimator {
@@ -23,4 +23,4 @@ class StateEstimator {
   virtual void begin_anew() noexcept = 0;
 };
 
-}  // namespace surefoot
+}  // namespace surefoot::estimation

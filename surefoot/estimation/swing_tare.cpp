@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace surefoot {
+namespace surefoot::estimation {
 namespace {
 
 /// Usual size of θ: [N·m], 1, [N·m·s/rad], [N·m·s²/rad].
@@ -93,4 +93,4 @@ void SwingTare::learn(LegTare& leg, const Sample& sample) const {
   }
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::estimation

@@ -6,7 +6,7 @@
 
 #include <array>
 
-namespace surefoot {
+namespace surefoot::estimation {
 
 /// When a swing leg is measured.
 struct SwingTareOptions {
@@ -84,4 +84,4 @@ class SwingTare {
   JointVector tare_ = JointVector::Zero();
 };
 
-}  // namespace surefoot
+}  // namespace surefoot::estimation

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace surefoot {
+namespace surefoot::estimation {
 namespace {
 
 constexpr double kMinSpread = 0.02;  // [m]
@@ -44,4 +44,4 @@ Mat3 control_frame(const Vec3& normal, double yaw) {
   return R;
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::estimation

@@ -2,7 +2,7 @@
 
 #include "surefoot/signals/leg.hpp"
 
-namespace surefoot {
+namespace surefoot::estimation {
 
 /// Plane through the latest footholds: z = a x + b y + c by least squares (Gehring 2015; the
 /// paper's control frame). The points are sphere centres, so the plane lies one foot radius above
@@ -25,4 +25,4 @@ struct TerrainPlane {
 /// Rotation R_WC of the control frame: z along the normal, x the heading projected onto the plane.
 [[nodiscard]] Mat3 control_frame(const Vec3& normal, double yaw);
 
-}  // namespace surefoot
+}  // namespace surefoot::estimation

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace surefoot {
+namespace surefoot::estimation {
 namespace {
 
 constexpr double kSmoothing = 0.02;      // of a joint's error [s]
@@ -28,7 +28,7 @@ void TorqueCheck::forget() noexcept {
   by_errors_ = {};
 }
 
-void TorqueCheck::update(const RobotState& state, const Dynamics& dynamics,
+void TorqueCheck::update(const RobotState& state, const model::Dynamics& dynamics,
                          const PerLeg<bool>& stands, const JointVector& command,
                          bool moves_exactly) noexcept {
   const JointVector before = error_;
@@ -51,13 +51,13 @@ void TorqueCheck::update(const RobotState& state, const Dynamics& dynamics,
 }
 
 // A torque reading that is e too high makes its leg push J⁺ᵀ e less on the ground.
-TorqueCheck::Wrench TorqueCheck::claimed_by_errors(const Dynamics& dynamics,
+TorqueCheck::Wrench TorqueCheck::claimed_by_errors(const model::Dynamics& dynamics,
                                                    const PerLeg<bool>& stands) const {
   Wrench result;
   for (const Leg leg : kLegs) {
-    const PointKinematics& contact = dynamics.contact[index(leg)];
+    const model::PointKinematics& contact = dynamics.contact[index(leg)];
     if (!stands[index(leg)]) continue;
-    const Vec3 force = damped_inverse(leg_jacobian(contact, leg)).transpose() *
+    const Vec3 force = model::damped_inverse(model::leg_jacobian(contact, leg)).transpose() *
                        error_.segment<kJointsPerLeg>(first_joint(leg));
     result.force += force;
     result.moment += (contact.p - dynamics.com.p).cross(force);
@@ -89,4 +89,4 @@ int TorqueCheck::joint() const {
   return count == 1 ? result : -1;
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::estimation

@@ -3,7 +3,7 @@
 #include "surefoot/estimation/external_force.hpp"
 #include "surefoot/estimation/sensor_consistency_options.hpp"
 
-namespace surefoot {
+namespace surefoot::estimation {
 
 /// Checks the joint torques against the command, which drives follow with delay, lag and gain, and
 /// against plausible pushes and loads: a momentum observer on the whole body
@@ -15,7 +15,7 @@ class TorqueCheck {
 
   /// One tick. `command` is of the tick before; `state` has the torques and foot forces of this
   /// one. `moves_exactly`: encoders have a new sample; coarser ones make claims meaningless.
-  void update(const RobotState& state, const Dynamics& dynamics, const PerLeg<bool>& stands,
+  void update(const RobotState& state, const model::Dynamics& dynamics, const PerLeg<bool>& stands,
               const JointVector& command, bool moves_exactly) noexcept;
   /// This tick gives no information.
   void forget() noexcept;
@@ -33,7 +33,7 @@ class TorqueCheck {
     Vec3 moment = Vec3::Zero();  // [N·m]
   };
 
-  [[nodiscard]] Wrench claimed_by_errors(const Dynamics& dynamics,
+  [[nodiscard]] Wrench claimed_by_errors(const model::Dynamics& dynamics,
                                          const PerLeg<bool>& stands) const;
   [[nodiscard]] bool claims_too_much() const;
 
@@ -46,4 +46,4 @@ class TorqueCheck {
   double exact_for_ = 0.0, claims_for_ = 0.0;  // [s]
 };
 
-}  // namespace surefoot
+}  // namespace surefoot::estimation

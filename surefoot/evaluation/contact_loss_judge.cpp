@@ -2,14 +2,14 @@
 
 #include "surefoot/evaluation/quantile.hpp"
 
-namespace surefoot {
+namespace surefoot::evaluation {
 namespace {
 
 constexpr double kMinLossTime = 0.05;  // [s]
 
 }  // namespace
 
-void ContactLossJudge::add(const GroundTruth& truth, const MotionPlan& plan) {
+void ContactLossJudge::add(const simulation::GroundTruth& truth, const MotionPlan& plan) {
   for (const Leg leg : kLegs) {
     Foot& foot = feet_[index(leg)];
     const bool touches = truth.feet[index(leg)].touched;
@@ -41,4 +41,4 @@ void ContactLossJudge::write(Metrics& metrics) const {
   metrics.contact_loss_latency_p95_s = quantile_of(latencies_, 0.95);
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::evaluation

@@ -6,7 +6,7 @@
 
 #include <vector>
 
-namespace surefoot {
+namespace surefoot::evaluation {
 
 /// Compares the contact losses that the controller notices with the true ones. A planned stance
 /// foot (LegPhase::stance) truly loses contact if it does not touch the ground for 50 ms, longer
@@ -15,7 +15,7 @@ namespace surefoot {
 /// touched in the last tick is false.
 class ContactLossJudge {
  public:
-  void add(const GroundTruth& truth, const MotionPlan& plan);
+  void add(const simulation::GroundTruth& truth, const MotionPlan& plan);
   void write(Metrics& metrics) const;
 
  private:
@@ -30,4 +30,4 @@ class ContactLossJudge {
   int noticed_ = 0, missed_ = 0, false_ = 0;
 };
 
-}  // namespace surefoot
+}  // namespace surefoot::evaluation

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace surefoot {
+namespace surefoot::evaluation {
 namespace {
 
 // A metric with a possible limit.
@@ -89,7 +89,7 @@ bool all_passed(const std::vector<CriterionResult>& results) {
 
 std::string summary_json(const Metrics& metrics, const std::vector<CriterionResult>& results) {
   std::string out;
-  JsonText json(out);
+  logging::JsonText json(out);
   json.object().key("metrics").raw(to_json(metrics)).key("criteria").array();
   for (const CriterionResult& result : results) {
     const Criterion& criterion = result.criterion;
@@ -103,4 +103,4 @@ std::string summary_json(const Metrics& metrics, const std::vector<CriterionResu
   return out;
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::evaluation

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace surefoot {
+namespace surefoot::evaluation {
 
 /// A limit on a metric, e.g. com_error_max_m ≤ 0.0005 or fell = false.
 struct Criterion {
@@ -36,4 +36,4 @@ void check(const Criterion& criterion);
 [[nodiscard]] std::string summary_json(const Metrics& metrics,
                                        const std::vector<CriterionResult>& results);
 
-}  // namespace surefoot
+}  // namespace surefoot::evaluation

@@ -6,7 +6,7 @@
 /// The estimate's fields in the viewer and in `explain`.
 namespace surefoot::logged {
 
-template <typename Archive, Is<AlignedEstimate> T>
+template <typename Archive, Is<evaluation::AlignedEstimate> T>
 void fields(Archive& field, T& estimate) {
   field("p_WB", estimate.p_WB,
         "believed base position, counted from the true one at the first tick, in the true W [m]");

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-namespace surefoot {
+namespace surefoot::evaluation {
 
-void EstimateJudge::add(const GroundTruth& truth, const RobotState& state) {
+void EstimateJudge::add(const simulation::GroundTruth& truth, const RobotState& state) {
   const Mat3 R_true = truth.q_WB.toRotationMatrix();
   const Mat3 R = state.R_WB();
   if (!R.allFinite() || !state.v_WB.allFinite() || !state.p_WB.allFinite()) return;
@@ -30,4 +30,4 @@ void EstimateJudge::write(Metrics& metrics) const {
   metrics.heading_drift_rad = std::abs(end_.heading_error);
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::evaluation

@@ -3,14 +3,14 @@
 #include "surefoot/evaluation/metrics.hpp"
 #include "surefoot/evaluation/start_alignment.hpp"
 
-namespace surefoot {
+namespace surefoot::evaluation {
 
 /// Compares the estimated base state with the truth. Compares velocity in B and tilt by the
 /// direction of the vertical in B, as the heading is not observable. Drift is the error of the way
 /// since the first tick, from the same initial heading (StartAlignment).
 class EstimateJudge {
  public:
-  void add(const GroundTruth& truth, const RobotState& state);
+  void add(const simulation::GroundTruth& truth, const RobotState& state);
   void write(Metrics& metrics) const;
 
  private:
@@ -20,4 +20,4 @@ class EstimateJudge {
   AlignedEstimate end_;
 };
 
-}  // namespace surefoot
+}  // namespace surefoot::evaluation

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <cstdio>
 
-namespace surefoot {
+namespace surefoot::evaluation {
 namespace {
 
 constexpr double kMinBaseHeight = 0.12;  // above the mean stance foot; allows a crouch [m]
@@ -44,7 +44,7 @@ void Evaluator::Squares::add(double value) {
 
 double Evaluator::Squares::root_mean() const { return count == 0 ? kNaN : std::sqrt(sum / count); }
 
-void Evaluator::add(const GroundTruth& truth, const TickRecord& tick) {
+void Evaluator::add(const simulation::GroundTruth& truth, const TickRecord& tick) {
   const CommandMode mode = tick.command.mode;
   if (is_off_its_feet(mode)) {
     add_off_its_feet(truth, tick);
@@ -60,7 +60,7 @@ void Evaluator::add(const GroundTruth& truth, const TickRecord& tick) {
 }
 
 // Estimate and plan restart afterwards.
-void Evaluator::add_off_its_feet(const GroundTruth& truth, const TickRecord& tick) {
+void Evaluator::add_off_its_feet(const simulation::GroundTruth& truth, const TickRecord& tick) {
   const bool is_lifted = tick.command.mode == CommandMode::lifted;
   double& time = is_lifted ? metrics_.lifted_s : metrics_.standing_up_s;
   time += options_.control_period;
@@ -71,7 +71,7 @@ void Evaluator::add_off_its_feet(const GroundTruth& truth, const TickRecord& tic
 }
 
 // A stopped controller uses neither its plan nor its estimate.
-void Evaluator::judge_plan(const GroundTruth& truth, const TickRecord& tick) {
+void Evaluator::judge_plan(const simulation::GroundTruth& truth, const TickRecord& tick) {
   frame_.update(tick.plan, tick.model.p_WF, truth.p_WF);
   if (begins_anew(tick)) estimate_ = {};
   estimate_.add(truth, tick.state);
@@ -90,7 +90,7 @@ void Evaluator::add(const TickTiming& timing) {
   solve_times_.push_back(timing.solve);
 }
 
-void Evaluator::add_progress(const GroundTruth& truth, const TickRecord& tick) {
+void Evaluator::add_progress(const simulation::GroundTruth& truth, const TickRecord& tick) {
   if (ticks_ == 0) start_ = truth.p_WB;
   end_ = truth.p_WB;
   if (tick.command.mode != CommandMode::optimal) ++metrics_.fallback_ticks;
@@ -99,7 +99,7 @@ void Evaluator::add_progress(const GroundTruth& truth, const TickRecord& tick) {
   raise(calibrates ? metrics_.max_tilt_calibrating_rad : metrics_.max_tilt_rad, tilt(truth.q_WB));
 }
 
-void Evaluator::add_walk(const GroundTruth& truth, const TickRecord& tick) {
+void Evaluator::add_walk(const simulation::GroundTruth& truth, const TickRecord& tick) {
   for (const GaitEvent& event : tick.plan.events)
     metrics_.no_ground_events += event.kind == PlanEvent::no_ground ? 1 : 0;
   if (!tick.user.walk || tick.plan.calibration != CalibrationStage::none) return;
@@ -109,7 +109,7 @@ void Evaluator::add_walk(const GroundTruth& truth, const TickRecord& tick) {
   ++walk_ticks_;
 }
 
-void Evaluator::add_com(const GroundTruth& truth, const TickRecord& tick) {
+void Evaluator::add_com(const simulation::GroundTruth& truth, const TickRecord& tick) {
   // The frames differ by a turn about the vertical, so the height of the plan's COM does not
   // matter.
   const Vec3 desired = frame_.to_truth({tick.plan.com.p.x(), tick.plan.com.p.y(), 0.0});
@@ -131,7 +131,7 @@ void Evaluator::add_com(const GroundTruth& truth, const TickRecord& tick) {
   sway_max_ = first ? lateral : std::max(sway_max_, lateral);
 }
 
-void Evaluator::add_torso(const GroundTruth& truth, const TickRecord& tick) {
+void Evaluator::add_torso(const simulation::GroundTruth& truth, const TickRecord& tick) {
   height_error_.add(truth.p_WB.z() - frame_.to_truth({0.0, 0.0, tick.plan.torso.height}).z());
   orientation_error_.add(truth.q_WB.angularDistance(Quat(frame_.R()) * tick.plan.torso.q_WB));
 }
@@ -149,7 +149,7 @@ void Evaluator::add_frames(const TickRecord& tick) {
   plan_before_ = calibrates ? std::nullopt : std::optional(now);
 }
 
-void Evaluator::add_torques(const GroundTruth& truth, const TickRecord& tick) {
+void Evaluator::add_torques(const simulation::GroundTruth& truth, const TickRecord& tick) {
   const JointVector& torque = tick.command.torque;
   raise(metrics_.torque_max_nm, truth.torque.cwiseAbs().maxCoeff());
   raise(metrics_.torque_command_max_nm, torque.cwiseAbs().maxCoeff());
@@ -158,9 +158,9 @@ void Evaluator::add_torques(const GroundTruth& truth, const TickRecord& tick) {
   torque_before_ = torque;
 }
 
-void Evaluator::add_foot(Leg leg, const GroundTruth& truth, const FootPlan& plan) {
+void Evaluator::add_foot(Leg leg, const simulation::GroundTruth& truth, const FootPlan& plan) {
   Foot& foot = feet_[index(leg)];
-  const TrueContact& contact = truth.feet[index(leg)];
+  const simulation::TrueContact& contact = truth.feet[index(leg)];
   const bool in_stance = in_contact(plan.phase);
   if (in_stance && !foot.was_contact) {
     ++metrics_.steps_taken;
@@ -177,7 +177,7 @@ void Evaluator::add_foot(Leg leg, const GroundTruth& truth, const FootPlan& plan
         (truth.p_WB + truth.q_WB * p_BH - truth.p_WF[index(leg)]).norm());
 }
 
-void Evaluator::add_stance(Foot& foot, const TrueContact& contact) {
+void Evaluator::add_stance(Foot& foot, const simulation::TrueContact& contact) {
   foot.slip += contact.slip_velocity.norm() * options_.control_period;
   raise(metrics_.foot_slip_max_m, foot.slip);
   const double normal_force = contact.normal.dot(contact.force);
@@ -188,7 +188,7 @@ void Evaluator::add_stance(Foot& foot, const TrueContact& contact) {
     ++metrics_.edge_landings;
 }
 
-void Evaluator::add_friction(const TrueContact& contact, double normal_force) {
+void Evaluator::add_friction(const simulation::TrueContact& contact, double normal_force) {
   if (normal_force <= 0.0) return;
   const double tangential_force = (contact.force - normal_force * contact.normal).norm();
   // A sliding foot's margin is ±1e-16.
@@ -199,7 +199,7 @@ void Evaluator::add_friction(const TrueContact& contact, double normal_force) {
   }
 }
 
-void Evaluator::add_body_contacts(const GroundTruth& truth) {
+void Evaluator::add_body_contacts(const simulation::GroundTruth& truth) {
   const auto bits = [](int mask) { return static_cast<unsigned>(mask); };
   metrics_.shank_contacts += std::popcount(bits(truth.shank_contacts) & ~bits(shanks_touched_));
   metrics_.torso_contacts += truth.torso_contact && !torso_touched_ ? 1 : 0;
@@ -207,7 +207,7 @@ void Evaluator::add_body_contacts(const GroundTruth& truth) {
   torso_touched_ = truth.torso_contact;
 }
 
-void Evaluator::check_fall(const GroundTruth& truth, bool may_lie, bool hangs) {
+void Evaluator::check_fall(const simulation::GroundTruth& truth, bool may_lie, bool hangs) {
   double sum = 0.0;
   int count = 0;
   for (const Leg leg : kLegs) {
@@ -262,4 +262,4 @@ Metrics Evaluator::metrics(const RunEnd& end) const {
   return result;
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::evaluation

@@ -16,7 +16,7 @@
 #include <string>
 #include <vector>
 
-namespace surefoot {
+namespace surefoot::evaluation {
 
 struct EvaluatorOptions {
   double control_period = 0.0025;  ///< [s]
@@ -44,7 +44,7 @@ class Evaluator {
         path_(options_.control_period) {}
 
   /// Truth and tick must be of the same time.
-  void add(const GroundTruth& truth, const TickRecord& tick);
+  void add(const simulation::GroundTruth& truth, const TickRecord& tick);
   void add(const TickTiming& timing);
 
   /// True from the tick of the fall on.
@@ -69,25 +69,25 @@ class Evaluator {
     [[nodiscard]] double root_mean() const;
   };
 
-  void judge_plan(const GroundTruth& truth, const TickRecord& tick);
-  void add_off_its_feet(const GroundTruth& truth, const TickRecord& tick);
-  void add_progress(const GroundTruth& truth, const TickRecord& tick);
-  void add_walk(const GroundTruth& truth, const TickRecord& tick);
-  void add_com(const GroundTruth& truth, const TickRecord& tick);
-  void add_torso(const GroundTruth& truth, const TickRecord& tick);
+  void judge_plan(const simulation::GroundTruth& truth, const TickRecord& tick);
+  void add_off_its_feet(const simulation::GroundTruth& truth, const TickRecord& tick);
+  void add_progress(const simulation::GroundTruth& truth, const TickRecord& tick);
+  void add_walk(const simulation::GroundTruth& truth, const TickRecord& tick);
+  void add_com(const simulation::GroundTruth& truth, const TickRecord& tick);
+  void add_torso(const simulation::GroundTruth& truth, const TickRecord& tick);
   void add_frames(const TickRecord& tick);
-  void add_torques(const GroundTruth& truth, const TickRecord& tick);
-  void add_foot(Leg leg, const GroundTruth& truth, const FootPlan& plan);
-  void add_stance(Foot& foot, const TrueContact& contact);
-  void add_friction(const TrueContact& contact, double normal_force);
-  void add_body_contacts(const GroundTruth& truth);
+  void add_torques(const simulation::GroundTruth& truth, const TickRecord& tick);
+  void add_foot(Leg leg, const simulation::GroundTruth& truth, const FootPlan& plan);
+  void add_stance(Foot& foot, const simulation::TrueContact& contact);
+  void add_friction(const simulation::TrueContact& contact, double normal_force);
+  void add_body_contacts(const simulation::GroundTruth& truth);
   /// `may_lie`: the robot sits down after a sensor fault, or stands up. `hangs`: lifted, at any
   /// height and tilt, but not with the torso on the ground.
-  void check_fall(const GroundTruth& truth, bool may_lie, bool hangs);
+  void check_fall(const simulation::GroundTruth& truth, bool may_lie, bool hangs);
 
   EvaluatorOptions options_;
   Metrics metrics_;  // those that are final at every tick
-  BeliefFrame frame_;
+  model::BeliefFrame frame_;
   EstimateJudge estimate_;
   TouchdownJudge touchdowns_;
   ContactLossJudge losses_;
@@ -109,4 +109,4 @@ class Evaluator {
   std::vector<double> tick_times_, solve_times_;  // [µs]
 };
 
-}  // namespace surefoot
+}  // namespace surefoot::evaluation

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-namespace surefoot {
+namespace surefoot::evaluation {
 
 bool is_notable(PlanEvent event) {
   constexpr std::array kUsual{PlanEvent::none, PlanEvent::lift_off, PlanEvent::touchdown,
@@ -25,4 +25,4 @@ void EventCounter::add(double time, const EventList& events) {
   }
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::evaluation

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-namespace surefoot {
+namespace surefoot::evaluation {
 
 /// Count of an event of one leg in a run.
 struct EventCount {
@@ -30,4 +30,4 @@ class EventCounter {
   std::vector<EventCount> counts_;
 };
 
-}  // namespace surefoot
+}  // namespace surefoot::evaluation

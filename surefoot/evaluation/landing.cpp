@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace surefoot {
+namespace surefoot::evaluation {
 namespace {
 
 constexpr double kReach = 0.02;     // [m]
@@ -43,4 +43,4 @@ bool is_edge_landing(const TerrainHeight& terrain, const Vec3& point, const Vec3
   return !(normal.dot(terrain_normal(terrain, point)) >= std::cos(kMaxLean));
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::evaluation

@@ -4,7 +4,7 @@
 
 #include <functional>
 
-namespace surefoot {
+namespace surefoot::evaluation {
 
 /// Height of the terrain under (x, y) in W [m]; NaN without terrain.
 using TerrainHeight = std::function<double(double x, double y)>;
@@ -15,4 +15,4 @@ using TerrainHeight = std::function<double(double x, double y)>;
 [[nodiscard]] bool is_edge_landing(const TerrainHeight& terrain, const Vec3& point,
                                    const Vec3& normal);
 
-}  // namespace surefoot
+}  // namespace surefoot::evaluation

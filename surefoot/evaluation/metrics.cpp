@@ -2,10 +2,10 @@
 
 #include "surefoot/logging/json_text.hpp"
 
-namespace surefoot {
+namespace surefoot::evaluation {
 namespace {
 
-void write(JsonText& json, const MetricValue& value) {
+void write(logging::JsonText& json, const MetricValue& value) {
   std::visit(
       [&json](const auto& content) {
         using T = std::decay_t<decltype(content)>;
@@ -95,7 +95,7 @@ std::vector<std::pair<std::string_view, MetricValue>> values(const Metrics& metr
 
 std::string to_json(const Metrics& metrics) {
   std::string out;
-  JsonText json(out);
+  logging::JsonText json(out);
   json.object();
   for (const auto& [name, value] : values(metrics)) {
     json.key(name);
@@ -105,4 +105,4 @@ std::string to_json(const Metrics& metrics) {
   return out;
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::evaluation

@@ -10,7 +10,7 @@
 #include <variant>
 #include <vector>
 
-namespace surefoot {
+namespace surefoot::evaluation {
 
 /// Distribution of a time per tick [µs].
 struct Quantiles {
@@ -120,4 +120,4 @@ using MetricValue =
 /// null.
 [[nodiscard]] std::string to_json(const Metrics& metrics);
 
-}  // namespace surefoot
+}  // namespace surefoot::evaluation

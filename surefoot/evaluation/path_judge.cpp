@@ -5,9 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
-namespace surefoot {
+namespace surefoot::evaluation {
 
-void PathJudge::add(const GroundTruth& truth, const UserCommand& user, const Vec3& heading) {
+void PathJudge::add(const simulation::GroundTruth& truth, const UserCommand& user,
+                    const Vec3& heading) {
   Vec2 centre = Vec2::Zero();
   for (const Vec3& foot : truth.p_WF) centre += foot.head<2>() / kNumLegs;
   if (!begun_) {
@@ -35,4 +36,4 @@ void PathJudge::write(Metrics& metrics) const {
   metrics.path_deviation_base_max_m = base_;
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::evaluation

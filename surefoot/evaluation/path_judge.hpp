@@ -4,7 +4,7 @@
 #include "surefoot/signals/user_command.hpp"
 #include "surefoot/simulation/ground_truth.hpp"
 
-namespace surefoot {
+namespace surefoot::evaluation {
 
 /// Measures the robot's deviation from the commanded path. The path starts under the feet's centre
 /// when the walk begins, and follows the commanded velocity and yaw rate. Only deviation across the
@@ -14,7 +14,7 @@ class PathJudge {
   explicit PathJudge(double period) : period_(period) {}
 
   /// A tick with commanded walking; `heading` of the torso's reference in the true world.
-  void add(const GroundTruth& truth, const UserCommand& user, const Vec3& heading);
+  void add(const simulation::GroundTruth& truth, const UserCommand& user, const Vec3& heading);
   void write(Metrics& metrics) const;
 
  private:
@@ -27,4 +27,4 @@ class PathJudge {
   double feet_ = 0.0, base_ = 0.0;                         // largest deviations [m]
 };
 
-}  // namespace surefoot
+}  // namespace surefoot::evaluation

@@ -6,7 +6,7 @@
 #include <limits>
 #include <vector>
 
-namespace surefoot {
+namespace surefoot::evaluation {
 
 /// The smallest value that a share p of all values does not exceed, 0 < p ≤ 1. The values must be
 /// sorted in ascending order and not empty.
@@ -21,4 +21,4 @@ namespace surefoot {
   return values.empty() ? std::numeric_limits<double>::quiet_NaN() : quantile(values, p);
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::evaluation

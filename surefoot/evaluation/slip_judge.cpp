@@ -2,7 +2,7 @@
 
 #include "surefoot/evaluation/quantile.hpp"
 
-namespace surefoot {
+namespace surefoot::evaluation {
 namespace {
 
 constexpr double kSlipSpeed = 0.05;    // of a sliding foot [m/s]
@@ -14,11 +14,11 @@ constexpr double kRounding = 1e-9;     // [s]
 
 }  // namespace
 
-void SlipJudge::add(const GroundTruth& truth, const TickRecord& tick) {
+void SlipJudge::add(const simulation::GroundTruth& truth, const TickRecord& tick) {
   for (const Leg leg : kLegs) {
     const std::size_t k = index(leg);
     Foot& foot = feet_[k];
-    const TrueContact& contact = truth.feet[k];
+    const simulation::TrueContact& contact = truth.feet[k];
     const bool stands = tick.plan.contact(leg) && contact.touching;
     const double speed = stands ? contact.slip_velocity.norm() : 0.0;
     follow(foot, truth.time, speed, contact.normal.dot(contact.force) > kMinLoad);
@@ -64,4 +64,4 @@ void SlipJudge::write(Metrics& metrics) const {
   metrics.slip_latency_p95_s = quantile_of(latencies_, 0.95);
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::evaluation

@@ -6,7 +6,7 @@
 
 #include <vector>
 
-namespace surefoot {
+namespace surefoot::evaluation {
 
 /// Compares the slips that the controller detects with the true ones. A foot truly slides while it
 /// is in planned stance, carries more than 20 N and its contact point moves along the ground faster
@@ -17,7 +17,7 @@ class SlipJudge {
  public:
   explicit SlipJudge(double period) : period_(period) {}
 
-  void add(const GroundTruth& truth, const TickRecord& tick);
+  void add(const simulation::GroundTruth& truth, const TickRecord& tick);
   void write(Metrics& metrics) const;
 
  private:
@@ -40,4 +40,4 @@ class SlipJudge {
   int detected_ = 0, missed_ = 0, false_ = 0;
 };
 
-}  // namespace surefoot
+}  // namespace surefoot::evaluation

@@ -5,14 +5,15 @@
 
 #include <cmath>
 
-namespace surefoot {
+namespace surefoot::evaluation {
 namespace {
 
 constexpr double kSameTime = 1e-9;  // [s]
 
 }  // namespace
 
-std::optional<StartAlignment> start_alignment(const GroundTruth& truth, const RobotState& state) {
+std::optional<StartAlignment> start_alignment(const simulation::GroundTruth& truth,
+                                              const RobotState& state) {
   if (std::abs(truth.time) > kSameTime) return std::nullopt;
   const Mat3 R = state.R_WB();
   if (!R.allFinite() || !state.p_WB.allFinite()) return std::nullopt;
@@ -22,7 +23,7 @@ std::optional<StartAlignment> start_alignment(const GroundTruth& truth, const Ro
 
 bool begins_anew(const TickRecord& tick) { return tick.plan.events.has(PlanEvent::begun_anew); }
 
-AlignedEstimate aligned(const StartAlignment& start, const GroundTruth& truth,
+AlignedEstimate aligned(const StartAlignment& start, const simulation::GroundTruth& truth,
                         const RobotState& state) {
   const Vec3 p = start.R * state.p_WB + start.p;
   const Mat3 R = start.R * state.R_WB();
@@ -30,4 +31,4 @@ AlignedEstimate aligned(const StartAlignment& start, const GroundTruth& truth,
   return {p, Quat(R), (p - truth.p_WB).norm(), std::remainder(turned, 2.0 * kPi)};
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::evaluation

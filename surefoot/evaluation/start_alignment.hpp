@@ -6,7 +6,7 @@
 
 #include <optional>
 
-namespace surefoot {
+namespace surefoot::evaluation {
 
 /// Pose of the controller's world W in the true one at the start of the run. Sensors can see
 /// neither position nor heading, so estimates are compared relative to it.
@@ -19,7 +19,7 @@ struct StartAlignment {
 
 /// Empty at any tick but the run's first, whose time is 0, or without an estimate: values relative
 /// to the start are unknown then.
-[[nodiscard]] std::optional<StartAlignment> start_alignment(const GroundTruth& truth,
+[[nodiscard]] std::optional<StartAlignment> start_alignment(const simulation::GroundTruth& truth,
                                                             const RobotState& state);
 
 /// Does the estimate restart at this tick, so that the past does not count?
@@ -33,7 +33,8 @@ struct AlignedEstimate {
   double heading_error = kNaN;        ///< to the left [rad]
 };
 
-[[nodiscard]] AlignedEstimate aligned(const StartAlignment& start, const GroundTruth& truth,
+[[nodiscard]] AlignedEstimate aligned(const StartAlignment& start,
+                                      const simulation::GroundTruth& truth,
                                       const RobotState& state);
 
-}  // namespace surefoot
+}  // namespace surefoot::evaluation

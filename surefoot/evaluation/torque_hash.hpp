@@ -5,7 +5,7 @@
 #include <bit>
 #include <cstdint>
 
-namespace surefoot {
+namespace surefoot::evaluation {
 
 /// Hash of a run's commanded torques, tick by tick (FNV-1a of their bits, low byte first). Two runs
 /// with the same hash commanded the same torques to the bit.
@@ -24,4 +24,4 @@ class TorqueHash {
   std::uint64_t hash_ = 0xcbf29ce484222325U;
 };
 
-}  // namespace surefoot
+}  // namespace surefoot::evaluation

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace surefoot {
+namespace surefoot::evaluation {
 namespace {
 
 constexpr double kMaxBounce = 0.05;    // [s]
@@ -13,7 +13,7 @@ constexpr double kLateLatency = 0.03;  // [s]
 
 }  // namespace
 
-void TouchdownJudge::add(const GroundTruth& truth, const MotionPlan& plan) {
+void TouchdownJudge::add(const simulation::GroundTruth& truth, const MotionPlan& plan) {
   const double time = truth.time;
   for (const Leg leg : kLegs) {
     Foot& foot = feet_[index(leg)];
@@ -44,4 +44,4 @@ void TouchdownJudge::write(Metrics& metrics) const {
       latencies_, [](double latency) { return latency > kLateLatency + 1e-9; }));
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::evaluation

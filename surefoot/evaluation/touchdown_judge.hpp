@@ -6,7 +6,7 @@
 
 #include <vector>
 
-namespace surefoot {
+namespace surefoot::evaluation {
 
 /// Compares the touchdowns that the controller notices with the true ones. A touchdown is noticed
 /// when a leg's phase becomes stance, and false if the foot did not touch for a single physics step
@@ -14,7 +14,7 @@ namespace surefoot {
 /// from bounces.
 class TouchdownJudge {
  public:
-  void add(const GroundTruth& truth, const MotionPlan& plan);
+  void add(const simulation::GroundTruth& truth, const MotionPlan& plan);
   void write(Metrics& metrics) const;
 
  private:
@@ -30,4 +30,4 @@ class TouchdownJudge {
   int false_touchdowns_ = 0;
 };
 
-}  // namespace surefoot
+}  // namespace surefoot::evaluation

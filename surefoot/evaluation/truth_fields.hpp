@@ -6,7 +6,7 @@
 /// The truth's fields, for the log's channel and for Python.
 namespace surefoot::logged {
 
-template <typename Archive, Is<TrueContact> T>
+template <typename Archive, Is<simulation::TrueContact> T>
 void fields(Archive& field, T& contact) {
   field("touching", contact.touching, "the foot touches the ground");
   field("touched", contact.touched,
@@ -20,7 +20,7 @@ void fields(Archive& field, T& contact) {
   field("penetration", contact.penetration, "deepest [m]");
 }
 
-template <typename Archive, Is<GroundTruth> T>
+template <typename Archive, Is<simulation::GroundTruth> T>
 void fields(Archive& field, T& truth) {
   field("time", truth.time, "of the simulation [s]");
   field("p_WB", truth.p_WB, "base position in W [m]");

@@ -3,15 +3,16 @@
 #include "surefoot/evaluation/truth_fields.hpp"
 #include "surefoot/logging/message_codec.hpp"
 
-namespace surefoot {
+namespace surefoot::evaluation {
 
-TruthLog::TruthLog(Recorder& recorder)
+TruthLog::TruthLog(logging::Recorder& recorder)
     : recorder_(recorder),
-      channel_(recorder.add_channel("/truth", "surefoot.GroundTruth",
-                                    logged::schema<GroundTruth>("surefoot.GroundTruth"))) {}
+      channel_(
+          recorder.add_channel("/truth", "surefoot.GroundTruth",
+                               logged::schema<simulation::GroundTruth>("surefoot.GroundTruth"))) {}
 
-void TruthLog::record(const GroundTruth& truth) {
+void TruthLog::record(const simulation::GroundTruth& truth) {
   recorder_.record(channel_, truth.time, [truth](std::string& out) { logged::encode(truth, out); });
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::evaluation

@@ -3,20 +3,20 @@
 #include "surefoot/logging/recorder.hpp"
 #include "surefoot/simulation/ground_truth.hpp"
 
-namespace surefoot {
+namespace surefoot::evaluation {
 
 /// The log's channel `/truth`: simulator state unknown to the controller, with MuJoCo's qpos, qvel,
 /// ctrl and xfrc_applied, so that stock MuJoCo can show and check the run.
 class TruthLog {
  public:
   /// Adds the channel; call before the recorder's first tick.
-  explicit TruthLog(Recorder& recorder);
+  explicit TruthLog(logging::Recorder& recorder);
 
-  void record(const GroundTruth& truth);
+  void record(const simulation::GroundTruth& truth);
 
  private:
-  Recorder& recorder_;
-  Recorder::Channel channel_;
+  logging::Recorder& recorder_;
+  logging::Recorder::Channel channel_;
 };
 
-}  // namespace surefoot
+}  // namespace surefoot::evaluation

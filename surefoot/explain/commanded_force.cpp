@@ -5,7 +5,7 @@
 #include "surefoot/logging/hierarchy_status.hpp"
 #include "surefoot/tasks/catalog.hpp"
 
-namespace surefoot {
+namespace surefoot::explain {
 namespace {
 
 constexpr double kLoaded = 1.0;  // [N]
@@ -19,29 +19,30 @@ PerLeg<Quat> CommandedForces::no_axes() {
   return axes;
 }
 
-std::optional<FrictionCone> friction_cone_of(const StackOptions& stack) {
-  for (const LevelSpec& level : stack.levels) {
-    for (const TaskSpec& spec : level.tasks) {
-      const auto task = make_task(spec.task, {spec.numbers, spec.choices});
-      if (const auto* cone = dynamic_cast<const FrictionCone*>(task.get())) return *cone;
+std::optional<tasks::FrictionCone> friction_cone_of(const control::StackOptions& stack) {
+  for (const control::LevelSpec& level : stack.levels) {
+    for (const control::TaskSpec& spec : level.tasks) {
+      const auto task = tasks::make_task(spec.task, {spec.numbers, spec.choices});
+      if (const auto* cone = dynamic_cast<const tasks::FrictionCone*>(task.get())) return *cone;
     }
   }
   return std::nullopt;
 }
 
-std::optional<FrictionCone> friction_cone_of(const LogHeader& header) {
+std::optional<tasks::FrictionCone> friction_cone_of(const logging::LogHeader& header) {
   const std::string* stack = header.attachment("resolved_stack.yaml");
   if (stack == nullptr) return std::nullopt;
   try {
-    return friction_cone_of(parse_stack(*stack, "resolved_stack.yaml"));
+    return friction_cone_of(config::parse_stack(*stack, "resolved_stack.yaml"));
   } catch (const Error&) {  // of a program that is another one
     return std::nullopt;
   }
 }
 
-CommandedForces commanded_forces(const std::optional<FrictionCone>& cone, const TickRecord& tick) {
+CommandedForces commanded_forces(const std::optional<tasks::FrictionCone>& cone,
+                                 const TickRecord& tick) {
   CommandedForces result;
-  if (!was_used(tick)) return result;
+  if (!logging::was_used(tick)) return result;
   for (const Leg leg : kLegs) {
     if (!tick.plan.contact(leg)) continue;
     const std::size_t k = index(leg);
@@ -50,7 +51,7 @@ CommandedForces commanded_forces(const std::optional<FrictionCone>& cone, const 
       result.normal[k] = tick.plan.R_WC.col(2).dot(force);
       continue;
     }
-    const FrictionPyramid pyramid = cone->pyramid(tick.plan, leg);
+    const tasks::FrictionPyramid pyramid = cone->pyramid(tick.plan, leg);
     result.q_WP[k] = Quat(pyramid.axes);
     result.pyramid_friction[k] = pyramid.mu;
     result.normal[k] = pyramid.normal().dot(force);
@@ -66,4 +67,4 @@ Beyond beyond_limits(const CommandedForces& forces, const MotionPlan& plan, Leg 
   return forces.friction_use[k] > 1.0 + kSlack ? Beyond::friction : Beyond::nothing;
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::explain

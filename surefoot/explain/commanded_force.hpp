@@ -8,7 +8,7 @@
 
 #include <optional>
 
-namespace surefoot {
+namespace surefoot::explain {
 
 /// The forces that a tick's solution asks of the feet, against the pyramids that held them; NaN of
 /// feet that don't carry.
@@ -23,13 +23,14 @@ struct CommandedForces {
 
 /// The task that holds the forces of a stack; nothing where it has none, or one that this program
 /// does not know.
-[[nodiscard]] std::optional<FrictionCone> friction_cone_of(const StackOptions& stack);
+[[nodiscard]] std::optional<tasks::FrictionCone> friction_cone_of(
+    const control::StackOptions& stack);
 /// The same of the stack that a log has attached. Its choices can't be changed in a run.
-[[nodiscard]] std::optional<FrictionCone> friction_cone_of(const LogHeader& header);
+[[nodiscard]] std::optional<tasks::FrictionCone> friction_cone_of(const logging::LogHeader& header);
 
 /// Of a tick whose command is no solution all are NaN. Where the cone is not known, forces are
 /// those along the terrain's normal, and friction is NaN.
-[[nodiscard]] CommandedForces commanded_forces(const std::optional<FrictionCone>& cone,
+[[nodiscard]] CommandedForces commanded_forces(const std::optional<tasks::FrictionCone>& cone,
                                                const TickRecord& tick);
 
 /// Of which limit the solution asks a foot for a force beyond it, as the levels that keep it gave
@@ -37,9 +38,11 @@ struct CommandedForces {
 enum class Beyond : int { nothing = 0, force, friction };
 [[nodiscard]] Beyond beyond_limits(const CommandedForces& forces, const MotionPlan& plan, Leg leg);
 
-namespace logged {
+}  // namespace surefoot::explain
 
-template <typename Archive, Is<CommandedForces> T>
+namespace surefoot::logged {
+
+template <typename Archive, Is<explain::CommandedForces> T>
 void fields(Archive& field, T& forces) {
   field("normal_force", forces.normal,
         "of the solution's force on a foot, along its friction pyramid's axis [N]");
@@ -52,5 +55,4 @@ void fields(Archive& field, T& forces) {
         "μ' of that pyramid: it holds forces with |f_x| and |f_y| up to μ' f_z in P");
 }
 
-}  // namespace logged
-}  // namespace surefoot
+}  // namespace surefoot::logged

@@ -10,23 +10,24 @@
 #include <algorithm>
 #include <cmath>
 
-namespace surefoot {
+namespace surefoot::explain {
 namespace {
 
 constexpr double kSame = 1e-6;  // of a residual that was computed again, relative to 1 + it
 constexpr double kHalfNanosecond = 5e-10;  // [s]
 
-NamedHierarchy question_of(const Controller& controller) {
-  const Hierarchy& hierarchy = controller.hierarchy();
+config::NamedHierarchy question_of(const control::Controller& controller) {
+  const solver::Hierarchy& hierarchy = controller.hierarchy();
   const auto row_name = [&](std::size_t level, Eigen::Index row) {
     return controller.row_name(static_cast<int>(level), hierarchy.level(level).id(row));
   };
-  return parse_hierarchy(format_hierarchy(hierarchy, row_name, controller.level_units()),
-                         "the tick's hierarchy");
+  return config::parse_hierarchy(
+      config::format_hierarchy(hierarchy, row_name, controller.level_units()),
+      "the tick's hierarchy");
 }
 
 /// Those that cost something or may do so. Where none costs anything alone, all that hold.
-std::vector<CostlyRow> rows_of(const LevelAccount& level, const NamedHierarchy& question) {
+std::vector<CostlyRow> rows_of(const LevelAccount& level, const config::NamedHierarchy& question) {
   const auto level_name = [&](std::size_t k) { return question.hierarchy.level(k).name(); };
   std::vector<CostlyRow> rows;
   for (const BlockingLevelAccount& by : level.blocked_by) {
@@ -43,12 +44,12 @@ std::vector<CostlyRow> rows_of(const LevelAccount& level, const NamedHierarchy& 
 }
 
 /// By the levels' numbers in the header; none where the levels came out otherwise than in the log.
-std::optional<ExactCosts> costs_of(const Controller& controller, const LogHeader& header,
-                                   const TickRecord& tick,
+std::optional<ExactCosts> costs_of(const control::Controller& controller,
+                                   const logging::LogHeader& header, const TickRecord& tick,
                                    std::span<const std::int16_t> solved_by_log) {
-  const NamedHierarchy question = question_of(controller);
-  const Solution solution =
-      solve_in_even_units<LexicographicSolver>(question.hierarchy, LexicographicOptions{});
+  const config::NamedHierarchy question = question_of(controller);
+  const solver::Solution solution = solver::solve_in_even_units<solver::LexicographicSolver>(
+      question.hierarchy, solver::LexicographicOptions{});
   const std::vector<LevelAccount> levels = explain_solution(question, solution).levels;
   ExactCosts costs;
   for (const std::int16_t number : solved_by_log) {
@@ -71,18 +72,18 @@ struct Wanted {
 };
 
 std::vector<Wanted> wanted(TickExplanation& explanation) {
-  if (!was_used(explanation.tick)) return {};
+  if (!logging::was_used(explanation.tick)) return {};
   if (!explanation.blend) return {{&explanation.tick, &explanation.order, &explanation.exact}};
   std::vector<Wanted> list;
   for (auto* beside : {&explanation.blend->before, &explanation.blend->after}) {
-    if (*beside && was_used((*beside)->tick))
+    if (*beside && logging::was_used((*beside)->tick))
       list.push_back({&(*beside)->tick, &(*beside)->order, &(*beside)->exact});
   }
   return list;
 }
 
 /// Why not all of them are found; empty: they are.
-std::string find_all(LogReplay& replay, const std::vector<Wanted>& list,
+std::string find_all(replay::LogReplay& replay, const std::vector<Wanted>& list,
                      const std::function<bool()>& stops) {
   replay.explain_levels(false);
   std::size_t found = 0;
@@ -92,7 +93,7 @@ std::string find_all(LogReplay& replay, const std::vector<Wanted>& list,
     const double time = next.tick->reading.time;
     if (replay.logged().reading.time < time - kHalfNanosecond) continue;
     *next.costs = costs_of(replay.controller(), replay.header(), *next.tick,
-                           solved_levels(*next.tick, *next.order));
+                           logging::solved_levels(*next.tick, *next.order));
     if (!*next.costs) {
       const std::string tick = formatted("%.4f s", time);
       return replay.is_same() ? "solved once more, the levels of " + tick + " come out otherwise"
@@ -111,7 +112,7 @@ void find_exact_costs(TickExplanation& explanation, const std::function<bool()>&
   const bool is_asked = explanation.blend || !gave_way(explanation).empty();
   if (list.empty() || !is_asked) return;
   try {
-    LogReplay replay(explanation.log);
+    replay::LogReplay replay(explanation.log);
     explanation.why_estimates = find_all(replay, list, stops);
   } catch (const Error& error) {
     explanation.why_estimates = error.what();
@@ -127,4 +128,4 @@ TickExplanation explain_tick(const std::string& log, double time, Costs costs,
   return explanation;
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::explain

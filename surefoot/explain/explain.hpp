@@ -12,7 +12,7 @@
 
 // What gave way to what, and at what cost: of a tick of a log, and of a hierarchy that was solved.
 
-namespace surefoot {
+namespace surefoot::explain {
 
 /// What the rows that held a tick's levels back cost: as the control loop estimated it, or exactly.
 enum class Costs { estimated, exact };
@@ -34,9 +34,10 @@ enum class Costs { estimated, exact };
 /// Why each level of a hierarchy came out as it did.
 struct SolutionExplanation {
   std::vector<LevelAccount> levels;
-  Solution solution;
-  std::vector<LevelCertificate> certificates;  ///< may be empty, and end where it was cut off
-  bool is_budget_spent = false;                ///< why it was cut off
+  solver::Solution solution;
+  std::vector<solver::LevelCertificate>
+      certificates;              ///< may be empty, and end where it was cut off
+  bool is_budget_spent = false;  ///< why it was cut off
 
   /// For people: status, iterations and time, then each level with its residual, the rows that it
   /// missed or holds at a bound, and the rows above that hold it back, dearest first.
@@ -49,12 +50,12 @@ struct SolutionExplanation {
 /// `solution`: of the question, and valid. What is rounding counts as 0. Takes one solve for each
 /// row that may hold a level back. `progress`: see ExplainOptions.
 [[nodiscard]] SolutionExplanation explain_solution(
-    const NamedHierarchy& question, Solution solution,
+    const config::NamedHierarchy& question, solver::Solution solution,
     const std::function<void(double)>& progress = nullptr);
 
 /// Why an answer is not proven, or not judged: of the first level that isn't, because what is said
 /// of those below hangs on it. Some level isn't proven.
-[[nodiscard]] std::string verdict_text(const Hierarchy& hierarchy, const Eigen::VectorXd& x,
-                                       const std::vector<LevelCertificate>& levels);
+[[nodiscard]] std::string verdict_text(const solver::Hierarchy& hierarchy, const Eigen::VectorXd& x,
+                                       const std::vector<solver::LevelCertificate>& levels);
 
-}  // namespace surefoot
+}  // namespace surefoot::explain

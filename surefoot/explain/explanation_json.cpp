@@ -1,6 +1,6 @@
 #include "surefoot/explain/explain.hpp"
 
-namespace surefoot {
+namespace surefoot::explain {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -64,7 +64,7 @@ Json SolutionExplanation::json() const {
     list.push_back(level_json(levels, levels[k], solution.is_swept));
     if (k >= certificates.size()) continue;
     list.back()["certificate"] = certificates[k].stationarity;
-    list.back()["verdict"] = name(verdict(certificates[k]));
+    list.back()["verdict"] = name(solver::verdict(certificates[k]));
     if (certificates[k].rests_on >= 0) list.back()["rests_on"] = certificates[k].rests_on + 1;
   }
   Json json = {{"x", std::vector<double>(solution.x.begin(), solution.x.end())},
@@ -77,4 +77,4 @@ Json SolutionExplanation::json() const {
   return json;
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::explain

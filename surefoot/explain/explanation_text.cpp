@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace surefoot {
+namespace surefoot::explain {
 namespace {
 
 constexpr std::size_t kMostRows = 5;  // of a kind that a level shows
@@ -54,10 +54,10 @@ class Text {
     return table;
   }
 
-  static std::string certificate(const LevelCertificate& level) {
-    const Verdict said = verdict(level);
+  static std::string certificate(const solver::LevelCertificate& level) {
+    const solver::Verdict said = solver::verdict(level);
     return number(level.stationarity) +
-           (said == Verdict::proven ? "" : ", " + std::string(name(said)));
+           (said == solver::Verdict::proven ? "" : ", " + std::string(name(said)));
   }
 
   [[nodiscard]] std::vector<std::string> head(std::size_t k) const {
@@ -197,15 +197,15 @@ class Text {
 
   const SolutionExplanation& told_;
   const std::vector<LevelAccount>& levels_;
-  const std::vector<LevelCertificate>& certificates_;
+  const std::vector<solver::LevelCertificate>& certificates_;
 };
 
 std::string headline(const SolutionExplanation& told) {
-  const Solution& solution = told.solution;
+  const solver::Solution& solution = told.solution;
   const std::string unit = solution.is_swept ? " sweep" : " iteration";
   const int iterations = num_iterations(solution);
   std::string text = "status: " + std::string(name(solution.status));
-  if (solution.status == SolveStatus::iteration_cap)
+  if (solution.status == solver::SolveStatus::iteration_cap)
     text += ", " + std::string(what_ended(told.is_budget_spent));
   const bool are_all_finished = solution.failed_level == static_cast<int>(told.levels.size());
   if (are_all_finished)
@@ -222,4 +222,4 @@ std::string headline(const SolutionExplanation& told) {
 
 std::string SolutionExplanation::text() const { return headline(*this) + Text(*this).whole(); }
 
-}  // namespace surefoot
+}  // namespace surefoot::explain

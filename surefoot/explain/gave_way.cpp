@@ -12,7 +12,7 @@
 #include <span>
 #include <utility>
 
-namespace surefoot {
+namespace surefoot::explain {
 namespace {
 
 /// Two digits, or all that stand before the point: 0.12, 3.4, 460.
@@ -192,7 +192,7 @@ std::string without_solution(const TickRecord& tick) {
 
 /// The level in which a solve was cut off; empty: it came to its end.
 std::string cut_off_level(const TickExplanation& explanation) {
-  const std::size_t solved = solved_levels(explanation.tick, explanation.order).size();
+  const std::size_t solved = logging::solved_levels(explanation.tick, explanation.order).size();
   return solved < explanation.order.size()
              ? explanation.header.level_name(explanation.order[solved])
              : "";
@@ -242,7 +242,7 @@ std::string blended(const TickExplanation& explanation) {
 std::string outcome(const TickExplanation& explanation) {
   const std::string cut_off = cut_off_level(explanation);
   if (cut_off.empty()) return account(explanation, cut_off);
-  const bool is_any_solved = !solved_levels(explanation.tick, explanation.order).empty();
+  const bool is_any_solved = !logging::solved_levels(explanation.tick, explanation.order).empty();
   return (is_any_solved ? account(explanation, cut_off) + " " : "") + "The solver was cut off in " +
          cut_off + ": of it and the levels below it nothing is known.";
 }
@@ -257,7 +257,7 @@ std::string estimates(const TickExplanation& explanation) {
 template <typename Row, std::size_t N>
 std::vector<Row> of_solved_levels(const TickExplanation& explanation,
                                   const std::array<Row, N>& rows, std::int32_t count) {
-  const auto solved = solved_levels(explanation.tick, explanation.order);
+  const auto solved = logging::solved_levels(explanation.tick, explanation.order);
   std::vector<Row> found;
   std::copy_if(rows.begin(), rows.begin() + count, std::back_inserter(found), [&](const Row& row) {
     return std::ranges::find(solved, row.level) != solved.end();
@@ -275,12 +275,12 @@ std::string row_name(const TickExplanation& explanation, std::int16_t level, std
 std::vector<LevelThatGaveWay> gave_way(const TickExplanation& explanation) {
   std::vector<LevelThatGaveWay> levels;
   const HierarchyReport& report = explanation.tick.hierarchy;
-  for (const std::int16_t k : solved_levels(explanation.tick, explanation.order)) {
+  for (const std::int16_t k : logging::solved_levels(explanation.tick, explanation.order)) {
     const auto level = static_cast<std::size_t>(k);
     const double residual = report.levels[level].residual;
     const std::string name = explanation.header.level_name(k);
     const std::string unit = explanation.header.level_unit(k);
-    const double visible = visible_residual(name, unit);
+    const double visible = logging::visible_residual(name, unit);
     const bool restless = std::isnan(visible);
     if (!(residual > (restless ? kResidualRounding : visible))) continue;
     std::vector<CostlyRow> rows = rows_of(explanation, k);
@@ -300,19 +300,19 @@ std::vector<MissedEquality> missed_rows(const TickExplanation& explanation) {
   return of_solved_levels(explanation, report.missed, report.num_missed);
 }
 
-LevelStatus level_status(const TickExplanation& explanation, std::size_t place) {
-  const std::size_t solved = solved_levels(explanation.tick, explanation.order).size();
-  if (place == solved) return LevelStatus::cut_off;
-  if (place > solved) return LevelStatus::not_reached;
-  return level_status(
+logging::LevelStatus level_status(const TickExplanation& explanation, std::size_t place) {
+  const std::size_t solved = logging::solved_levels(explanation.tick, explanation.order).size();
+  if (place == solved) return logging::LevelStatus::cut_off;
+  if (place > solved) return logging::LevelStatus::not_reached;
+  return logging::level_status(
       explanation.tick.hierarchy.levels[static_cast<std::size_t>(explanation.order[place])]);
 }
 
 std::string TickExplanation::sentence() const {
-  if (!was_used(tick)) return without_solution(tick);
+  if (!logging::was_used(tick)) return without_solution(tick);
   if (!blend) return outcome(*this) + estimates(*this);
   return blended(*this) + outcome(*this) + neighbour(*this, blend->before, " Before") +
          neighbour(*this, blend->after, " Behind");
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::explain

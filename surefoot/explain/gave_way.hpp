@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace surefoot {
+namespace surefoot::explain {
 
 /// A level that did not get what it asked for.
 struct LevelThatGaveWay {
@@ -34,6 +34,7 @@ struct LevelThatGaveWay {
 [[nodiscard]] std::vector<MissedEquality> missed_rows(const TickExplanation& explanation);
 
 /// Of the level at this place of the tick's order, where the solution was used.
-[[nodiscard]] LevelStatus level_status(const TickExplanation& explanation, std::size_t place);
+[[nodiscard]] logging::LevelStatus level_status(const TickExplanation& explanation,
+                                                std::size_t place);
 
-}  // namespace surefoot
+}  // namespace surefoot::explain

@@ -6,7 +6,7 @@
 #include <limits>
 #include <utility>
 
-namespace surefoot {
+namespace surefoot::explain {
 namespace {
 
 using Index = Eigen::Index;
@@ -14,19 +14,19 @@ using Index = Eigen::Index;
 constexpr double kRounding = 1e-9;  // relative
 constexpr double kRoundingOfX = 100.0 * std::numeric_limits<double>::epsilon();
 
-std::string_view words(RowState state) {
+std::string_view words(solver::RowState state) {
   switch (state) {
-    case RowState::inactive:
+    case solver::RowState::inactive:
       return "between its bounds";
-    case RowState::at_lower:
+    case solver::RowState::at_lower:
       return "at its lower bound";
-    case RowState::at_upper:
+    case solver::RowState::at_upper:
       return "at its upper bound";
-    case RowState::equality:
+    case solver::RowState::equality:
       return "an equality";
-    case RowState::below_lower:
+    case solver::RowState::below_lower:
       return "below its lower bound";
-    case RowState::above_upper:
+    case solver::RowState::above_upper:
       return "above its upper bound";
   }
   return "";
@@ -34,12 +34,13 @@ std::string_view words(RowState state) {
 
 class Accountant {
  public:
-  Accountant(const NamedHierarchy& question, const Solution& solution)
+  Accountant(const config::NamedHierarchy& question, const solver::Solution& solution)
       : question_(question), solution_(solution), reach_(reach()) {}
 
   /// `explanation`: null where x is not the optimum of the level.
-  [[nodiscard]] LevelAccount level(std::size_t k, const LevelExplanation* explanation) const {
-    const LevelResult& result = solution_.levels[k];
+  [[nodiscard]] LevelAccount level(std::size_t k,
+                                   const solver::LevelExplanation* explanation) const {
+    const solver::LevelResult& result = solution_.levels[k];
     LevelAccount account;
     account.name = question_.hierarchy.level(k).name();
     account.unit = question_.units[k];
@@ -73,10 +74,10 @@ class Accountant {
   [[nodiscard]] double reach() const {
     double farthest = solution_.x.norm();
     for (std::size_t k = 0; k < question_.hierarchy.num_levels(); ++k) {
-      const Level& level = question_.hierarchy.level(k);
+      const solver::Level& level = question_.hierarchy.level(k);
       for (Index i = 0; i < level.num_rows(); ++i) {
         const double length = level.A().row(i).norm();
-        if (length == 0.0 || state({k, i}) == RowState::inactive) continue;
+        if (length == 0.0 || state({k, i}) == solver::RowState::inactive) continue;
         for (const double bound : {level.lower()[i], level.upper()[i]})
           if (std::isfinite(bound)) farthest = std::max(farthest, std::abs(bound) / length);
       }
@@ -86,7 +87,7 @@ class Accountant {
 
   /// Signed: positive above the upper bound; 0 where it may be rounding of x.
   [[nodiscard]] double violation(std::size_t k, Index i) const {
-    const Level& level = question_.hierarchy.level(k);
+    const solver::Level& level = question_.hierarchy.level(k);
     const double value = level.A().row(i).dot(solution_.x);
     const double lower = level.lower()[i], upper = level.upper()[i];
     const double by = std::max(0.0, value - upper) - std::max(0.0, lower - value);
@@ -109,15 +110,15 @@ class Accountant {
   [[nodiscard]] std::vector<HeldRow> held(std::size_t k) const {
     std::vector<HeldRow> rows;
     for (Index i = 0; i < solution_.levels[k].num_rows; ++i) {
-      const RowState row = state({k, i});
-      if (row == RowState::at_lower || row == RowState::at_upper)
-        rows.push_back({name({k, i}), row == RowState::at_upper});
+      const solver::RowState row = state({k, i});
+      if (row == solver::RowState::at_lower || row == solver::RowState::at_upper)
+        rows.push_back({name({k, i}), row == solver::RowState::at_upper});
     }
     return rows;
   }
 
   [[nodiscard]] std::vector<BlockingLevelAccount> blocked_by(
-      const LevelExplanation& explanation) const {
+      const solver::LevelExplanation& explanation) const {
     std::vector<BlockingLevelAccount> levels;
     for (std::size_t j = 0; j < explanation.cost_of_level.size(); ++j) {
       const double cost = explanation.cost_of_level[j];
@@ -142,40 +143,40 @@ class Accountant {
     return cost;
   }
 
-  [[nodiscard]] std::vector<BlockingRowAccount> blocking_rows(const LevelExplanation& explanation,
-                                                              std::size_t level) const {
+  [[nodiscard]] std::vector<BlockingRowAccount> blocking_rows(
+      const solver::LevelExplanation& explanation, std::size_t level) const {
     std::vector<BlockingRowAccount> rows;
-    for (const DistinctBlocker& blocker : explanation.blocked_by) {
+    for (const solver::DistinctBlocker& blocker : explanation.blocked_by) {
       if (blocker.at.level != level) continue;
       const bool is_rounding = blocker.cost <= kRounding * explanation.residual;
       rows.push_back({name(blocker.at), words(state(blocker.at)),
-                      state(blocker.at) != RowState::equality, names_of_same(blocker),
+                      state(blocker.at) != solver::RowState::equality, names_of_same(blocker),
                       blocker.would_gain, is_rounding ? 0.0 : blocker.cost, blocker.multiplier,
                       blocker.independence});
     }
     return rows;
   }
 
-  [[nodiscard]] std::vector<NamedRow> names_of_same(const DistinctBlocker& blocker) const {
+  [[nodiscard]] std::vector<NamedRow> names_of_same(const solver::DistinctBlocker& blocker) const {
     std::vector<NamedRow> names;
-    for (const RowIndex at : blocker.same) names.push_back({at.level, name(at)});
+    for (const solver::RowIndex at : blocker.same) names.push_back({at.level, name(at)});
     return names;
   }
 
-  [[nodiscard]] double weight(RowIndex at) const {
+  [[nodiscard]] double weight(solver::RowIndex at) const {
     return question_.weights[at.level][static_cast<std::size_t>(at.row)];
   }
 
-  [[nodiscard]] const std::string& name(RowIndex at) const {
+  [[nodiscard]] const std::string& name(solver::RowIndex at) const {
     return question_.row_names[at.level][static_cast<std::size_t>(at.row)];
   }
 
-  [[nodiscard]] RowState state(RowIndex at) const {
+  [[nodiscard]] solver::RowState state(solver::RowIndex at) const {
     return solution_.levels[at.level].rows[static_cast<std::size_t>(at.row)];
   }
 
-  const NamedHierarchy& question_;
-  const Solution& solution_;
+  const config::NamedHierarchy& question_;
+  const solver::Solution& solution_;
   double reach_;
 };
 
@@ -192,18 +193,20 @@ std::string multiplier_unit(const LevelAccount& level, const LevelAccount& by) {
   return (is_product ? "(" + level.unit + ")²" : level.unit + "²") + " per " + by.unit;
 }
 
-std::size_t num_finished(const Solution& solution, std::size_t num_levels) {
-  const bool is_cut_off = solution.status != SolveStatus::optimal && solution.failed_level >= 0;
+std::size_t num_finished(const solver::Solution& solution, std::size_t num_levels) {
+  const bool is_cut_off =
+      solution.status != solver::SolveStatus::optimal && solution.failed_level >= 0;
   return is_cut_off ? static_cast<std::size_t>(solution.failed_level) : num_levels;
 }
 
-SolutionExplanation explain_solution(const NamedHierarchy& question, Solution solution,
+SolutionExplanation explain_solution(const config::NamedHierarchy& question,
+                                     solver::Solution solution,
                                      const std::function<void(double)>& progress) {
   const Accountant accountant(question, solution);
   const std::size_t num_levels = question.hierarchy.num_levels();
-  const std::vector<LevelExplanation> explanations =
-      explain(question.hierarchy, solution.x,
-              {.levels = num_finished(solution, num_levels), .progress = progress});
+  const std::vector<solver::LevelExplanation> explanations =
+      solver::explain(question.hierarchy, solution.x,
+                      {.levels = num_finished(solution, num_levels), .progress = progress});
   SolutionExplanation explained;
   for (std::size_t k = 0; k < num_levels; ++k)
     explained.levels.push_back(
@@ -212,14 +215,14 @@ SolutionExplanation explain_solution(const NamedHierarchy& question, Solution so
   return explained;
 }
 
-int num_iterations(const Solution& solution) {
+int num_iterations(const solver::Solution& solution) {
   if (solution.is_swept) return solution.levels.empty() ? 0 : solution.levels.front().iterations;
   int sum = 0;
-  for (const LevelResult& level : solution.levels) sum += level.iterations;
+  for (const solver::LevelResult& level : solution.levels) sum += level.iterations;
   return sum;
 }
 
-std::vector<std::size_t> levels_without_rows(const Hierarchy& hierarchy) {
+std::vector<std::size_t> levels_without_rows(const solver::Hierarchy& hierarchy) {
   std::vector<std::size_t> levels;
   for (std::size_t k = 0; k < hierarchy.num_levels(); ++k) {
     if (hierarchy.level(k).num_rows() == 0) levels.push_back(k);
@@ -227,16 +230,16 @@ std::vector<std::size_t> levels_without_rows(const Hierarchy& hierarchy) {
   return levels;
 }
 
-std::string_view name(SolveStatus status) {
+std::string_view name(solver::SolveStatus status) {
   switch (status) {
-    case SolveStatus::optimal:
+    case solver::SolveStatus::optimal:
       return "optimal";
-    case SolveStatus::iteration_cap:
+    case solver::SolveStatus::iteration_cap:
       return "iteration_cap";
-    case SolveStatus::invalid_input:
+    case solver::SolveStatus::invalid_input:
       return "invalid_input";
   }
   return "unknown";
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::explain

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-namespace surefoot {
+namespace surefoot::explain {
 
 /// A row that its level could not reach.
 struct MissedRow {
@@ -83,15 +83,15 @@ struct LevelAccount {
 [[nodiscard]] std::string multiplier_unit(const LevelAccount& level, const LevelAccount& by);
 
 /// How many levels, from the first on, are at their optimum: all, unless the search was cut off.
-[[nodiscard]] std::size_t num_finished(const Solution& solution, std::size_t num_levels);
+[[nodiscard]] std::size_t num_finished(const solver::Solution& solution, std::size_t num_levels);
 
 /// Of the whole hierarchy; of one that was swept they are sweeps, and no level has its own.
-[[nodiscard]] int num_iterations(const Solution& solution);
+[[nodiscard]] int num_iterations(const solver::Solution& solution);
 
 /// Indices of the levels that have no row: they ask for nothing.
-[[nodiscard]] std::vector<std::size_t> levels_without_rows(const Hierarchy& hierarchy);
+[[nodiscard]] std::vector<std::size_t> levels_without_rows(const solver::Hierarchy& hierarchy);
 
 /// "optimal", "iteration_cap" or "invalid_input".
-[[nodiscard]] std::string_view name(SolveStatus status);
+[[nodiscard]] std::string_view name(solver::SolveStatus status);
 
-}  // namespace surefoot
+}  // namespace surefoot::explain

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <functional>
 
-namespace surefoot {
+namespace surefoot::explain {
 namespace {
 
 std::string parts_text(const GroundTouch& touch) {
@@ -22,7 +22,7 @@ std::string parts_text(const GroundTouch& touch) {
 
 }  // namespace
 
-void GroundTouch::see(const GroundTruth& truth) {
+void GroundTouch::see(const simulation::GroundTruth& truth) {
   for (std::size_t k = 0; k < feet.size(); ++k) feet[k] = feet[k] || truth.feet[k].touching;
   torso = torso || truth.torso_contact;
   shanks |= truth.shank_contacts;
@@ -37,4 +37,4 @@ std::string lying_text(const GroundTouch& touch) {
          (stands ? ", beside its feet" : "");
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::explain

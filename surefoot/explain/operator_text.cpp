@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace surefoot {
+namespace surefoot::explain {
 namespace {
 
 constexpr double kTold = 0.38;  // share of a force that is told: less is within 22.5° of the others
@@ -40,4 +40,4 @@ std::string operator_text(const logged::Change& change, double yaw) {
   return change.text;
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::explain

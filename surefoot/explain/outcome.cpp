@@ -2,7 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-namespace surefoot {
+namespace surefoot::explain {
 namespace {
 
 using json = nlohmann::ordered_json;
@@ -38,4 +38,4 @@ Outcome read_outcome(const std::string& summary) {
   }
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::explain

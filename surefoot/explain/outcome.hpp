@@ -2,7 +2,7 @@
 
 #include <string>
 
-namespace surefoot {
+namespace surefoot::explain {
 
 /// How a run came out, by the summary of its log.
 struct Outcome {
@@ -16,4 +16,4 @@ struct Outcome {
 /// From JSON; a summary of another shape is none.
 [[nodiscard]] Outcome read_outcome(const std::string& summary);
 
-}  // namespace surefoot
+}  // namespace surefoot::explain

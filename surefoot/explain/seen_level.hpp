@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <string_view>
 
-namespace surefoot {
+namespace surefoot::explain {
 
 /// How a level came out at a tick, as people see it.
 enum class SeenLevel : int {
@@ -28,4 +28,4 @@ inline constexpr std::array<std::string_view, 6> kSeenLevelNames{
   return is_at_bound ? SeenLevel::at_limit : SeenLevel::met;
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::explain

@@ -17,8 +17,7 @@
 #include <cmath>
 #include <limits>
 
-namespace surefoot {
-namespace logged {
+namespace surefoot::logged {
 
 // What is taken from every /truth around the tick.
 struct OutsideTruth {
@@ -31,7 +30,9 @@ void fields(Decoder& field, OutsideTruth& truth) {
   field("xfrc_applied", truth.xfrc_applied, "");
 }
 
-}  // namespace logged
+}  // namespace surefoot::logged
+
+namespace surefoot::explain {
 
 namespace {
 
@@ -40,19 +41,19 @@ constexpr double kSameInstant = 1e-6;  // of a time [s]
 constexpr int kBeginning = 400;        // ticks, in which the estimate may begin anew
 
 /// How belief and truth lay at the first tick of a log; its truth comes before the second tick.
-std::optional<StartAlignment> read_start(const std::string& path) {
-  std::optional<GroundTruth> truth;
-  LogReader log(path, [&](const McapMessage& message) {
+std::optional<evaluation::StartAlignment> read_start(const std::string& path) {
+  std::optional<simulation::GroundTruth> truth;
+  logging::LogReader log(path, [&](const logging::McapMessage& message) {
     if (message.channel->topic == "/truth" && !truth)
       logged::Decoder::decode(message.data, truth.emplace());
   });
   TickRecord first, next;
   if (!log.next(first)) return std::nullopt;
   for (int tick = 1; tick < kBeginning && log.next(next); ++tick) {
-    if (begins_anew(next)) return std::nullopt;
+    if (evaluation::begins_anew(next)) return std::nullopt;
   }
   if (!truth || std::abs(truth->time - first.reading.time) > 1e-9) return std::nullopt;
-  return start_alignment(*truth, first.state);
+  return evaluation::start_alignment(*truth, first.state);
 }
 
 std::uint64_t nanoseconds(double time) {
@@ -68,13 +69,13 @@ bool is_end(double time, double end) {
 /// The timing at a time; it stands behind all ticks, so that the last chunks come first.
 std::optional<TickTiming> read_timing(const std::string& path, std::uint64_t time,
                                       const std::vector<std::string>& level_names) {
-  McapChunks file(path);
+  logging::McapChunks file(path);
   std::optional<logged::Timing> found;
   for (std::size_t i = file.chunks().size(); i-- > 0 && !found;) {
-    const McapChunk& chunk = file.chunks()[i];
+    const logging::McapChunk& chunk = file.chunks()[i];
     if (time < chunk.first_time || time > chunk.last_time) continue;
     try {
-      file.read(i, [&](const McapMessage& message) {
+      file.read(i, [&](const logging::McapMessage& message) {
         if (message.log_time != time || message.channel->topic != "/timings") return;
         logged::Timing timing;
         logged::Decoder::decode(message.data, timing);
@@ -140,11 +141,11 @@ class Search {
         time_(time),
         back_(back),
         window_(window),
-        log_(path, [this](const McapMessage& message) {
+        log_(path, [this](const logging::McapMessage& message) {
           if (message.channel->topic == "/truth") take_truth(message);
           if (message.channel->topic == "/changes") take_change(message);
         }) {
-    found_.bodies = body_names(log_.header());
+    found_.bodies = logging::body_names(log_.header());
     scenario_.emplace(found_.bodies);
   }
 
@@ -172,11 +173,12 @@ class Search {
     found_.problem = log_.problem();
     if (found_.truth && std::abs(found_.truth->time - nearest_) > 1e-9) found_.truth.reset();
     if (found_.truth)
-      found_.applied = applied_forces(nearest_, found_.truth->xfrc_applied, found_.truth->q_WB);
+      found_.applied =
+          logging::applied_forces(nearest_, found_.truth->xfrc_applied, found_.truth->q_WB);
     add_forces();
     if (has_ended) add_end();
     const auto start = found_.truth ? read_start(path_) : std::nullopt;
-    if (start) found_.estimate = aligned(*start, *found_.truth, found_.tick.state);
+    if (start) found_.estimate = evaluation::aligned(*start, *found_.truth, found_.tick.state);
     return std::move(found_);
   }
 
@@ -199,7 +201,7 @@ class Search {
         add_plan_events();
         if (mode_before && log_.follows())
           add_mode(*mode_before);
-        else if (std::isinf(window_) && !text_of_stop(tick_).empty())
+        else if (std::isinf(window_) && !logging::text_of_stop(tick_).empty())
           add_mode(CommandMode::optimal);  // all of the log begins, or goes on, in a stop
       }
       mode_before = tick_.command.mode;
@@ -239,8 +241,9 @@ class Search {
   void add_mode(CommandMode before) {
     const CommandMode now = tick_.command.mode;
     if (now == before) return;
-    found_.events.push_back(
-        {tick_.reading.time, mode_text(now, text_of_stop(tick_)), "", "controller"});
+    found_.events.push_back({tick_.reading.time,
+                             logging::mode_text(now, logging::text_of_stop(tick_)), "",
+                             "controller"});
   }
 
   /// Behind the last tick.
@@ -260,7 +263,7 @@ class Search {
   }
 
   /// Stands before the tick that has it first.
-  void take_change(const McapMessage& message) {
+  void take_change(const logging::McapMessage& message) {
     logged::Change change;
     logged::Decoder::decode(message.data, change);
     scenario_->acts(change);
@@ -270,18 +273,18 @@ class Search {
   }
 
   /// The truth of a tick comes behind the tick's own messages, and before the next one's.
-  void take_truth(const McapMessage& message) {
+  void take_truth(const logging::McapMessage& message) {
     see_forces(message);
     const double time = 1e-9 * static_cast<double>(message.log_time);
     if (!(time > time_ - kLyingWindow && time <= nearest_ + 1e-9)) return;
-    GroundTruth truth;
+    simulation::GroundTruth truth;
     logged::Decoder::decode(message.data, truth);
     if (!found_.touch) found_.touch.emplace();
     found_.touch->see(truth);
     if (std::abs(time - nearest_) <= 1e-9) found_.truth = truth;
   }
 
-  void see_forces(const McapMessage& message) {
+  void see_forces(const logging::McapMessage& message) {
     const double time = 1e-9 * static_cast<double>(message.log_time);
     if (!is_near(time)) return;
     logged::OutsideTruth truth;
@@ -302,12 +305,14 @@ class Search {
     const auto add = [this](double time, const std::string& text) {
       insert({time, text, "", "outside"});
     };
-    for (const AppliedForce& force : begun_) add(force.from, push_text(force, found_.bodies));
-    for (const AppliedForce& force : ended_) add(force.to, push_end_text(force, found_.bodies));
+    for (const logging::AppliedForce& force : begun_)
+      add(force.from, logging::push_text(force, found_.bodies));
+    for (const logging::AppliedForce& force : ended_)
+      add(force.to, logging::push_end_text(force, found_.bodies));
   }
 
   [[noreturn]] void refuse() const {
-    LogReader whole(path_);
+    logging::LogReader whole(path_);
     TickRecord tick;
     double first = kNaN, last = kNaN;
     while (whole.next(tick)) {
@@ -330,10 +335,10 @@ class Search {
   double yaw_ = kNaN;                  // believed at the last tick
   BlendWatch blends_;
   bool is_in_blend_ = false;  // the tick that is told, and none behind it was out of it yet
-  std::optional<ScenarioForces> scenario_;
-  AppliedForceWatch forces_;
-  std::vector<AppliedForce> begun_, ended_;
-  LogReader log_;
+  std::optional<logging::ScenarioForces> scenario_;
+  logging::AppliedForceWatch forces_;
+  std::vector<logging::AppliedForce> begun_, ended_;
+  logging::LogReader log_;
   TickRecord tick_;
   TickExplanation found_;
 };
@@ -359,10 +364,10 @@ std::vector<NearbyEvent> read_events(const std::string& path) {
   return Search(path, 0.0, kAll, kAll).events();
 }
 
-double true_friction_use(const TrueContact& contact) {
+double true_friction_use(const simulation::TrueContact& contact) {
   const double along_normal = contact.normal.dot(contact.force);
   if (along_normal < kLoadedFoot || contact.friction <= 0.0) return kNaN;
   return (contact.force - along_normal * contact.normal).norm() / (contact.friction * along_normal);
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::explain

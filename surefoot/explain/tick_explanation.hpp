@@ -15,7 +15,7 @@
 #include <utility>
 #include <vector>
 
-namespace surefoot {
+namespace surefoot::explain {
 
 /// Something that the planner did, or the operator of a run that was steered; a force from outside
 /// that began or ended; another mode of the command, as of a safety stop; the end of the run.
@@ -54,17 +54,17 @@ struct HierarchyBlend {
 
 /// One tick of a log, with what is needed to say why it came out so.
 struct TickExplanation {
-  std::string log;   ///< that it is of
-  LogHeader header;  ///< without its attachments
+  std::string log;            ///< that it is of
+  logging::LogHeader header;  ///< without its attachments
   TickRecord tick;
-  CommandedForces forces;             ///< of the tick
-  std::optional<TickTiming> timing;   ///< of logs that have it
-  std::vector<std::int16_t> order;    ///< numbers in the header of the tick's levels, highest first
-  std::optional<GroundTruth> truth;   ///< of logs that have it
-  std::optional<GroundTouch> touch;   ///< up to the tick, the same
-  std::vector<AppliedForce> applied;  ///< from outside, as the truth has it
-  std::vector<std::string> bodies;    ///< names by their row of the truth's `xfrc_applied`
-  std::optional<AlignedEstimate> estimate;                                 ///< the same
+  CommandedForces forces;            ///< of the tick
+  std::optional<TickTiming> timing;  ///< of logs that have it
+  std::vector<std::int16_t> order;   ///< numbers in the header of the tick's levels, highest first
+  std::optional<simulation::GroundTruth> truth;  ///< of logs that have it
+  std::optional<GroundTouch> touch;              ///< up to the tick, the same
+  std::vector<logging::AppliedForce> applied;    ///< from outside, as the truth has it
+  std::vector<std::string> bodies;  ///< names by their row of the truth's `xfrc_applied`
+  std::optional<evaluation::AlignedEstimate> estimate;                     ///< the same
   std::map<std::pair<std::int16_t, std::int32_t>, std::string> row_names;  ///< by level and id
   std::optional<HierarchyBlend> blend;                                     ///< that the tick is in
   /// See `explain_tick`; without it the costs are those of the log, estimates of the loop.
@@ -106,6 +106,6 @@ inline constexpr double kEventWindow = 1.0;
 
 /// Share of the round friction cone of the true ground that its force uses; NaN of a foot without
 /// load.
-[[nodiscard]] double true_friction_use(const TrueContact& contact);
+[[nodiscard]] double true_friction_use(const simulation::TrueContact& contact);
 
-}  // namespace surefoot
+}  // namespace surefoot::explain

@@ -12,7 +12,7 @@
 #include <cmath>
 #include <utility>
 
-namespace surefoot {
+namespace surefoot::explain {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -47,7 +47,7 @@ Json yielding_levels(const TickExplanation& explanation) {
 
 Json feet_json(const TickExplanation& explanation) {
   const TickRecord& tick = explanation.tick;
-  const bool is_solved = was_used(tick);
+  const bool is_solved = logging::was_used(tick);
   Json feet = Json::object();
   for (const Leg leg : kLegs) {
     const std::size_t k = index(leg);
@@ -58,7 +58,7 @@ Json feet_json(const TickExplanation& explanation) {
         {"normal_force", number(explanation.forces.normal[k])},
         {"friction_use", number(explanation.forces.friction_use[k])}};
     if (explanation.truth) {
-      const TrueContact& contact = explanation.truth->feet[k];
+      const simulation::TrueContact& contact = explanation.truth->feet[k];
       one["true_normal_force"] = contact.normal.dot(contact.force);
       one["true_friction_use"] = number(true_friction_use(contact));
     }
@@ -71,8 +71,8 @@ Json feet_json(const TickExplanation& explanation) {
 Json levels_json(const TickExplanation& explanation) {
   const HierarchyReport& report = explanation.tick.hierarchy;
   Json list = Json::array();
-  if (!was_used(explanation.tick)) return list;
-  const std::size_t solved = solved_levels(explanation.tick, explanation.order).size();
+  if (!logging::was_used(explanation.tick)) return list;
+  const std::size_t solved = logging::solved_levels(explanation.tick, explanation.order).size();
   for (const std::int16_t number_of_level : explanation.order) {
     const auto k = static_cast<std::size_t>(number_of_level);
     const LevelReport& level = report.levels[k];
@@ -81,7 +81,7 @@ Json levels_json(const TickExplanation& explanation) {
     };
     list.push_back({{"name", explanation.header.level_name(number_of_level)},
                     {"unit", explanation.header.level_unit(number_of_level)},
-                    {"status", name_of(level_status(explanation, list.size()))},
+                    {"status", logging::name_of(level_status(explanation, list.size()))},
                     {"residual", known(number(level.residual))},
                     {"rows", known(level.num_rows)},
                     {"at_bound", known(level.num_active)},
@@ -94,8 +94,8 @@ Json levels_json(const TickExplanation& explanation) {
 
 /// Rows have something to say; otherwise null.
 bool is_any_level_solved(const TickExplanation& explanation) {
-  const bool is_any_solved = !solved_levels(explanation.tick, explanation.order).empty();
-  return was_used(explanation.tick) && (is_any_solved || explanation.order.empty());
+  const bool is_any_solved = !logging::solved_levels(explanation.tick, explanation.order).empty();
+  return logging::was_used(explanation.tick) && (is_any_solved || explanation.order.empty());
 }
 
 Json row_json(const TickExplanation& explanation, std::int16_t level, std::int32_t id) {
@@ -143,12 +143,12 @@ Json blend_json(const TickExplanation& explanation) {
 
 Json applied_json(const TickExplanation& explanation) {
   Json list = Json::array();
-  for (const AppliedForce& force : explanation.applied)
+  for (const logging::AppliedForce& force : explanation.applied)
     list.push_back({{"body", force.body < explanation.bodies.size() ? explanation.bodies[force.body]
                                                                     : std::to_string(force.body)},
                     {"force", {force.force.x(), force.force.y(), force.force.z()}},
                     {"size", force.force.norm()},
-                    {"angle_from_ahead", number(angle_from_ahead(force))}});
+                    {"angle_from_ahead", number(logging::angle_from_ahead(force))}});
   return list;
 }
 
@@ -176,7 +176,7 @@ Json TickExplanation::gave_way_json() const {
 }
 
 Json TickExplanation::json() const {
-  const bool is_solved = was_used(tick);
+  const bool is_solved = logging::was_used(tick);
   const Mat3 R_WB = tick.state.q_WB.toRotationMatrix();
   Json json = {{"log", log},
                {"scenario", header.scenario},
@@ -196,7 +196,7 @@ Json TickExplanation::json() const {
                {"limits", limits_json(*this)},
                {"missed", missed_json(*this)},
                {"events", events_json(events)},
-               {"why_stopped", text_of_stop(tick)},
+               {"why_stopped", logging::text_of_stop(tick)},
                {"readings", message(tick.reading)},
                {"health", message(tick.health)},
                {"user", message(tick.user)},
@@ -213,4 +213,4 @@ Json TickExplanation::json() const {
   return json;
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::explain

@@ -11,7 +11,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace surefoot {
+namespace surefoot::explain {
 namespace {
 
 using Table = std::vector<std::vector<std::string>>;
@@ -67,7 +67,7 @@ std::string asked(const UserCommand& user) {
 
 std::string largest_torque(const TickExplanation& explanation) {
   Eigen::Index joint = 0;
-  const LogRobot& robot = explanation.header.robot;
+  const logging::LogRobot& robot = explanation.header.robot;
   const double torque = explanation.tick.command.torque.cwiseAbs().maxCoeff(&joint);
   return formatted("largest torque %.1f N·m", torque) + " at " +
          robot.joint_names[static_cast<std::size_t>(joint)] +
@@ -76,7 +76,7 @@ std::string largest_torque(const TickExplanation& explanation) {
 
 std::string faults(const SensorHealth& health) {
   std::string out;
-  for (const FaultText& fault : faults_of(health))
+  for (const logging::FaultText& fault : logging::faults_of(health))
     out += (out.empty() ? "" : ", ") + fault.text + formatted(" (last good %.4f s ago)", fault.age);
   return out.empty() ? "sensors are good" : "sensors now: " + out;
 }
@@ -86,14 +86,15 @@ bool is_beyond_limits(const TickExplanation& explanation, Leg leg) {
 }
 
 bool has_wishes(const TickExplanation& explanation) {
-  return explanation.tick.command.mode == CommandMode::optimal && was_used(explanation.tick) &&
+  return explanation.tick.command.mode == CommandMode::optimal &&
+         logging::was_used(explanation.tick) &&
          std::ranges::any_of(kLegs, [&](Leg leg) { return is_beyond_limits(explanation, leg); });
 }
 
 std::string command(const TickExplanation& explanation) {
   const TickRecord& tick = explanation.tick;
   std::string out(logged::kModeNames[static_cast<std::size_t>(tick.command.mode)]);
-  const std::string why = text_of_stop(tick);
+  const std::string why = logging::text_of_stop(tick);
   if (!why.empty()) out += ", as " + why;
   if (has_wishes(explanation)) out += ", but for contact forces that no ground gives";
   return out + "; " + largest_torque(explanation) + "; " + faults(tick.health);
@@ -115,8 +116,8 @@ std::string facts(const TickExplanation& explanation) {
   const std::string lying = explanation.touch ? lying_text(*explanation.touch) : "";
   if (!lying.empty())
     table.push_back({"lies on", lying + formatted(" (truth, last %g s)", kLyingWindow)});
-  for (const AppliedForce& force : explanation.applied)
-    table.push_back({"pushed by", applied_force_text(force, explanation.bodies) +
+  for (const logging::AppliedForce& force : explanation.applied)
+    table.push_back({"pushed by", logging::applied_force_text(force, explanation.bodies) +
                                       " (truth: the controller is not told)"});
   table.push_back({"asked", asked(tick.user)});
   table.push_back({"command", command(explanation)});
@@ -126,16 +127,16 @@ std::string facts(const TickExplanation& explanation) {
   return out;
 }
 
-std::string true_force(const TrueContact& contact) {
+std::string true_force(const simulation::TrueContact& contact) {
   if (!contact.touching) return "in the air";
   return formatted("%.1f N", rounded(contact.normal.dot(contact.force), 0.1));
 }
 
 /// Of a tick whose command is no solution: plan and commanded forces are not of it.
-std::string true_feet_table(const GroundTruth& truth) {
+std::string true_feet_table(const simulation::GroundTruth& truth) {
   Table table{{"foot", "in truth", "friction used"}};
   for (const Leg leg : kLegs) {
-    const TrueContact& contact = truth.feet[index(leg)];
+    const simulation::TrueContact& contact = truth.feet[index(leg)];
     table.push_back({std::string(kLegNames[index(leg)]), true_force(contact),
                      known(100.0 * true_friction_use(contact), "%.0f %%")});
   }
@@ -161,7 +162,7 @@ std::string feet_table(const TickExplanation& explanation) {
                      known(100.0 * explanation.forces.friction_use[k], "%.0f %%"),
                      tick.state.slips[k] ? "yes" : "no"});
     if (!explanation.truth) continue;
-    const TrueContact& contact = explanation.truth->feet[k];
+    const simulation::TrueContact& contact = explanation.truth->feet[k];
     table.back().push_back(true_force(contact));
     table.back().push_back(known(100.0 * true_friction_use(contact), "%.0f %%"));
   }
@@ -184,17 +185,19 @@ std::string residual(const TickExplanation& explanation, std::int16_t level) {
 
 /// Of a level that is to be as small as can be, and never content, in the page's words.
 std::string status_of(const TickExplanation& explanation, std::size_t place) {
-  const LevelStatus status = level_status(explanation, place);
-  const LogHeader& header = explanation.header;
+  const logging::LevelStatus status = level_status(explanation, place);
+  const logging::LogHeader& header = explanation.header;
   const std::int16_t level = explanation.order[place];
   const bool is_restless =
-      std::isnan(visible_residual(header.level_name(level), header.level_unit(level)));
-  return status == LevelStatus::missed && is_restless ? "minimised" : std::string(name_of(status));
+      std::isnan(logging::visible_residual(header.level_name(level), header.level_unit(level)));
+  return status == logging::LevelStatus::missed && is_restless
+             ? "minimised"
+             : std::string(logging::name_of(status));
 }
 
 std::string level_table(const TickExplanation& explanation) {
   const HierarchyReport& report = explanation.tick.hierarchy;
-  const std::size_t solved = solved_levels(explanation.tick, explanation.order).size();
+  const std::size_t solved = logging::solved_levels(explanation.tick, explanation.order).size();
   Table table{
       {"level", "status", "residual", "rows", "at a bound", "freedom left", "iterations", "time"}};
   for (std::size_t place = 0; place < explanation.order.size(); ++place) {
@@ -222,7 +225,7 @@ std::string full_name(const TickExplanation& explanation, std::int16_t level, st
 
 std::string at_bounds(const TickExplanation& explanation) {
   const std::vector<ActiveRow> rows = rows_at_bounds(explanation);
-  const std::size_t solved = solved_levels(explanation.tick, explanation.order).size();
+  const std::size_t solved = logging::solved_levels(explanation.tick, explanation.order).size();
   const bool is_all = solved == explanation.order.size();
   if (rows.empty() && !is_all)
     return solved == 0 ? "" : "In the levels that were solved no limit acts.\n";
@@ -246,9 +249,9 @@ std::string at_bounds(const TickExplanation& explanation) {
 std::string missed(const TickExplanation& explanation) {
   std::string out;
   for (const MissedEquality& row : missed_rows(explanation)) {
-    const LogHeader& header = explanation.header;
+    const logging::LogHeader& header = explanation.header;
     const double visible =
-        visible_residual(header.level_name(row.level), header.level_unit(row.level));
+        logging::visible_residual(header.level_name(row.level), header.level_unit(row.level));
     if (!(std::abs(row.by) > visible)) continue;
     out += "  " + full_name(explanation, row.level, row.id) + ", by " +
            amount(explanation, row.level, row.by) + "\n";
@@ -275,7 +278,7 @@ std::string TickExplanation::text() const {
   if (is_behind_end)
     out += formatted("The log ends before %.6g s: this is its last tick.\n\n", asked);
   out += sentence() + "\n\n" + facts(*this) + "\n";
-  if (was_used(tick)) {
+  if (logging::was_used(tick)) {
     out += feet_table(*this) + "\n";
     if (tick.hierarchy.num_levels > 0) out += level_table(*this) + "\n";
     out += at_bounds(*this) + missed(*this);
@@ -287,4 +290,4 @@ std::string TickExplanation::text() const {
   return out;
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::explain

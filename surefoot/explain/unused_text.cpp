@@ -3,7 +3,7 @@
 #include "surefoot/logging/hierarchy_status.hpp"
 #include "surefoot/logging/stop_text.hpp"
 
-namespace surefoot {
+namespace surefoot::explain {
 namespace {
 
 constexpr const char* kLifted = "its feet bear too little";
@@ -19,9 +19,9 @@ const char* without_state(CommandMode mode) {
 }  // namespace
 
 UnusedText unused_text(const TickRecord& tick) {
-  if (was_used(tick)) return {};
-  const std::string stop = text_of_stop(tick);
-  return {unused_texts()[was_solved(tick.hierarchy) ? 2 : 1],
+  if (logging::was_used(tick)) return {};
+  const std::string stop = logging::text_of_stop(tick);
+  return {unused_texts()[logging::was_solved(tick.hierarchy) ? 2 : 1],
           stop.empty() ? without_state(tick.command.mode) : stop};
 }
 
@@ -33,11 +33,11 @@ const std::vector<std::string>& unused_texts() {
 
 const std::vector<std::string>& unused_reasons() {
   static const std::vector<std::string> texts = [] {
-    std::vector<std::string> all = stop_texts();
+    std::vector<std::string> all = logging::stop_texts();
     all.insert(all.end(), {kLifted, kRises, kNoState});
     return all;
   }();
   return texts;
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::explain

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-namespace surefoot {
+namespace surefoot::explain {
 
 /// Why what a tick solved and planned commands nothing; texts are empty where it does.
 struct UnusedText {
@@ -20,4 +20,4 @@ struct UnusedText {
 [[nodiscard]] const std::vector<std::string>& unused_texts();
 [[nodiscard]] const std::vector<std::string>& unused_reasons();
 
-}  // namespace surefoot
+}  // namespace surefoot::explain

@@ -7,13 +7,13 @@
 #include <limits>
 #include <sstream>
 
-namespace surefoot {
+namespace surefoot::explain {
 namespace {
 
 using Eigen::Index;
 
 /// Longest row of a level over its shortest, without zero rows; of the worst level.
-double worst_ratio(const Hierarchy& hierarchy) {
+double worst_ratio(const solver::Hierarchy& hierarchy) {
   double worst = 1.0;
   for (std::size_t k = 0; k < hierarchy.num_levels(); ++k) {
     double longest = 0.0, shortest = std::numeric_limits<double>::infinity();
@@ -31,23 +31,23 @@ double worst_ratio(const Hierarchy& hierarchy) {
 /// level does so by 1 / ratio² of its length, which is no longer told from holding.
 constexpr double kLargestRatio = 1e4;
 
-std::string number_of(std::vector<LevelCertificate>::const_iterator level,
-                      const std::vector<LevelCertificate>& levels) {
+std::string number_of(std::vector<solver::LevelCertificate>::const_iterator level,
+                      const std::vector<solver::LevelCertificate>& levels) {
   return std::to_string(level - levels.begin() + 1);
 }
 
-auto first_that_is(Verdict said, const std::vector<LevelCertificate>& levels) {
-  return std::ranges::find(levels, said,
-                           [](const LevelCertificate& level) { return verdict(level); });
+auto first_that_is(solver::Verdict said, const std::vector<solver::LevelCertificate>& levels) {
+  return std::ranges::find(
+      levels, said, [](const solver::LevelCertificate& level) { return solver::verdict(level); });
 }
 
-std::string why_not_proven(const Hierarchy& hierarchy,
-                           const std::vector<LevelCertificate>& levels) {
-  const auto level = first_that_is(Verdict::not_proven, levels);
+std::string why_not_proven(const solver::Hierarchy& hierarchy,
+                           const std::vector<solver::LevelCertificate>& levels) {
+  const auto level = first_that_is(solver::Verdict::not_proven, levels);
   std::ostringstream text;
   text << "not proven: level " << number_of(level, levels) << " is " << level->stationarity
-       << " from its optimality conditions, relative to its rows; at most " << kProvenStationarity
-       << " is rounding";
+       << " from its optimality conditions, relative to its rows; at most "
+       << solver::kProvenStationarity << " is rounding";
   const double ratio = worst_ratio(hierarchy);
   if (ratio > kLargestRatio) {
     text << ", which is promised where rows of one level differ in length by at most "
@@ -59,38 +59,40 @@ std::string why_not_proven(const Hierarchy& hierarchy,
   return text.str();
 }
 
-std::string why_not_judged(const Hierarchy& hierarchy, const Eigen::VectorXd& x,
-                           const std::vector<LevelCertificate>& levels) {
-  const auto level = first_that_is(Verdict::not_judged, levels);
+std::string why_not_judged(const solver::Hierarchy& hierarchy, const Eigen::VectorXd& x,
+                           const std::vector<solver::LevelCertificate>& levels) {
+  const auto level = first_that_is(solver::Verdict::not_judged, levels);
   std::ostringstream text;
   text << "not judged: level " << number_of(level, levels)
        << " meets its optimality conditions as far as doubles can tell, but by exact arithmetic ";
   if (!std::isfinite(level->doubt.stationarity))
     text << "it can't be computed how far it is from them";
-  else if (level->doubt.residual > kSameResidual)
+  else if (level->doubt.residual > solver::kSameResidual)
     text << level->doubt.residual << " of its residual and bounds is in doubt";
   else
     text << "its rows are " << level->doubt.stationarity << " from them";
   // In the units that it was judged in.
-  const Eigen::VectorXd units = even_units(hierarchy);
+  const Eigen::VectorXd units = solver::even_units(hierarchy);
   const double length = x.cwiseQuotient(units).norm();
-  if (level->doubt.weakest < kClearRank)
+  if (level->doubt.weakest < solver::kClearRank)
     text << ": its ranks are borderline, of a row only " << level->doubt.weakest
          << " of its length is left beside the others";
-  else if (length > kLargeX)
+  else if (length > solver::kLargeX)
     text << ": ‖x‖ is " << length << ", so rounding of it is as much";
   else
-    text << ": rows of one level differ in length by " << worst_ratio(in_units(hierarchy, units))
+    text << ": rows of one level differ in length by "
+         << worst_ratio(solver::in_units(hierarchy, units))
          << ", and rounding of the longest hides what the shortest ask for";
   return text.str();
 }
 
 }  // namespace
 
-std::string verdict_text(const Hierarchy& hierarchy, const Eigen::VectorXd& x,
-                         const std::vector<LevelCertificate>& levels) {
-  return verdict(levels) == Verdict::not_proven ? why_not_proven(hierarchy, levels)
-                                                : why_not_judged(hierarchy, x, levels);
+std::string verdict_text(const solver::Hierarchy& hierarchy, const Eigen::VectorXd& x,
+                         const std::vector<solver::LevelCertificate>& levels) {
+  return solver::verdict(levels) == solver::Verdict::not_proven
+             ? why_not_proven(hierarchy, levels)
+             : why_not_judged(hierarchy, x, levels);
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::explain

@@ -9,7 +9,7 @@
 #include "surefoot/gaits/parts/push_balance.hpp"
 #include "surefoot/signals/event_list.hpp"
 
-namespace surefoot {
+namespace surefoot::gaits {
 
 /// What the swing that goes on, or the last one, has met.
 struct SwingMemory {
@@ -40,7 +40,9 @@ struct Body {
         com(given.com, given.force) {}
 
   /// The terrain plane through the footholds.
-  void fit_plane() { plane = fit_terrain_plane(legs.footholds(), options.torso.max_tilt); }
+  void fit_plane() {
+    plane = estimation::fit_terrain_plane(legs.footholds(), options.torso.max_tilt);
+  }
   /// Nothing but the present footholds is known of the ground.
   void learn_ground() {
     footholds.forget();
@@ -51,7 +53,7 @@ struct Body {
   /// with the square of the durations.
   [[nodiscard]] double pace() const { return std::sqrt(grip.caution()); }
   /// Of the COM over the plane, but no less than a plan can be made with [m].
-  [[nodiscard]] double com_height(const Dynamics& dynamics) const {
+  [[nodiscard]] double com_height(const model::Dynamics& dynamics) const {
     constexpr double kLeast = 0.1;  // [m]
     const Vec3& p = dynamics.com.p;
     return std::max(kLeast, p.z() - plane.height(p.head<2>()));
@@ -61,7 +63,7 @@ struct Body {
   double period;
   Legs legs;
   FootholdPlanner footholds;
-  TerrainPlane plane;
+  estimation::TerrainPlane plane;
   Grip grip;
   PushBalance balance;
   ComPlanner com;
@@ -70,4 +72,4 @@ struct Body {
   int steps_taken = 0;  ///< swings that ended on the ground
 };
 
-}  // namespace surefoot
+}  // namespace surefoot::gaits

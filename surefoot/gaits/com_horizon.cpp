@@ -1,6 +1,6 @@
 #include "surefoot/gaits/com_horizon.hpp"
 
-namespace surefoot {
+namespace surefoot::gaits {
 
 ComHorizon::ComHorizon(const Situation& now, bool recovers)
     : ground_(now.body.plane.height(now.dynamics.com.p.head<2>())),
@@ -64,4 +64,4 @@ void ComHorizon::come_to_rest(Body& body, double duration, bool must_rest) {
   plan(body, Vec2::Zero());
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::gaits

@@ -2,7 +2,7 @@
 
 #include "surefoot/gaits/reactions/situation.hpp"
 
-namespace surefoot {
+namespace surefoot::gaits {
 
 /// Puts together the phases ahead that the COM is planned through, beginning with the feet as they
 /// are. Ends with `plan` or `come_to_rest`.
@@ -33,4 +33,4 @@ class ComHorizon {
   ComProblem problem_;
 };
 
-}  // namespace surefoot
+}  // namespace surefoot::gaits

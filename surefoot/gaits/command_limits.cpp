@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace surefoot {
+namespace surefoot::gaits {
 namespace {
 
 // From step to step, forwards, sideways [m/s] and turning [rad/s]:
@@ -103,4 +103,4 @@ void CommandLimits::tell(EventList& events) {
   }
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::gaits

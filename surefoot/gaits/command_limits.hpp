@@ -4,7 +4,7 @@
 #include "surefoot/signals/event_list.hpp"
 #include "surefoot/signals/sensor_reading.hpp"
 
-namespace surefoot {
+namespace surefoot::gaits {
 
 /// What a command has to fit into at a tick.
 struct CommandRoom {
@@ -55,4 +55,4 @@ class CommandLimits {
   Limit raises_{PlanEvent::raised};   // legs too bent for it
 };
 
-}  // namespace surefoot
+}  // namespace surefoot::gaits

@@ -4,16 +4,17 @@
 #include "surefoot/gaits/reactions/push_reactions.hpp"
 #include "surefoot/model/leg_jacobian.hpp"
 
-namespace surefoot {
+namespace surefoot::gaits {
 namespace {
 
 constexpr double kOffPlan = 0.01;  // the COM from its plan: that one can't be followed [m]
 
 LegEvent look_at(Leg k, const Situation& now, Body& body) {
-  const PointKinematics& foot = now.dynamics.foot[index(k)];
+  const model::PointKinematics& foot = now.dynamics.foot[index(k)];
   const Vec3& normal = body.plane.normal;
   // |n · (Jᵀ)⁻¹|: of the normal force by the leg's torques.
-  const double force_per_torque = (damped_inverse(leg_jacobian(foot, k)) * normal).norm();
+  const double force_per_torque =
+      (model::damped_inverse(model::leg_jacobian(foot, k)) * normal).norm();
   return body.legs[k].observe(now.time, {now.dynamics.hip[index(k)], foot,
                                          now.state.foot_force[index(k)], normal, force_per_torque});
 }
@@ -87,4 +88,4 @@ bool Gait::wants_plan(const Situation& now) {
   return balance.wants_plan(now.time) || (off && balance.may_plan(now.time));
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::gaits

@@ -2,7 +2,7 @@
 
 #include "surefoot/gaits/reactions/situation.hpp"
 
-namespace surefoot {
+namespace surefoot::gaits {
 
 /// What came of a gait's tick.
 struct GaitOutcome {
@@ -40,4 +40,4 @@ class Gait {
   virtual GaitOutcome go_on(Situation& now, Body& body) = 0;
 };
 
-}  // namespace surefoot
+}  // namespace surefoot::gaits

@@ -8,7 +8,7 @@
 #include <functional>
 #include <string>
 
-namespace surefoot {
+namespace surefoot::gaits {
 
 Planner::Planner(const PlannerOptions& options, double period)
     : body_(options, period),
@@ -32,7 +32,8 @@ void Planner::set_friction(double friction) {
 }
 
 const MotionPlan& Planner::update(const UserCommand& command, const RobotState& state,
-                                  const Dynamics& dynamics, const HierarchyOutcome& last) noexcept {
+                                  const model::Dynamics& dynamics,
+                                  const HierarchyOutcome& last) noexcept {
   body_.events = {};
   if (!initialised_) calibration_.expect_switch(command.calibrate);  // it begins so anyway
   if (!initialised_ || restarts_) initialise(state, dynamics);
@@ -45,7 +46,7 @@ const MotionPlan& Planner::update(const UserCommand& command, const RobotState& 
   return plan_;
 }
 
-void Planner::initialise(const RobotState& state, const Dynamics& dynamics) {
+void Planner::initialise(const RobotState& state, const model::Dynamics& dynamics) {
   initialised_ = learns_ground_ = true;
   restarts_ = false;
   calibration_.begin(state.time);
@@ -131,7 +132,7 @@ void Planner::write_plan(const Situation& now) {
   torso_.update(body_.plane, yaw_, yaw_rate_, plan_.com, height, calibration_.motion());
   plan_.torso = torso_.plan();
   friction_frame_.update(body_.plane.normal);
-  plan_.R_WC = control_frame(friction_frame_.normal(), yaw_);
+  plan_.R_WC = estimation::control_frame(friction_frame_.normal(), yaw_);
   plan_.terrain_point = body_.plane.point;
   plan_.calibration = calibration_.stage();
   plan_.events = body_.events;
@@ -142,4 +143,4 @@ bool Planner::is_undisturbed(const RobotState& state) const {
          state.external_force.head<2>().isZero();
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::gaits

@@ -8,7 +8,7 @@
 #include "surefoot/gaits/parts/torso_reference.hpp"
 #include "surefoot/gaits/stand/stand.hpp"
 
-namespace surefoot {
+namespace surefoot::gaits {
 
 /// Plans the motion: gives the legs to a gait, stand or crawl, and does what all gaits need: limits
 /// of the command, heading, torso along the plane through the footholds, calibration. Plans
@@ -20,7 +20,8 @@ class Planner {
 
   /// One tick. Allocates nothing, throws nothing.
   const MotionPlan& update(const UserCommand& command, const RobotState& state,
-                           const Dynamics& dynamics, const HierarchyOutcome& last = {}) noexcept;
+                           const model::Dynamics& dynamics,
+                           const HierarchyOutcome& last = {}) noexcept;
 
   /// Before an update: a plan that knows what `fresh` does, which has not begun; but for the steps
   /// taken.
@@ -46,7 +47,7 @@ class Planner {
   [[nodiscard]] bool is_undisturbed(const RobotState& state) const;
 
  private:
-  void initialise(const RobotState& state, const Dynamics& dynamics);
+  void initialise(const RobotState& state, const model::Dynamics& dynamics);
   /// An estimate that begins anew has other places for the same feet, and others again when it is
   /// calibrated.
   void learn_ground_anew();
@@ -75,4 +76,4 @@ class Planner {
   bool restarts_ = false;
 };
 
-}  // namespace surefoot
+}  // namespace surefoot::gaits

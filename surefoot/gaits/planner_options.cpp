@@ -7,7 +7,7 @@
 
 #include <cmath>
 
-namespace surefoot {
+namespace surefoot::gaits {
 namespace {
 
 constexpr NumberRange kSteps{.min = 1, .max = ComPlanner::kMaxSteps};
@@ -261,4 +261,4 @@ Group fields(PlannerOptions& o) {
       });
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::gaits

@@ -3,6 +3,10 @@
 #include "surefoot/signals/leg.hpp"
 
 namespace surefoot {
+struct Group;
+}  // namespace surefoot
+
+namespace surefoot::gaits {
 
 /// Where the knees point: the side of each leg's inverse kinematics.
 enum class KneeConfiguration {
@@ -132,7 +136,6 @@ struct PlannerOptions {
   PushOptions push;
 };
 
-struct Group;
 /// Their names, units, ranges and help.
 [[nodiscard]] Group fields(PlannerOptions& o);
 
@@ -145,4 +148,4 @@ struct Group;
   return options.foothold.hind_use_front_prints && !is_front(leg);
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::gaits

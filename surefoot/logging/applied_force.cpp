@@ -7,7 +7,7 @@
 #include <string_view>
 #include <utility>
 
-namespace surefoot {
+namespace surefoot::logging {
 namespace {
 
 constexpr double kMinShare = 0.38;  // of a force in a direction named: more than 22.5° off
@@ -121,4 +121,4 @@ std::string push_end_text(const AppliedForce& force, const std::vector<std::stri
   return "the push on " + body_text(force.body, bodies) + " ends";
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::logging

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace surefoot {
+namespace surefoot::logging {
 
 /// An external force on a body of the robot over an uninterrupted time; true, unknown to control.
 struct AppliedForce {
@@ -63,4 +63,4 @@ class AppliedForceWatch {
 /// "the base" for the first body, the name for others.
 [[nodiscard]] std::string body_text(std::size_t body, const std::vector<std::string>& bodies);
 
-}  // namespace surefoot
+}  // namespace surefoot::logging

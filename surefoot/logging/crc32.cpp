@@ -3,7 +3,7 @@
 #include <array>
 #include <cstddef>
 
-namespace surefoot {
+namespace surefoot::logging {
 namespace {
 
 // tables[k][b]: contribution of byte b with k zero bytes after it, to take eight bytes at once.
@@ -44,4 +44,4 @@ std::uint32_t crc32(std::string_view bytes, std::uint32_t crc) {
   return ~crc;
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::logging

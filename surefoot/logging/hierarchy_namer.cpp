@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace surefoot {
+namespace surefoot::logging {
 namespace {
 
 /// The claimed number of entries, limited to the possible one.
@@ -67,4 +67,4 @@ void HierarchyNamer::name_switch(const LevelSwitchReport& change) {
   }
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::logging

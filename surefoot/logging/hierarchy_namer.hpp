@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace surefoot {
+namespace surefoot::logging {
 
 /// Names of a hierarchy's levels, highest first, and of their rows.
 struct LevelNames {
@@ -35,4 +35,4 @@ class HierarchyNamer {
   logged::Hierarchy named_;
 };
 
-}  // namespace surefoot
+}  // namespace surefoot::logging

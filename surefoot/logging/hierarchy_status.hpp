@@ -7,7 +7,7 @@
 #include <limits>
 #include <span>
 
-namespace surefoot {
+namespace surefoot::logging {
 
 /// Of `HierarchyReport::status`, as in the log's schema.
 inline constexpr std::int32_t kIterationCap = 1, kInvalidInput = 2;
@@ -45,4 +45,4 @@ inline constexpr std::int32_t kIterationCap = 1, kInvalidInput = 2;
   return is_known ? report.levels[level].residual : std::numeric_limits<double>::quiet_NaN();
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::logging

@@ -4,7 +4,7 @@
 #include <charconv>
 #include <limits>
 
-namespace surefoot {
+namespace surefoot::logging {
 namespace {
 
 // Appends a code point of the basic multilingual plane as UTF-8.
@@ -138,4 +138,4 @@ void JsonCursor::fail(const char* expected) const {
   throw JsonError{"expected " + std::string(expected) + " at byte " + std::to_string(position_)};
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::logging

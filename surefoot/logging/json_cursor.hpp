@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-namespace surefoot {
+namespace surefoot::logging {
 
 /// Invalid JSON, or a value of another kind than requested.
 class JsonError : public Error {
@@ -47,4 +47,4 @@ class JsonCursor {
   std::size_t position_ = 0;
 };
 
-}  // namespace surefoot
+}  // namespace surefoot::logging

@@ -5,7 +5,7 @@
 #include <charconv>
 #include <cmath>
 
-namespace surefoot {
+namespace surefoot::logging {
 namespace {
 
 bool needs_escape(char c) { return c == '"' || c == '\\' || static_cast<unsigned char>(c) < 0x20; }
@@ -122,4 +122,4 @@ void JsonText::escape(char c) {
   }
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::logging

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-namespace surefoot {
+namespace surefoot::logging {
 
 /// Appends compact JSON to a string. Numbers have the shortest text that reads back to the same
 /// double. NaN and infinity become null, bytes that are not UTF-8 (possible in file names) U+FFFD.
@@ -55,4 +55,4 @@ class JsonText {
   bool comma_ = false;  // the next element needs a comma before it
 };
 
-}  // namespace surefoot
+}  // namespace surefoot::logging

@@ -2,7 +2,7 @@
 
 #include "surefoot/logging/hierarchy_status.hpp"
 
-namespace surefoot {
+namespace surefoot::logging {
 
 LevelStatus level_status(const LevelReport& level) {
   if (level.num_rows == 0) return LevelStatus::no_rows;
@@ -19,4 +19,4 @@ LevelStatus level_status(const HierarchyReport& report, std::size_t place) {
   return level_status(report.levels[place]);
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::logging

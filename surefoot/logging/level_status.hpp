@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <string_view>
 
-namespace surefoot {
+namespace surefoot::logging {
 
 /// Result of a level.
 enum class LevelStatus : std::int8_t {
@@ -32,4 +32,4 @@ inline constexpr std::array<std::string_view, 6> kLevelStatusNames{
 /// Of the report's level at this place in the order of priority.
 [[nodiscard]] LevelStatus level_status(const HierarchyReport& report, std::size_t place);
 
-}  // namespace surefoot
+}  // namespace surefoot::logging

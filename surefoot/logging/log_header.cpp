@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <iterator>
 
-namespace surefoot {
+namespace surefoot::logging {
 namespace {
 
 void robot_member(JsonText& json, const LogRobot& robot) {
@@ -67,7 +67,7 @@ bool LogHeader::is_older() const { return minor_number(log_version) < minor_numb
 bool LogHeader::is_newer() const { return minor_number(log_version) > minor_number(kLogVersion); }
 
 std::string LogHeader::level_name(std::ptrdiff_t number) const {
-  return surefoot::level_name(level_names, number);
+  return logging::level_name(level_names, number);
 }
 
 std::string LogHeader::level_unit(std::ptrdiff_t number) const {
@@ -117,4 +117,4 @@ std::string to_json(const LogHeader& header) {
   return out;
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::logging

@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-namespace surefoot {
+namespace surefoot::logging {
 
 /// Version of the log's topics and fields: the major number changes if readers must change.
 inline constexpr std::string_view kLogVersion = "2.12";
@@ -103,4 +103,4 @@ struct LogHeader {
 /// The header as JSON, without the attachments.
 [[nodiscard]] std::string to_json(const LogHeader& header);
 
-}  // namespace surefoot
+}  // namespace surefoot::logging

@@ -6,7 +6,7 @@
 
 #include <string_view>
 
-namespace surefoot {
+namespace surefoot::logging {
 namespace {
 
 using nlohmann::json;
@@ -149,4 +149,4 @@ LogHeader read_log_header(const std::string& path, const std::string& text) {
   }
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::logging

@@ -4,11 +4,11 @@
 
 #include <string>
 
-namespace surefoot {
+namespace surefoot::logging {
 
 /// The header of the log at `path` from its attachment header.json, without `row_name` and
 /// attachments. Throws FileError, with advice, if it is damaged, incomplete or of another major
 /// version.
 [[nodiscard]] LogHeader read_log_header(const std::string& path, const std::string& text);
 
-}  // namespace surefoot
+}  // namespace surefoot::logging

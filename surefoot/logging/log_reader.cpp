@@ -10,7 +10,7 @@
 #include <string_view>
 #include <tuple>
 
-namespace surefoot {
+namespace surefoot::logging {
 namespace {
 
 constexpr std::string_view kHeaderName = "header.json";
@@ -274,4 +274,4 @@ std::string LogReader::summary() const {
   return summary == file_.attachments().end() ? "" : summary->second;
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::logging

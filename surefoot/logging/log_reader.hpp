@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-namespace surefoot {
+namespace surefoot::logging {
 
 /// Decodes a message with a signal of the tick (all of a tick but its hierarchy); false for other
 /// messages. Throws JsonError if the message does not fit its schema.
@@ -83,4 +83,4 @@ class LogReader {
   std::map<RowKey, std::string> row_names_;
 };
 
-}  // namespace surefoot
+}  // namespace surefoot::logging

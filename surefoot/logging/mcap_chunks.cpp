@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace surefoot {
+namespace surefoot::logging {
 namespace {
 
 using mcap::Cursor;
@@ -166,4 +166,4 @@ bool McapChunks::take_record(mcap::Opcode opcode, std::string_view content, cons
   return true;
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::logging

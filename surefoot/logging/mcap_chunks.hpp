@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace surefoot {
+namespace surefoot::logging {
 
 /// A chunk of an MCAP file, or some consecutive messages outside of chunks, from other writers.
 struct McapChunk {
@@ -73,4 +73,4 @@ class McapChunks {
   std::size_t num_lost_ = 0;
 };
 
-}  // namespace surefoot
+}  // namespace surefoot::logging

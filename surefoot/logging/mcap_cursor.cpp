@@ -4,7 +4,7 @@
 
 #include <zstd.h>
 
-namespace surefoot::mcap {
+namespace surefoot::logging::mcap {
 namespace {
 
 constexpr std::uint64_t kMaxChunk = 1ull << 30;  // [bytes]
@@ -104,4 +104,4 @@ std::string chunk_records(std::string_view chunk) {
   return records;
 }
 
-}  // namespace surefoot::mcap
+}  // namespace surefoot::logging::mcap

@@ -9,7 +9,7 @@
 #include <string_view>
 
 /// Reading of MCAP records, from front to back or by chunks.
-namespace surefoot::mcap {
+namespace surefoot::logging::mcap {
 
 inline constexpr std::size_t kRecordHead = 9;  ///< opcode and length [bytes]
 inline constexpr std::size_t kMessageHead =
@@ -89,4 +89,4 @@ struct AttachmentRecord {
 /// OtherCompression.
 [[nodiscard]] std::string chunk_records(std::string_view chunk);
 
-}  // namespace surefoot::mcap
+}  // namespace surefoot::logging::mcap

@@ -4,7 +4,7 @@
 #include <string_view>
 
 /// The MCAP container format, version 0 (https://mcap.dev/spec), for writer and reader.
-namespace surefoot::mcap {
+namespace surefoot::logging::mcap {
 
 inline constexpr std::string_view kMagic{"\x89MCAP0\r\n", 8};
 
@@ -33,4 +33,4 @@ inline constexpr std::uint64_t kMaxChunkTime = 10'000'000'000;  ///< a recorder'
   return last >= first && last - first <= kMaxChunkTime;
 }
 
-}  // namespace surefoot::mcap
+}  // namespace surefoot::logging::mcap

@@ -11,7 +11,7 @@
 #include <cstdio>
 #include <filesystem>
 
-namespace surefoot {
+namespace surefoot::logging {
 namespace {
 
 using mcap::Cursor;
@@ -292,4 +292,4 @@ std::string McapReader::problem() const {
   return text;
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::logging

@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-namespace surefoot {
+namespace surefoot::logging {
 
 struct McapSchema {
   std::string name, encoding, data;
@@ -107,4 +107,4 @@ class McapReader {
   std::string end_;  // reason and place of an early end
 };
 
-}  // namespace surefoot
+}  // namespace surefoot::logging

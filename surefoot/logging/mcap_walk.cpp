@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <string_view>
 
-namespace surefoot::mcap {
+namespace surefoot::logging::mcap {
 namespace {
 
 constexpr std::string_view kZstd{"\x04\0\0\0zstd", 8};
@@ -179,4 +179,4 @@ bool RecordWalk::find_chunk(std::uint64_t from) {
   return false;
 }
 
-}  // namespace surefoot::mcap
+}  // namespace surefoot::logging::mcap

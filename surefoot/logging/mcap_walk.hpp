@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace surefoot::mcap {
+namespace surefoot::logging::mcap {
 
 /// A record in the file's index.
 struct IndexedRecord {
@@ -59,4 +59,4 @@ class RecordWalk {
   std::uint64_t offset_ = 0, length_ = 0, skipped_ = 0, next_ = kMagic.size();
 };
 
-}  // namespace surefoot::mcap
+}  // namespace surefoot::logging::mcap

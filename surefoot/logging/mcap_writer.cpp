@@ -12,7 +12,7 @@
 #include <concepts>
 #include <cstring>
 
-namespace surefoot {
+namespace surefoot::logging {
 namespace {
 
 using mcap::Opcode;
@@ -325,4 +325,4 @@ void McapWriter::fail(const char* what) const {
                   "); a folder that exists, may be written and has room would be valid");
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::logging

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-namespace surefoot {
+namespace surefoot::logging {
 
 struct McapWriterOptions {
   std::string profile;
@@ -95,4 +95,4 @@ class McapWriter {
   std::string chunk_index_, attachment_index_, metadata_index_;  // records of the summary
 };
 
-}  // namespace surefoot
+}  // namespace surefoot::logging

@@ -8,7 +8,7 @@
 #include <set>
 #include <string_view>
 
-namespace surefoot {
+namespace surefoot::logging {
 namespace {
 
 std::string_view media_type(std::string_view name) {
@@ -66,4 +66,4 @@ std::string mend_log(const std::string& from, const std::string& to) {
   return source.problem();
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::logging

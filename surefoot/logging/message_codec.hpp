@@ -19,7 +19,7 @@ concept Matrix = requires { T::RowsAtCompileTime; };
 template <typename T>
 concept Name = std::same_as<T, LegPhase> || std::same_as<T, CommandMode> ||
                std::same_as<T, StopCause> || std::same_as<T, SampleFault> ||
-               std::same_as<T, CalibrationStage> || std::same_as<T, LevelStatus>;
+               std::same_as<T, CalibrationStage> || std::same_as<T, logging::LevelStatus>;
 
 template <typename T>
 inline constexpr bool kIsPerLeg = false;
@@ -40,7 +40,7 @@ inline const auto& names(CommandMode) { return kModeNames; }
 inline const auto& names(StopCause) { return kCauseNames; }
 inline const auto& names(SampleFault) { return kFaultNames; }
 inline const auto& names(CalibrationStage) { return kCalibrationNames; }
-inline const auto& names(LevelStatus) { return kLevelStatusNames; }
+inline const auto& names(logging::LevelStatus) { return logging::kLevelStatusNames; }
 
 /// Writes a value as JSON: vectors as arrays, matrices row by row, quaternions as w, x, y, z,
 /// per-leg values as an object of LF, RF, LH and RH, enumerations as names, events as numbers.
@@ -105,7 +105,7 @@ class Encoder {
     json_.end_array();
   }
 
-  JsonText json_;
+  logging::JsonText json_;
 };
 
 /// Writes the JSON schema (draft 2020-12) of a value's type.
@@ -173,7 +173,7 @@ class SchemaWriter {
     if (count >= 0) json_.member("minItems", count).member("maxItems", count);
   }
 
-  JsonText json_;
+  logging::JsonText json_;
 };
 
 /// Appends a signal's JSON message.

@@ -19,7 +19,7 @@ class Decoder {
  public:
   template <typename T>
   static void decode(std::string_view message, T& signal) {
-    JsonCursor json(message);
+    logging::JsonCursor json(message);
     value(json, signal);
   }
 
@@ -44,7 +44,7 @@ class Decoder {
 
  private:
   // `json` is after the opening brace.
-  explicit Decoder(JsonCursor& json)
+  explicit Decoder(logging::JsonCursor& json)
       : json_(json), first_(json.position()), next_(json.position()) {}
 
   // Goes to a member's value, most likely the next one.
@@ -75,7 +75,7 @@ class Decoder {
   }
 
   template <typename T>
-  static void value(JsonCursor& json, T& content) {
+  static void value(logging::JsonCursor& json, T& content) {
     if constexpr (std::same_as<T, bool>) {
       content = json.truth();
     } else if constexpr (std::integral<T>) {
@@ -112,7 +112,7 @@ class Decoder {
   }
 
   template <typename T>
-  static void matrix(JsonCursor& json, T& content) {
+  static void matrix(logging::JsonCursor& json, T& content) {
     json.expect('[');
     for (Eigen::Index i = 0; i < content.rows(); ++i) {
       if (i > 0) json.expect(',');
@@ -128,7 +128,7 @@ class Decoder {
   }
 
   template <typename T>
-  static void list(JsonCursor& json, T& content) {
+  static void list(logging::JsonCursor& json, T& content) {
     content.clear();
     json.expect('[');
     if (json.accept(']')) return;
@@ -138,14 +138,14 @@ class Decoder {
     json.expect(']');
   }
 
-  static std::optional<Leg> leg(JsonCursor& json) {
+  static std::optional<Leg> leg(logging::JsonCursor& json) {
     if (json.peek() == 'n') {
       static_cast<void>(json.number());
       return {};
     }
     const std::string name = json.string();
     const auto found = std::ranges::find(kLegNames, name);
-    if (found == kLegNames.end()) throw JsonError{"unknown leg \"" + name + "\""};
+    if (found == kLegNames.end()) throw logging::JsonError{"unknown leg \"" + name + "\""};
     return static_cast<Leg>(found - kLegNames.begin());
   }
 
@@ -153,7 +153,7 @@ class Decoder {
   static T integer(double number) {
     const bool fits = number >= static_cast<double>(std::numeric_limits<T>::min()) &&
                       number <= static_cast<double>(std::numeric_limits<T>::max());
-    if (!fits) throw JsonError{"expected an integer"};
+    if (!fits) throw logging::JsonError{"expected an integer"};
     return static_cast<T>(number);
   }
 
@@ -161,11 +161,11 @@ class Decoder {
   static T enumerator(const std::string& name, T any) {
     const auto& all = names(any);
     const auto found = std::find(all.begin(), all.end(), name);
-    if (found == all.end()) throw JsonError{"unknown value \"" + name + "\""};
+    if (found == all.end()) throw logging::JsonError{"unknown value \"" + name + "\""};
     return static_cast<T>(found - all.begin());
   }
 
-  JsonCursor& json_;
+  logging::JsonCursor& json_;
   std::size_t first_, next_;  // after the opening brace, and after the last member read
 };
 

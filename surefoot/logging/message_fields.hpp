@@ -17,7 +17,7 @@ namespace surefoot::logged {
 /// A level of the hierarchy, with its name.
 struct Level {
   std::string name;
-  LevelStatus status = LevelStatus::not_solved;
+  logging::LevelStatus status = logging::LevelStatus::not_solved;
   LevelReport report;
 };
 

@@ -12,7 +12,7 @@
 #include <fstream>
 #include <system_error>
 
-namespace surefoot {
+namespace surefoot::logging {
 namespace {
 
 namespace fs = std::filesystem;
@@ -104,4 +104,4 @@ void write_file(const fs::path& file, const std::string& text) {
   whole.finish();
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::logging

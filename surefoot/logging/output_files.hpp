@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <string>
 
-namespace surefoot {
+namespace surefoot::logging {
 
 /// Throws FileError, with the reason, if a file could not be written at this path. Leaves nothing
 /// behind.
@@ -34,4 +34,4 @@ void remove_if_empty(const std::filesystem::path& folder);
 /// Writes a file whole (WholeFile). Throws FileError.
 void write_file(const std::filesystem::path& file, const std::string& text);
 
-}  // namespace surefoot
+}  // namespace surefoot::logging

@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <system_error>
 
-namespace surefoot {
+namespace surefoot::logging {
 
 std::string partial_path(const std::string& path) { return path + ".partial"; }
 
@@ -13,4 +13,4 @@ std::string partial_beside(const std::string& path) {
   return std::filesystem::is_regular_file(partial, ignored) ? partial : "";
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::logging

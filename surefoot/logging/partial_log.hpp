@@ -2,7 +2,7 @@
 
 #include <string>
 
-namespace surefoot {
+namespace surefoot::logging {
 
 /// Path of an unfinished log.
 [[nodiscard]] std::string partial_path(const std::string& path);
@@ -10,4 +10,4 @@ namespace surefoot {
 /// The log of an unfinished or cut-off run next to `path`; empty without one.
 [[nodiscard]] std::string partial_beside(const std::string& path);
 
-}  // namespace surefoot
+}  // namespace surefoot::logging

@@ -20,7 +20,7 @@
 #include <thread>
 #include <vector>
 
-namespace surefoot {
+namespace surefoot::logging {
 namespace {
 
 std::uint64_t nanoseconds(double time) {
@@ -280,4 +280,4 @@ void Recorder::close(std::string_view summary) {
   if (error) throw FileError(path_ + ": can't get its name (" + error.message() + ")");
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::logging

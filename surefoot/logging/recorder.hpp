@@ -10,7 +10,7 @@
 #include <string>
 #include <string_view>
 
-namespace surefoot {
+namespace surefoot::logging {
 
 struct RecorderOptions {
   std::size_t queue_ticks = 256;  ///< ticks that may wait for the writer
@@ -66,4 +66,4 @@ class Recorder {
   std::unique_ptr<Implementation> implementation_;
 };
 
-}  // namespace surefoot
+}  // namespace surefoot::logging

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace surefoot {
+namespace surefoot::logging {
 namespace {
 
 constexpr double kSameTime = 1e-6;  // [s]
@@ -44,4 +44,4 @@ void ScenarioForces::leave(double time, std::vector<double>& xfrc) {
   before_ = time;
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::logging

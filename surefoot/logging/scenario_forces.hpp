@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace surefoot {
+namespace surefoot::logging {
 
 /// Takes what the operator did out of the forces from outside, of which the truth has the sum: what
 /// is left is the scenario's.
@@ -34,4 +34,4 @@ class ScenarioForces {
   double before_ = kNaN;       // its time [s]
 };
 
-}  // namespace surefoot
+}  // namespace surefoot::logging

@@ -7,7 +7,7 @@
 
 #include <system_error>
 
-namespace surefoot {
+namespace surefoot::logging {
 
 namespace fs = std::filesystem;
 
@@ -29,4 +29,4 @@ std::string ScratchFolder::write(const std::string& name, const std::string& tex
   return (path_ / name).string();
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::logging

@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <string>
 
-namespace surefoot {
+namespace surefoot::logging {
 
 /// A folder for files that only another reader understands; gone with the object.
 class ScratchFolder {
@@ -22,4 +22,4 @@ class ScratchFolder {
   std::filesystem::path path_;
 };
 
-}  // namespace surefoot
+}  // namespace surefoot::logging

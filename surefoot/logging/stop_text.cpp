@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <array>
 
-namespace surefoot {
+namespace surefoot::logging {
 namespace {
 
 std::string verb(SampleFault fault) {
@@ -111,4 +111,4 @@ std::vector<FaultText> faults_of(const SensorHealth& health) {
   return faults;
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::logging

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-namespace surefoot {
+namespace surefoot::logging {
 
 /// Why the controller stopped for safety: "IMU stopped", "encoder LF_KFE changed too fast",
 /// "encoders of several joints left the range", "the torso tilted too far"; empty: it has not. Of a
@@ -31,4 +31,4 @@ struct FaultText {
 /// What is wrong with the sensors at a tick, in the same words; one for each group.
 [[nodiscard]] std::vector<FaultText> faults_of(const SensorHealth& health);
 
-}  // namespace surefoot
+}  // namespace surefoot::logging

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace surefoot {
+namespace surefoot::logging {
 
 void TickClock::lose(std::optional<double> from) {
   loses_ = true;
@@ -33,4 +33,4 @@ void TickClock::end(double time) {
   last_ = time;
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::logging

@@ -4,7 +4,7 @@
 #include <limits>
 #include <optional>
 
-namespace surefoot {
+namespace surefoot::logging {
 
 /// Jumps of a log's clock without a loss: the controller was not called.
 struct ClockSkips {
@@ -44,4 +44,4 @@ class TickClock {
   ClockSkips skips_;
 };
 
-}  // namespace surefoot
+}  // namespace surefoot::logging

@@ -5,7 +5,7 @@
 #include <iterator>
 #include <utility>
 
-namespace surefoot {
+namespace surefoot::logging {
 namespace {
 
 constexpr double kOtherUnits = 0.05;
@@ -27,4 +27,4 @@ std::vector<double> visible_residuals(const LogHeader& header) {
   return residuals;
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::logging

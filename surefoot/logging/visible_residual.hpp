@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-namespace surefoot {
+namespace surefoot::logging {
 
 /// Smallest residual, in its unit, at which a level visibly gave way. NaN: the level wants zero
 /// forces or torques, so it always has a residual and never gives way.
@@ -15,4 +15,4 @@ namespace surefoot {
 /// The same for the levels of a log.
 [[nodiscard]] std::vector<double> visible_residuals(const LogHeader& header);
 
-}  // namespace surefoot
+}  // namespace surefoot::logging

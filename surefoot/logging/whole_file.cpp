@@ -10,7 +10,7 @@
 #include <system_error>
 #include <utility>
 
-namespace surefoot {
+namespace surefoot::logging {
 
 WholeFile::WholeFile(std::string path)
     : path_(std::move(path)),
@@ -32,4 +32,4 @@ void WholeFile::finish() {
                   "; a folder that may be written and has room would be valid");
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::logging

@@ -3,7 +3,7 @@
 #include <fstream>
 #include <string>
 
-namespace surefoot {
+namespace surefoot::logging {
 
 /// Writes a file completely or not at all: under a unique name, renamed at the end. If two write
 /// the same file, the last one wins.
@@ -26,4 +26,4 @@ class WholeFile {
   std::ofstream stream_;
 };
 
-}  // namespace surefoot
+}  // namespace surefoot::logging

@@ -11,7 +11,7 @@
 #include <fstream>
 #include <sstream>
 
-namespace surefoot {
+namespace surefoot::logging {
 namespace {
 
 constexpr mode_t kDefaultMode = 0666;  // before umask
@@ -62,4 +62,4 @@ WriteLock::~WriteLock() {
   if (file_ >= 0) close(file_);
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::logging

@@ -2,7 +2,7 @@
 
 #include <string>
 
-namespace surefoot {
+namespace surefoot::logging {
 
 /// Reserves a file, or a whole folder, for one writer during its lifetime. Ends with the process in
 /// any case, and leaves nothing to clean up.
@@ -20,4 +20,4 @@ class WriteLock {
   int file_ = -1;
 };
 
-}  // namespace surefoot
+}  // namespace surefoot::logging

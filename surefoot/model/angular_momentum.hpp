@@ -3,7 +3,7 @@
 #include "surefoot/math/types.hpp"
 #include "surefoot/model/dynamics.hpp"
 
-namespace surefoot {
+namespace surefoot::model {
 
 /// Angular momentum of the robot about its centre of mass, in W [N·m·s]: the base's rotational rows
 /// of M u, moved from B's origin to the COM,
@@ -15,4 +15,4 @@ namespace surefoot {
   return about_base - lever.cross(dynamics.mass * dynamics.com.v);
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::model

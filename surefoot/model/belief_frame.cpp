@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace surefoot {
+namespace surefoot::model {
 namespace {
 
 bool are_known(const PerLeg<Vec3>& points) {
@@ -36,4 +36,4 @@ void BeliefFrame::update(const MotionPlan& plan, const PerLeg<Vec3>& believed_p_
   p_ = actual - R_ * believed;
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::model

@@ -2,7 +2,7 @@
 
 #include "surefoot/signals/motion_plan.hpp"
 
-namespace surefoot {
+namespace surefoot::model {
 
 /// Pose of the controller's world W in the true one, fitted to the stance feet. The estimate drifts
 /// in position and heading, so plans are compared with the truth relative to the feet.
@@ -25,4 +25,4 @@ class BeliefFrame {
   Vec3 p_ = Vec3::Zero();
 };
 
-}  // namespace surefoot
+}  // namespace surefoot::model

@@ -6,7 +6,7 @@
 #include <map>
 #include <sstream>
 
-namespace surefoot {
+namespace surefoot::model {
 namespace {
 
 constexpr int kBaseBody = 0;
@@ -183,4 +183,4 @@ BodyTree make_body_tree(const RobotDescription& description, const Urdf& urdf) {
   return builder.tree();
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::model

@@ -4,7 +4,7 @@
 #include "surefoot/model/leg_chain.hpp"
 #include "surefoot/model/urdf.hpp"
 
-namespace surefoot {
+namespace surefoot::model {
 
 /// One leg as rigid bodies: everything that is welded together is one body.
 struct LegTree {
@@ -25,4 +25,4 @@ struct BodyTree {
 /// mimics another, or a moving body has an impossible inertia.
 [[nodiscard]] BodyTree make_body_tree(const RobotDescription& description, const Urdf& urdf);
 
-}  // namespace surefoot
+}  // namespace surefoot::model

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace surefoot {
+namespace surefoot::model {
 
 /// Names of one leg's parts in the URDF.
 struct LegDescription {
@@ -36,4 +36,4 @@ struct RobotDescription {
   double damping_kd = 0.0;  ///< damping mode [N·m·s/rad]
 };
 
-}  // namespace surefoot
+}  // namespace surefoot::model

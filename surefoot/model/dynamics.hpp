@@ -2,7 +2,7 @@
 
 #include "surefoot/signals/leg.hpp"
 
-namespace surefoot {
+namespace surefoot::model {
 
 using Jacobian3 = Eigen::Matrix<double, 3, kNumVelocities>;
 using MassMatrix = Eigen::Matrix<double, kNumVelocities, kNumVelocities>;
@@ -57,4 +57,4 @@ struct Dynamics {
   PerLeg<LegLinks> links;
 };
 
-}  // namespace surefoot
+}  // namespace surefoot::model

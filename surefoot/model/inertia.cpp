@@ -4,7 +4,7 @@
 
 #include <sstream>
 
-namespace surefoot {
+namespace surefoot::model {
 namespace {
 
 constexpr double kPlaceholderMass = 1e-3;  // [kg]
@@ -54,4 +54,4 @@ std::string placeholder_note(const std::string& link, double mass) {
   return note.str();
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::model

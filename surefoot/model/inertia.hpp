@@ -4,7 +4,7 @@
 
 #include <string>
 
-namespace surefoot {
+namespace surefoot::model {
 
 /// Mass, centre of mass and rotational inertia about it, in the axes of the body's frame.
 struct Inertia {
@@ -35,4 +35,4 @@ inline constexpr double kInertiaRounding = 1e-9;
 /// The note on an ignored root link's inertia.
 [[nodiscard]] std::string placeholder_note(const std::string& link, double mass);
 
-}  // namespace surefoot
+}  // namespace surefoot::model

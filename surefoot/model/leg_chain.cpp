@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace surefoot {
+namespace surefoot::model {
 namespace {
 
 /// Frame of a hinge's child in B.
@@ -104,4 +104,4 @@ bool LegChain::inverse_kinematics(const Vec3& p_BF, const Vec3& guess, Vec3& q) 
   return error.norm() < kTolerance;
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::model

@@ -2,7 +2,7 @@
 
 #include "surefoot/signals/leg.hpp"
 
-namespace surefoot {
+namespace surefoot::model {
 
 /// A hinge: the child's frame in the parent's at angle 0, and the axis it turns about.
 struct Hinge {
@@ -35,4 +35,4 @@ struct LegChain {
                                         Vec3& q) const noexcept;
 };
 
-}  // namespace surefoot
+}  // namespace surefoot::model

@@ -2,7 +2,7 @@
 
 #include <Eigen/LU>
 
-namespace surefoot {
+namespace surefoot::model {
 namespace {
 
 constexpr double kDamping = 0.01;  // δ [m]
@@ -18,4 +18,4 @@ Mat3 damped_inverse(const Mat3& J) {
   return J.transpose() * squared.inverse();
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::model

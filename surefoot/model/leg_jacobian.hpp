@@ -2,7 +2,7 @@
 
 #include "surefoot/model/dynamics.hpp"
 
-namespace surefoot {
+namespace surefoot::model {
 
 /// The leg's own columns of a point's Jacobian: ∂v_WP / ∂q̇_leg [m].
 [[nodiscard]] Mat3 leg_jacobian(const PointKinematics& point, Leg leg);
@@ -11,4 +11,4 @@ namespace surefoot {
 /// torques press on the ground with λ = J⁺ᵀ τ.
 [[nodiscard]] Mat3 damped_inverse(const Mat3& leg_jacobian);
 
-}  // namespace surefoot
+}  // namespace surefoot::model

@@ -9,7 +9,7 @@
 #include <optional>
 #include <string_view>
 
-namespace surefoot {
+namespace surefoot::model {
 namespace {
 
 namespace fs = std::filesystem;
@@ -108,4 +108,4 @@ std::vector<MeshFile> mesh_files(const std::string& urdf, const MeshFolders& fol
   return meshes;
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::model

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace surefoot {
+namespace surefoot::model {
 
 /// Search folders for a URDF's meshes.
 struct MeshFolders {
@@ -38,4 +38,4 @@ struct MeshFile {
 /// a URDF may come from anywhere. Throws FileError if the text is not XML.
 [[nodiscard]] std::vector<MeshFile> mesh_files(const std::string& urdf, const MeshFolders& folders);
 
-}  // namespace surefoot
+}  // namespace surefoot::model

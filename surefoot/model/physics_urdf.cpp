@@ -9,7 +9,7 @@
 #include <array>
 #include <string_view>
 
-namespace surefoot {
+namespace surefoot::model {
 namespace {
 
 using tinyxml2::XMLElement;
@@ -98,7 +98,7 @@ class Writer {
       : urdf_(urdf),
         folders_(folders),
         reader_(urdf.path),
-        welds_(surefoot::welds(urdf)),
+        welds_(welds(urdf)),
         unsound_(urdf, welds_),
         to_(*document_.InsertEndChild(document_.NewElement("robot"))->ToElement()) {
     XMLElement& settings = *to_.InsertNewChildElement("mujoco")->InsertNewChildElement("compiler");
@@ -289,4 +289,4 @@ PhysicsUrdf physics_urdf(const Urdf& urdf, const MeshFolders& folders) {
   return Writer(urdf, folders).write();
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::model

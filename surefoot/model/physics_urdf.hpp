@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace surefoot {
+namespace surefoot::model {
 
 /// The parts of a URDF that physics needs; faults elsewhere in it don't matter.
 struct PhysicsUrdf {
@@ -21,4 +21,4 @@ struct PhysicsUrdf {
 /// unknown, has no size or lacks its mesh, or if a joint's stops are inconsistent.
 [[nodiscard]] PhysicsUrdf physics_urdf(const Urdf& urdf, const MeshFolders& folders);
 
-}  // namespace surefoot
+}  // namespace surefoot::model

@@ -10,7 +10,7 @@
 
 #include <utility>
 
-namespace surefoot {
+namespace surefoot::model {
 namespace {
 
 /// Pinocchio's precompiled algorithms match only this argument type; any other costs a minute of
@@ -279,4 +279,4 @@ bool RobotModel::inverse_kinematics(Leg leg, const Vec3& p_BF, const Vec3& guess
   return implementation_->tree.legs[index(leg)].chain.inverse_kinematics(p_BF, guess, q_leg);
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::model

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace surefoot {
+namespace surefoot::model {
 
 /// Kinematics and dynamics of a robot from its URDF (Pinocchio, hidden behind this header).
 /// Allocates at construction only.
@@ -61,4 +61,4 @@ class RobotModel {
   std::unique_ptr<Implementation> implementation_;
 };
 
-}  // namespace surefoot
+}  // namespace surefoot::model

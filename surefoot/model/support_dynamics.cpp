@@ -1,6 +1,6 @@
 #include "surefoot/model/support_dynamics.hpp"
 
-namespace surefoot {
+namespace surefoot::model {
 
 void SupportDynamics::update(const Dynamics& dynamics, const MotionPlan& plan) noexcept {
   stack_jacobians(dynamics, plan);
@@ -77,4 +77,4 @@ void SupportDynamics::invert() {
   inverse_.noalias() = qr_.colsPermutation() * solution;
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::model

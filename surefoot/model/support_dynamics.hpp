@@ -5,7 +5,7 @@
 
 #include <Eigen/QR>
 
-namespace surefoot {
+namespace surefoot::model {
 
 /// The equations of motion, split by the stance feet (Bellicoso 2016, Eqs. 4–7).
 ///
@@ -72,4 +72,4 @@ class SupportDynamics {
   ForceVector lambda_0_ = ForceVector::Zero();
 };
 
-}  // namespace surefoot
+}  // namespace surefoot::model

@@ -8,7 +8,7 @@
 #include <set>
 #include <string_view>
 
-namespace surefoot {
+namespace surefoot::model {
 namespace {
 
 using tinyxml2::XMLElement;
@@ -196,4 +196,4 @@ Urdf read_urdf(const std::string& path) {
   return urdf;
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::model

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace surefoot {
+namespace surefoot::model {
 
 struct UrdfLink {
   std::string name;
@@ -55,4 +55,4 @@ struct Weld {
 /// The welds of all links, by name.
 [[nodiscard]] std::map<std::string, Weld> welds(const Urdf& urdf);
 
-}  // namespace surefoot
+}  // namespace surefoot::model

@@ -11,7 +11,7 @@
 #include <sstream>
 #include <string_view>
 
-namespace surefoot {
+namespace surefoot::model {
 namespace {
 
 using tinyxml2::XMLElement;
@@ -100,4 +100,4 @@ void UrdfReader::read_origin(const XMLElement& parent, Mat3& R, Vec3& p) const {
   }
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::model

@@ -9,7 +9,7 @@ class XMLDocument;
 class XMLElement;
 }  // namespace tinyxml2
 
-namespace surefoot {
+namespace surefoot::model {
 
 /// Reads the elements of one URDF. Throws only FileErrors, which begin with file and line.
 class UrdfReader {
@@ -33,4 +33,4 @@ class UrdfReader {
   const std::string& path_;
 };
 
-}  // namespace surefoot
+}  // namespace surefoot::model

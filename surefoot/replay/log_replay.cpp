@@ -10,11 +10,11 @@
 #include <bit>
 #include <cstdint>
 
-namespace surefoot {
+namespace surefoot::replay {
 namespace {
 
 /// Gives the states that it is handed, whatever the readings.
-class PlaybackEstimator final : public StateEstimator {
+class PlaybackEstimator final : public estimation::StateEstimator {
  public:
   explicit PlaybackEstimator(const RobotState& state) : state_(state) {}
   const RobotState& update(const SensorReading&, const TickContext&) noexcept override {
@@ -26,7 +26,7 @@ class PlaybackEstimator final : public StateEstimator {
   const RobotState& state_;
 };
 
-void check_attachments(const std::string& path, const LogReader& log) {
+void check_attachments(const std::string& path, const logging::LogReader& log) {
   for (const char* name : {"resolved_stack.yaml", "robot.yaml", "robot.urdf"}) {
     if (log.header().attachment(name) != nullptr) continue;
     throw FileError(path + ": the log has no attachment " + name +
@@ -36,7 +36,7 @@ void check_attachments(const std::string& path, const LogReader& log) {
 }
 
 /// What was changed stands in the log before the first tick that has it.
-void keep_change(const McapMessage& message, std::vector<logged::Change>& changes) {
+void keep_change(const logging::McapMessage& message, std::vector<logged::Change>& changes) {
   if (message.channel->topic != "/changes") return;
   logged::Decoder::decode(message.data, changes.emplace_back());
 }
@@ -44,24 +44,24 @@ void keep_change(const McapMessage& message, std::vector<logged::Change>& change
 }  // namespace
 
 LogReplay::LogReplay(const std::string& path, const ReplayOptions& options)
-    : log_(path, [this, observer = options.observer](const McapMessage& message) {
+    : log_(path, [this, observer = options.observer](const logging::McapMessage& message) {
         keep_change(message, changes_);
         if (observer) observer(message);
       }) {
   check_attachments(path, log_);
-  const ScratchFolder folder;
-  Scenario scenario = logged_scenario(log_.header(), folder);
-  estimates_ =
-      options.state == ReplayedState::estimated && scenario.estimation == Estimation::sensors;
-  std::unique_ptr<StateEstimator> estimator;
+  const logging::ScratchFolder folder;
+  config::Scenario scenario = logged_scenario(log_.header(), folder);
+  estimates_ = options.state == ReplayedState::estimated &&
+               scenario.estimation == estimation::Estimation::sensors;
+  std::unique_ptr<estimation::StateEstimator> estimator;
   if (estimates_) {
-    estimator = std::make_unique<LegInertialEstimator>(scenario.robot, scenario.estimator,
-                                                       scenario.controller.period);
+    estimator = std::make_unique<estimation::LegInertialEstimator>(
+        scenario.robot, scenario.estimator, scenario.controller.period);
   } else {
     estimator = std::make_unique<PlaybackEstimator>(tick_.state);
   }
-  controller_ =
-      std::make_unique<Controller>(scenario.robot, scenario.controller, std::move(estimator));
+  controller_ = std::make_unique<control::Controller>(scenario.robot, scenario.controller,
+                                                      std::move(estimator));
   explain_levels(true);
   stack_ = std::move(scenario.controller.stack);
 }
@@ -92,7 +92,7 @@ void LogReplay::apply_changes() {
   for (const logged::Change& change : changes_) {
     if (change.kind == "friction") controller_->set_friction(change.friction);
     if (change.kind != "stack") continue;
-    const StackOptions stack = parse_stack(change.stack, "/changes");
+    const control::StackOptions stack = config::parse_stack(change.stack, "/changes");
     // Refused only where the program is another one; then `is_same` says so.
     (void)controller_->set_stack(stack, change.duration);
   }
@@ -101,7 +101,7 @@ void LogReplay::apply_changes() {
 
 void LogReplay::switch_levels(const LevelSwitchReport& logged) {
   if (!logged.begins) return;
-  LevelSwitch change{.duration = logged.duration};
+  control::LevelSwitch change{.duration = logged.duration};
   const std::vector<std::string>& names = log_.header().level_names;
   for (std::size_t k = 0; k < std::min(names.size(), logged.change.size()); ++k) {
     if (logged.change[k] == LevelChange::comes) change.add.push_back(names[k]);
@@ -122,4 +122,4 @@ bool LogReplay::is_same() const {
                     same_bits);
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::replay

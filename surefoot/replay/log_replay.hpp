@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace surefoot {
+namespace surefoot::replay {
 
 /// Which state a replayed controller believes.
 enum class ReplayedState {
@@ -20,7 +20,7 @@ enum class ReplayedState {
 struct ReplayOptions {
   ReplayedState state = ReplayedState::logged;
   /// Is told of messages that no tick is made of, such as those of the truth; may be none.
-  LogReader::Other observer;
+  logging::LogReader::Other observer;
 };
 
 /// Ticks that are lost within a log, or at its begin. A controller can't be computed again behind
@@ -48,12 +48,12 @@ class LogReplay {
   /// One tick; false after the last one, or the last before a gap. Throws FileError.
   [[nodiscard]] bool step();
 
-  [[nodiscard]] const Controller& controller() const { return *controller_; }
+  [[nodiscard]] const control::Controller& controller() const { return *controller_; }
   /// That it was made with.
-  [[nodiscard]] const StackOptions& stack() const { return stack_; }
+  [[nodiscard]] const control::StackOptions& stack() const { return stack_; }
   /// As it stands in the log.
   [[nodiscard]] const TickRecord& logged() const { return tick_; }
-  [[nodiscard]] const LogHeader& header() const { return log_.header(); }
+  [[nodiscard]] const logging::LogHeader& header() const { return log_.header(); }
   /// Whether the run's estimator runs again, too.
   [[nodiscard]] bool estimates() const { return estimates_; }
   /// After the last tick: why the log could not be read further; empty if it is whole.
@@ -62,7 +62,7 @@ class LogReplay {
   [[nodiscard]] const std::optional<LogGap>& gap() const { return gap_; }
   /// After the last tick: whether the run may have had more behind all that can be read.
   [[nodiscard]] bool may_go_on() const { return log_.may_go_on(); }
-  [[nodiscard]] const ClockSkips& clock_skips() const { return log_.clock_skips(); }
+  [[nodiscard]] const logging::ClockSkips& clock_skips() const { return log_.clock_skips(); }
   /// Whether the controller gave the torques of the log at this tick, bit for bit.
   [[nodiscard]] bool is_same() const;
 
@@ -72,13 +72,13 @@ class LogReplay {
   void pass_over_rest();
 
   std::vector<logged::Change> changes_;  // that stand before the tick
-  LogReader log_;
+  logging::LogReader log_;
   TickRecord tick_;
   std::optional<double> last_time_;  // of the ticks that were computed [s]
   std::optional<LogGap> gap_;
   bool estimates_ = false;
-  std::unique_ptr<Controller> controller_;
-  StackOptions stack_;
+  std::unique_ptr<control::Controller> controller_;
+  control::StackOptions stack_;
 };
 
-}  // namespace surefoot
+}  // namespace surefoot::replay

@@ -13,7 +13,7 @@
 #include <map>
 #include <utility>
 
-namespace surefoot {
+namespace surefoot::replay {
 namespace {
 
 using Json = nlohmann::json;
@@ -40,8 +40,8 @@ class MessageComparison {
   MessageComparison(const std::string& path, bool is_older) {
     if (!is_older) return;
     const TickRecord ours;
-    McapReader log(path);
-    McapMessage message;
+    logging::McapReader log(path);
+    logging::McapMessage message;
     while (kinds_.size() < 4 && log.next(message)) {
       const std::string& topic = message.channel->topic;
       if (topic == "/state") learn(message, ours.state);
@@ -64,7 +64,7 @@ class MessageComparison {
  private:
   /// From the first message of a topic; null where it lacks nothing.
   template <typename Signal>
-  void learn(const McapMessage& message, const Signal& signal) {
+  void learn(const logging::McapMessage& message, const Signal& signal) {
     Json kind = Json::parse(message.data, nullptr, false);
     const Json ours = Json::parse(message_of(signal));
     if (reduced(ours, kind) == ours) kind = nullptr;
@@ -110,7 +110,7 @@ Verification verify_log(const std::string& path) {
   result.header.attachments.clear();
   result.estimated = replay.estimates();
   while (replay.step()) {
-    if (interrupted()) throw Error("interrupted: nothing is said of the log");
+    if (runtime::interrupted()) throw Error("interrupted: nothing is said of the log");
     const TickRecord& logged = replay.logged();
     if (result.ticks == 0) result.first_time = logged.reading.time;
     result.last_time = logged.reading.time;
@@ -129,4 +129,4 @@ Verification verify_log(const std::string& path) {
   return result;
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::replay

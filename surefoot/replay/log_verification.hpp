@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-namespace surefoot {
+namespace surefoot::replay {
 
 /// A joint torque that a replay does not give as the log has it.
 struct TorqueDifference {
@@ -28,7 +28,7 @@ struct MessageDifferences {
 
 /// What came of running a log's controller again.
 struct Verification {
-  LogHeader header;        ///< of the log, without its attachments
+  logging::LogHeader header;  ///< of the log, without its attachments
   bool estimated = false;  ///< the run's estimator ran again on the readings; else the logged state
   long ticks = 0;          ///< that were compared
   double first_time = 0.0, last_time = 0.0;  ///< [s]
@@ -41,7 +41,7 @@ struct Verification {
   std::string problem;        ///< why not all of the log could be read; empty if it is whole
   std::optional<LogGap> gap;  ///< behind which nothing could be compared
   bool may_go_on = false;     ///< the run may have had more, which is not in the log any more
-  ClockSkips clock;
+  logging::ClockSkips clock;
 
   /// Of what was compared.
   [[nodiscard]] bool is_same() const { return different_ticks == 0; }
@@ -54,4 +54,4 @@ struct Verification {
 /// `LogReplay`, if the log holds no tick, and when it is interrupted.
 [[nodiscard]] Verification verify_log(const std::string& path);
 
-}  // namespace surefoot
+}  // namespace surefoot::replay

@@ -6,17 +6,17 @@
 #include <cstddef>
 #include <filesystem>
 
-namespace surefoot {
+namespace surefoot::replay {
 namespace {
 
 namespace fs = std::filesystem;
 
-const std::string& attachment(const LogHeader& header, const std::string& name) {
+const std::string& attachment(const logging::LogHeader& header, const std::string& name) {
   return *header.attachment(name);
 }
 
 /// The robot's file, with its URDF where this program finds it.
-std::string robot_file(const LogHeader& header, const ScratchFolder& folder) {
+std::string robot_file(const logging::LogHeader& header, const logging::ScratchFolder& folder) {
   std::string robot = attachment(header, "robot.yaml");
   const std::size_t urdf = robot.find("\nurdf:") + 1;
   robot.replace(urdf, robot.find('\n', urdf) - urdf,
@@ -26,22 +26,23 @@ std::string robot_file(const LogHeader& header, const ScratchFolder& folder) {
 
 }  // namespace
 
-Scenario logged_scenario(const LogHeader& header, const ScratchFolder& folder) {
+config::Scenario logged_scenario(const logging::LogHeader& header,
+                                 const logging::ScratchFolder& folder) {
   // JSON is YAML, so the options are a scenario file.
-  return load_scenario(
+  return config::load_scenario(
       {folder.write("scenario.yaml", header.options),
        0,
        {"stack=" + folder.write("stack.yaml", attachment(header, "resolved_stack.yaml")),
         "robot=" + robot_file(header, folder)}});
 }
 
-Scenario logged_scenario(const LogHeader& header, const ScratchFolder& folder,
-                         const std::string& stack) {
-  const fs::path file = fs::absolute(find_data_file("stacks", stack));
+config::Scenario logged_scenario(const logging::LogHeader& header,
+                                 const logging::ScratchFolder& folder, const std::string& stack) {
+  const fs::path file = fs::absolute(config::find_data_file("stacks", stack));
   const std::string robot = robot_file(header, folder);
   const std::string scenario = folder.write("scenario.yaml", header.options);
   try {
-    return load_scenario(
+    return config::load_scenario(
         {scenario, 0, {"stack=" + file.string(), "robot=" + robot, "stack_switches=[]"}});
   } catch (const Error& error) {
     std::string text = error.what();
@@ -51,4 +52,4 @@ Scenario logged_scenario(const LogHeader& header, const ScratchFolder& folder,
   }
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::replay

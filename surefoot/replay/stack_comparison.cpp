@@ -12,7 +12,7 @@
 #include <iterator>
 #include <optional>
 
-namespace surefoot {
+namespace surefoot::replay {
 namespace {
 
 /// Where a level's numbers are in a report; none where it has none.
@@ -26,7 +26,7 @@ std::optional<std::size_t> place(const HierarchyReport& report,
 
 bool is_optimal(const JointCommand& command, const HierarchyReport& hierarchy) {
   return command.mode == CommandMode::optimal &&
-         hierarchy.status == static_cast<std::int32_t>(SolveStatus::optimal);
+         hierarchy.status == static_cast<std::int32_t>(solver::SolveStatus::optimal);
 }
 
 bool is_answered(const TickRecord& tick) {
@@ -34,17 +34,18 @@ bool is_answered(const TickRecord& tick) {
 }
 
 /// A stack that is asked what it would command where the log's controller, computed again, stands.
-AskedStack asked_stack(const LogReplay& replay, const std::string& name) {
-  const ScratchFolder folder;
-  const Scenario scenario = logged_scenario(replay.header(), folder, name);
-  const ControllerOptions& options = scenario.controller;
+control::AskedStack asked_stack(const LogReplay& replay, const std::string& name) {
+  const logging::ScratchFolder folder;
+  const config::Scenario scenario = logged_scenario(replay.header(), folder, name);
+  const control::ControllerOptions& options = scenario.controller;
   return {options.stack, options.solver, options.safety, scenario.robot};
 }
 
 /// Sums up, tick by tick.
 class Comparison {
  public:
-  Comparison(const LogHeader& header, const AskedStack& other, StackComparison& result)
+  Comparison(const logging::LogHeader& header, const control::AskedStack& other,
+             StackComparison& result)
       : names_(header.level_names), other_names_(other.level_names()), result_(result) {
     for (std::ptrdiff_t k = 0; k < std::ssize(names_); ++k)
       add_level(header.level_name(k), header.level_unit(k));
@@ -58,7 +59,7 @@ class Comparison {
   }
 
   /// `other` is null where it was not asked.
-  void add(const TickRecord& logged, const StackAnswer* other) {
+  void add(const TickRecord& logged, const control::StackAnswer* other) {
     const double time = logged.reading.time;
     if (result_.ticks++ == 0) result_.first_time = time;
     result_.last_time = time;
@@ -104,29 +105,30 @@ class Comparison {
     was_changing_ = is_changing;
   }
 
-  void add_answer(double time, const StackAnswer& other) {
+  void add_answer(double time, const control::StackAnswer& other) {
     if (!is_optimal(other.command, other.hierarchy)) result_.other_not_optimal.add(time);
     if (other.is_usable()) return;
     result_.other_unanswered.add(time, why_unanswered(other));
     const JointCommand& command = other.command;
     if (command.cause != StopCause::none)
-      result_.other_stopped.add(time, text_of_stop(command.cause, command.fault, command.joint));
+      result_.other_stopped.add(time,
+                                logging::text_of_stop(command.cause, command.fault, command.joint));
   }
 
-  [[nodiscard]] std::string why_unanswered(const StackAnswer& other) const {
-    const auto status = static_cast<SolveStatus>(other.hierarchy.status);
+  [[nodiscard]] std::string why_unanswered(const control::StackAnswer& other) const {
+    const auto status = static_cast<solver::SolveStatus>(other.hierarchy.status);
     const StopCause cause = other.command.cause;
     const bool is_by_posture = cause != StopCause::none && cause != StopCause::failures;
-    if (status == SolveStatus::optimal || is_by_posture)
-      return text_of_stop(cause, SampleFault::none, -1);
+    if (status == solver::SolveStatus::optimal || is_by_posture)
+      return logging::text_of_stop(cause, SampleFault::none, -1);
     const auto level = static_cast<std::size_t>(other.hierarchy.failed_level);
     const std::string where = level < other_names_.size() ? " in " + other_names_[level] : "";
-    return status == SolveStatus::iteration_cap
+    return status == solver::SolveStatus::iteration_cap
                ? "its solve was cut off" + where + ", before all that keeps the physics was solved"
                : "its rows were no valid input" + where;
   }
 
-  void add_torques(const TickRecord& logged, const StackAnswer& other) {
+  void add_torques(const TickRecord& logged, const control::StackAnswer& other) {
     for (std::size_t i = 0; i < result_.joints.size(); ++i) {
       const auto at = static_cast<Eigen::Index>(i);
       const double difference = other.command.torque[at] - logged.command.torque[at];
@@ -138,13 +140,13 @@ class Comparison {
     }
   }
 
-  void add_residuals(const TickRecord& logged, const StackAnswer& other) {
+  void add_residuals(const TickRecord& logged, const control::StackAnswer& other) {
     for (std::size_t k = 0; k < result_.levels.size(); ++k) {
       LevelComparison& level = result_.levels[k];
       const auto in_log = place(logged.hierarchy, names_, level.name);
       const auto in_other = place(other.hierarchy, other_names_, level.name);
       const double before = in_log ? logged.hierarchy.levels[*in_log].residual : 0.0;
-      const double now = in_other ? computed_residual(other.hierarchy, *in_other) : 0.0;
+      const double now = in_other ? logging::computed_residual(other.hierarchy, *in_other) : 0.0;
       if (std::isnan(before) || std::isnan(now)) continue;
       ++solved_[k];
       level.logged_rms += before * before;
@@ -185,23 +187,24 @@ void check_has_ticks(const std::string& path, const StackComparison& result) {
 StackComparison compare_stack(const std::string& path, const std::string& stack,
                               const StackObserver& observer) {
   WalkEndWatch walk;
-  LogReplay replay(path, {.state = ReplayedState::logged,
-                          .observer = [&walk](const McapMessage& message) { walk.see(message); }});
+  LogReplay replay(
+      path, {.state = ReplayedState::logged,
+             .observer = [&walk](const logging::McapMessage& message) { walk.see(message); }});
   replay.explain_levels(false);
-  AskedStack other = asked_stack(replay, stack);
+  control::AskedStack other = asked_stack(replay, stack);
   StackComparison result;
   result.header = replay.header();
   result.header.attachments.clear();
   result.other = stack;
   Comparison comparison(replay.header(), other, result);
   while (replay.step()) {
-    if (interrupted()) throw Error("interrupted: nothing is said of the other stack");
+    if (runtime::interrupted()) throw Error("interrupted: nothing is said of the other stack");
     const TickRecord& logged = replay.logged();
-    const Controller& controller = replay.controller();
-    const Dynamics* dynamics = controller.dynamics();
-    const StackAnswer* answer = dynamics == nullptr
-                                    ? nullptr
-                                    : &other.ask(controller.record().state, *dynamics, logged.plan);
+    const control::Controller& controller = replay.controller();
+    const model::Dynamics* dynamics = controller.dynamics();
+    const control::StackAnswer* answer =
+        dynamics == nullptr ? nullptr
+                            : &other.ask(controller.record().state, *dynamics, logged.plan);
     if (!replay.is_same()) result.not_reproduced.add(logged.reading.time);
     comparison.add(logged, answer);
     walk.see(logged);
@@ -215,4 +218,4 @@ StackComparison compare_stack(const std::string& path, const std::string& stack,
   return result;
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::replay

@@ -13,8 +13,10 @@
 #include <vector>
 
 namespace surefoot {
-
 struct TickRecord;
+}  // namespace surefoot
+
+namespace surefoot::replay {
 
 /// How far the torques of a joint are apart, over the ticks that both answered.
 struct JointComparison {
@@ -50,8 +52,8 @@ struct TickCount {
 /// that the run had there: each tick is asked for itself, and none of its torques ever moves the
 /// robot. A side answers a tick with torques of its hierarchy, be they optimal or degraded.
 struct StackComparison {
-  LogHeader header;   ///< of the log, without its attachments
-  std::string other;  ///< name of the other stack
+  logging::LogHeader header;  ///< of the log, without its attachments
+  std::string other;          ///< name of the other stack
   long ticks = 0;
   double first_time = 0.0, last_time = 0.0;  ///< [s]
   long compared = 0;                         ///< ticks that both answered
@@ -78,8 +80,9 @@ struct OtherLevel {
 
 /// Is told of each tick: what the log has, and what the other hierarchy answers; null where it was
 /// not asked.
-using StackObserver = std::function<void(const TickRecord& logged, const StackAnswer* other,
-                                         const std::vector<OtherLevel>& other_levels)>;
+using StackObserver =
+    std::function<void(const TickRecord& logged, const control::StackAnswer* other,
+                       const std::vector<OtherLevel>& other_levels)>;
 
 /// `stack` by name or file, as `--set stack=` has it. Throws Error as `LogReplay`, if there is no
 /// such stack or none that fits the log's scenario, if the log holds no tick, and when it is
@@ -87,4 +90,4 @@ using StackObserver = std::function<void(const TickRecord& logged, const StackAn
 [[nodiscard]] StackComparison compare_stack(const std::string& path, const std::string& stack,
                                             const StackObserver& observer = {});
 
-}  // namespace surefoot
+}  // namespace surefoot::replay

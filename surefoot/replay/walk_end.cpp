@@ -6,15 +6,15 @@
 
 #include <algorithm>
 
-namespace surefoot {
+namespace surefoot::replay {
 
-void WalkEndWatch::see(const McapMessage& message) {
+void WalkEndWatch::see(const logging::McapMessage& message) {
   if (message.channel->topic != "/truth") return;
-  GroundTruth truth;
+  simulation::GroundTruth truth;
   logged::Decoder::decode(message.data, truth);
   if (!torso_down_ && was_torso_up_ && truth.torso_contact) torso_down_ = truth.time;
   was_torso_up_ = !truth.torso_contact;
-  if (std::ranges::any_of(truth.feet, &TrueContact::touching))
+  if (std::ranges::any_of(truth.feet, &simulation::TrueContact::touching))
     feet_up_.reset();
   else if (!feet_up_)
     feet_up_ = truth.time;
@@ -22,7 +22,7 @@ void WalkEndWatch::see(const McapMessage& message) {
 
 void WalkEndWatch::see(const TickRecord& tick) {
   if (stop_ || tick.command.cause == StopCause::none) return;
-  stop_ = {tick.reading.time, "its controller stopped for safety: " + text_of_stop(tick)};
+  stop_ = {tick.reading.time, "its controller stopped for safety: " + logging::text_of_stop(tick)};
 }
 
 std::optional<WalkEnd> WalkEndWatch::end() const {
@@ -35,4 +35,4 @@ std::optional<WalkEnd> WalkEndWatch::end() const {
   return first;
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::replay

@@ -6,8 +6,10 @@
 #include <string>
 
 namespace surefoot {
-
 struct TickRecord;
+}  // namespace surefoot
+
+namespace surefoot::replay {
 
 /// From when on a run says nothing of its walk.
 struct WalkEnd {
@@ -19,7 +21,7 @@ struct WalkEnd {
 class WalkEndWatch {
  public:
   /// Any message; those of the truth count.
-  void see(const McapMessage& message);
+  void see(const logging::McapMessage& message);
   void see(const TickRecord& tick);
 
   /// After the last message: what came first; none where the walk went on to the log's end.
@@ -32,4 +34,4 @@ class WalkEndWatch {
   std::optional<WalkEnd> stop_;
 };
 
-}  // namespace surefoot
+}  // namespace surefoot::replay

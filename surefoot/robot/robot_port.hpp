@@ -3,7 +3,7 @@
 #include "surefoot/signals/joint_command.hpp"
 #include "surefoot/signals/sensor_reading.hpp"
 
-namespace surefoot {
+namespace surefoot::robot {
 
 /// The port to a robot, real or simulated: sensors out, torques in.
 class RobotPort {
@@ -19,4 +19,4 @@ class RobotPort {
   virtual void write(const JointCommand& command) = 0;
 };
 
-}  // namespace surefoot
+}  // namespace surefoot::robot

@@ -2,7 +2,7 @@
 
 #include <csignal>
 
-namespace surefoot {
+namespace surefoot::runtime {
 namespace {
 
 volatile std::sig_atomic_t signal_came = 0;
@@ -21,4 +21,4 @@ void watch_for_interrupt() {
 
 bool interrupted() { return signal_came != 0; }
 
-}  // namespace surefoot
+}  // namespace surefoot::runtime

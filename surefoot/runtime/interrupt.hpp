@@ -1,6 +1,6 @@
 #pragma once
 
-namespace surefoot {
+namespace surefoot::runtime {
 
 /// From now on ^C (SIGINT) and SIGTERM only set a flag.
 void watch_for_interrupt();
@@ -8,4 +8,4 @@ void watch_for_interrupt();
 /// True once one of them came.
 [[nodiscard]] bool interrupted();
 
-}  // namespace surefoot
+}  // namespace surefoot::runtime

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace surefoot {
+namespace surefoot::runtime {
 namespace {
 
 double microseconds(std::chrono::steady_clock::duration duration) {
@@ -24,30 +24,30 @@ void StageTimer::tick_begins() noexcept {
   begin_ = last_ = Clock::now();
 }
 
-void StageTimer::stage_ends(Stage stage) noexcept {
+void StageTimer::stage_ends(control::Stage stage) noexcept {
   const Clock::time_point now = Clock::now();
   const double duration = microseconds(now - last_);
   switch (stage) {
-    case Stage::estimate:
+    case control::Stage::estimate:
       timing_.estimate = duration;
       break;
-    case Stage::model:
+    case control::Stage::model:
       timing_.model = duration;
       break;
-    case Stage::plan:
+    case control::Stage::plan:
       timing_.plan = duration;
       break;
-    case Stage::stack:
+    case control::Stage::stack:
       timing_.stack = duration;
       break;
-    case Stage::solve:
+    case control::Stage::solve:
       timing_.solve = duration;
       break;
-    case Stage::command:
+    case control::Stage::command:
       break;  // counts in the total only
   }
   timing_.total = microseconds(now - begin_);
   last_ = now;
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::runtime

@@ -6,16 +6,16 @@
 #include <array>
 #include <chrono>
 
-namespace surefoot {
+namespace surefoot::runtime {
 
 /// The controller's `level_times` [s] for a TickTiming [µs]; 0 becomes NaN.
 [[nodiscard]] LevelTimes in_microseconds(const std::array<double, kMaxLevels>& seconds) noexcept;
 
 /// Measures the stages of the controller's tick with a steady clock. Allocates nothing.
-class StageTimer final : public StageObserver {
+class StageTimer final : public control::StageObserver {
  public:
   void tick_begins() noexcept override;
-  void stage_ends(Stage stage) noexcept override;
+  void stage_ends(control::Stage stage) noexcept override;
 
   /// Of the last tick [µs]; `total` covers all stages. A skipped stage took 0.
   [[nodiscard]] const TickTiming& timing() const { return timing_; }
@@ -27,4 +27,4 @@ class StageTimer final : public StageObserver {
   TickTiming timing_;
 };
 
-}  // namespace surefoot
+}  // namespace surefoot::runtime

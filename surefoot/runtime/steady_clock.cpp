@@ -2,10 +2,10 @@
 
 #include <chrono>
 
-namespace surefoot {
+namespace surefoot::runtime {
 
 double steady_seconds() noexcept {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::runtime

@@ -1,8 +1,8 @@
 #pragma once
 
-namespace surefoot {
+namespace surefoot::runtime {
 
 /// The machine's steady clock [s], handed to solvers, which read no clock themselves.
 [[nodiscard]] double steady_seconds() noexcept;
 
-}  // namespace surefoot
+}  // namespace surefoot::runtime

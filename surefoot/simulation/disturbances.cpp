@@ -31,7 +31,7 @@ void shift_center_of_mass(mjsBody& body, const Vec3& offset) {
 }
 
 /// Mass scale of the link behind this joint.
-double link_scale(mjsElement& joint, const RobotDescription& description,
+double link_scale(mjsElement& joint, const model::RobotDescription& description,
                   const DisturbanceOptions& options) {
   for (std::size_t leg = 0; leg < kNumLegs; ++leg) {
     for (std::size_t j = 0; j < kJointsPerLeg; ++j) {
@@ -46,7 +46,7 @@ double link_scale(mjsElement& joint, const RobotDescription& description,
 /// Traverses the tree of bodies.
 class MassDisturber {
  public:
-  MassDisturber(const RobotDescription& description, const DisturbanceOptions& options)
+  MassDisturber(const model::RobotDescription& description, const DisturbanceOptions& options)
       : description_(description), options_(options) {}
 
   /// `scale` is the parent link's; `q_Xbase` turns base coordinates into the body's, as long as it
@@ -67,7 +67,7 @@ class MassDisturber {
   }
 
  private:
-  const RobotDescription& description_;
+  const model::RobotDescription& description_;
   const DisturbanceOptions& options_;
 };
 
@@ -114,7 +114,7 @@ void add_force(int body, const Vec3& p_W, const Vec3& force, mjData& data) {
 
 }  // namespace
 
-void disturb_masses(mjsBody& base, const RobotDescription& description,
+void disturb_masses(mjsBody& base, const model::RobotDescription& description,
                     const DisturbanceOptions& options) {
   const MassDisturber masses(description, options);
   masses.disturb(base, options.base_mass_scale, true, Quat::Identity());

@@ -11,7 +11,7 @@ namespace surefoot::simulation {
 
 /// Changes masses in the spec without the controller's knowledge: scales, an offset of the base's
 /// centre of mass, a payload. Links fixed to the base count as base, the others as legs.
-void disturb_masses(mjsBody& base, const RobotDescription& description,
+void disturb_masses(mjsBody& base, const model::RobotDescription& description,
                     const DisturbanceOptions& options);
 
 /// The hand of a `Lift`. It starts at the point's position at the start of the lift, and ends below

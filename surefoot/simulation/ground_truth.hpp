@@ -4,7 +4,7 @@
 
 #include <vector>
 
-namespace surefoot {
+namespace surefoot::simulation {
 
 /// True contact of a foot with the ground.
 struct TrueContact {
@@ -43,4 +43,4 @@ struct GroundTruth {
   std::vector<double> xfrc_applied;      ///< MuJoCo's external forces, 6 a body: the pushes
 };
 
-}  // namespace surefoot
+}  // namespace surefoot::simulation

@@ -53,10 +53,10 @@ void lengthen(mjsBody& link, mjsBody& end, const Vec3& point, double offset) {
 
 }  // namespace
 
-void change_link_lengths(mjSpec& spec, const RobotDescription& description,
+void change_link_lengths(mjSpec& spec, const model::RobotDescription& description,
                          const DisturbanceOptions& options) {
   for (const Leg leg : kLegs) {
-    const LegDescription& names = description.legs[index(leg)];
+    const model::LegDescription& names = description.legs[index(leg)];
     mjsBody& thigh = find_body(spec, names.thigh_link, "thigh link");
     mjsBody& shank = find_body(spec, names.shank_link, "shank link");
     mjsBody& foot = find_body(spec, names.foot_frame, "foot frame");

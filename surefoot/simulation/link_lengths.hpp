@@ -11,7 +11,7 @@ namespace surefoot::simulation {
 /// A length is the distance from a link's joint axis to the next axis, or to the centre of the foot
 /// sphere. Bodies behind the longest fixed offset on the way move along that distance; masses and
 /// the link's own shapes stay.
-void change_link_lengths(mjSpec& spec, const RobotDescription& description,
+void change_link_lengths(mjSpec& spec, const model::RobotDescription& description,
                          const DisturbanceOptions& options);
 
 }  // namespace surefoot::simulation

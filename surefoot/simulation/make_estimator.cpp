@@ -3,16 +3,18 @@
 #include "surefoot/base/error.hpp"
 #include "surefoot/simulation/truth_estimator.hpp"
 
-namespace surefoot {
+namespace surefoot::simulation {
 
-std::unique_ptr<StateEstimator> make_estimator(Estimation estimation, const EstimatorSetup& setup) {
+std::unique_ptr<estimation::StateEstimator> make_estimator(estimation::Estimation estimation,
+                                                           const EstimatorSetup& setup) {
   switch (estimation) {
-    case Estimation::truth:
+    case estimation::Estimation::truth:
       return std::make_unique<TruthEstimator>(setup.plant.truth());
-    case Estimation::sensors:
-      return std::make_unique<LegInertialEstimator>(setup.robot, setup.options, setup.period);
+    case estimation::Estimation::sensors:
+      return std::make_unique<estimation::LegInertialEstimator>(setup.robot, setup.options,
+                                                                setup.period);
   }
   throw Error("there is no such estimation");
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::simulation

@@ -8,19 +8,19 @@
 
 #include <memory>
 
-namespace surefoot {
+namespace surefoot::simulation {
 
 /// Inputs for making an estimator.
 struct EstimatorSetup {
-  const RobotDescription& robot;
-  double period;                    ///< of the control loop [s]
-  const Plant& plant;               ///< source of its readings; must outlive it
-  LegInertialOptions options = {};  ///< for `sensors`
+  const model::RobotDescription& robot;
+  double period;                                ///< of the control loop [s]
+  const Plant& plant;                           ///< source of its readings; must outlive it
+  estimation::LegInertialOptions options = {};  ///< for `sensors`
 };
 
 /// The state estimator of a scenario. The controller gets a StateEstimator and can't see whether it
 /// knows the truth.
-[[nodiscard]] std::unique_ptr<StateEstimator> make_estimator(Estimation estimation,
-                                                             const EstimatorSetup& setup);
+[[nodiscard]] std::unique_ptr<estimation::StateEstimator> make_estimator(
+    estimation::Estimation estimation, const EstimatorSetup& setup);
 
-}  // namespace surefoot
+}  // namespace surefoot::simulation

@@ -41,13 +41,13 @@ void set_physics(mjSpec& spec, const PlantOptions& options) {
   spec.option.disableflags |= mjDSBL_ISLAND;
 }
 
-bool is_sphere_of_foot(const mjsGeom& geom, const RobotDescription& description) {
+bool is_sphere_of_foot(const mjsGeom& geom, const model::RobotDescription& description) {
   if (geom.type != mjGEOM_SPHERE) return false;
   const Vec3 center(geom.pos[0], geom.pos[1], geom.pos[2]);
   return (center - description.foot_center).norm() < kNearbySphere;
 }
 
-void check_sphere(const mjsGeom& geom, const RobotDescription& description, Leg leg) {
+void check_sphere(const mjsGeom& geom, const model::RobotDescription& description, Leg leg) {
   const Vec3 center(geom.pos[0], geom.pos[1], geom.pos[2]);
   const bool same = std::abs(geom.size[0] - description.foot_radius) < kSameSphere &&
                     (center - description.foot_center).norm() < kSameSphere;
@@ -58,7 +58,7 @@ void check_sphere(const mjsGeom& geom, const RobotDescription& description, Leg 
                    description.foot_center.transpose(), ")"));
 }
 
-mjsGeom& new_sphere(mjsBody& foot, const RobotDescription& description) {
+mjsGeom& new_sphere(mjsBody& foot, const model::RobotDescription& description) {
   mjsGeom* sphere = mjs_addGeom(&foot, nullptr);
   sphere->type = mjGEOM_SPHERE;
   sphere->size[0] = description.foot_radius;
@@ -68,7 +68,7 @@ mjsGeom& new_sphere(mjsBody& foot, const RobotDescription& description) {
 }
 
 /// The URDF's foot sphere, or a new massless one.
-mjsGeom& foot_sphere(mjSpec& spec, const RobotDescription& description, Leg leg,
+mjsGeom& foot_sphere(mjSpec& spec, const model::RobotDescription& description, Leg leg,
                      std::vector<std::string>& notes) {
   const std::string& frame = description.legs[index(leg)].foot_frame;
   mjsBody& foot = find_body(spec, frame, "foot frame");
@@ -153,8 +153,8 @@ mjsBody& moved_by(mjSpec& spec, const std::string& joint) {
 /// MuJoCo excludes links with one joint between them. With two joints between them, shapes overlap
 /// at the hip (base and thigh) or knee (hip and shank) in legal postures. Fixed bodies count as
 /// their link.
-void exclude_neighbours(mjSpec& spec, mjsBody& base, const RobotDescription& description) {
-  for (const LegDescription& leg : description.legs) {
+void exclude_neighbours(mjSpec& spec, mjsBody& base, const model::RobotDescription& description) {
+  for (const model::LegDescription& leg : description.legs) {
     exclude_all(spec, solid(base), solid(moved_by(spec, leg.joints[1])));
     exclude_all(spec, solid(moved_by(spec, leg.joints[0])), solid(moved_by(spec, leg.joints[2])));
   }
@@ -206,7 +206,7 @@ SpecHandle parsed_back(const std::string& xml) {
 
 }  // namespace
 
-BuiltModel build_model(const RobotDescription& description, const PlantOptions& options,
+BuiltModel build_model(const model::RobotDescription& description, const PlantOptions& options,
                        std::vector<std::string>& notes) {
   const SpecHandle spec = read_spec(description, notes);
   mjsBody& base = find_body(*spec, description.base_link, "base link");
@@ -217,7 +217,7 @@ BuiltModel build_model(const RobotDescription& description, const PlantOptions& 
   }
   set_collision(base, options.contact);
   exclude_neighbours(*spec, base, description);
-  for (const LegDescription& leg : description.legs) {
+  for (const model::LegDescription& leg : description.legs) {
     for (const std::string& joint : leg.joints) add_motor(*spec, joint);
   }
   disturb_masses(base, description, options.disturbances);

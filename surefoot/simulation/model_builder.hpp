@@ -18,7 +18,7 @@ struct BuiltModel {
 /// our order, its collision shapes and foot spheres, the disturbed masses; then the terrain.
 /// `notes` gets a line on each change to the URDF's model. Throws FileError if the URDF can't be
 /// read, Error if it does not fit the description.
-[[nodiscard]] BuiltModel build_model(const RobotDescription& description,
+[[nodiscard]] BuiltModel build_model(const model::RobotDescription& description,
                                      const PlantOptions& options, std::vector<std::string>& notes);
 
 }  // namespace surefoot::simulation

@@ -17,18 +17,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace surefoot {
-
-using simulation::Actuators;
-using simulation::BuiltModel;
-using simulation::DataHandle;
-using simulation::MessageCatcher;
-using simulation::ModelHandle;
-using simulation::Pushes;
-using simulation::RobotParts;
-using simulation::SensorLink;
-using simulation::Sensors;
-using simulation::text;
+namespace surefoot::simulation {
 
 namespace {
 
@@ -37,36 +26,36 @@ constexpr std::size_t kMaxNotes = 100;  // limits the memory of a lasting fault
 }  // namespace
 
 struct Plant::Implementation {
-  Implementation(const RobotDescription& description, const PlantOptions& given)
+  Implementation(const model::RobotDescription& description, const PlantOptions& given)
       : options(checked(given)),
-        steps(simulation::steps_per_period(options)),
+        steps(steps_per_period(options)),
         catcher(std::make_unique<MessageCatcher>(notes)),
-        built(simulation::build_model(description, options, notes)),
+        built(build_model(description, options, notes)),
         model(*built.model),
         data_handle(mj_makeData(built.model.get())),
         data(*data_handle),
-        parts(simulation::find_parts(model, description)),
+        parts(find_parts(model, description)),
         pushes(options.disturbances, model, description.base_link),
         actuators(options.actuators, description.torque_limit, options.timestep),
         sensors(options.sensors, options.control_period, options.seed),
         link(options.sensors, options.control_period) {
     place(description);
     mj_step1(&model, &data);
-    simulation::check_starting_posture(model, data, parts, description.urdf_path);
+    check_starting_posture(model, data, parts, description.urdf_path);
     settle(description.torque_limit);
     observe();
     catcher.reset();
   }
 
   static const PlantOptions& checked(const PlantOptions& given) {
-    simulation::check_options(given);
+    check_options(given);
     return given;
   }
 
-  void place(const RobotDescription& description);
+  void place(const model::RobotDescription& description);
   void settle(const JointVector& torque_limit);
   void set_joints(const JointVector& q);
-  double touching_height(const RobotDescription& description) const;
+  double touching_height(const model::RobotDescription& description) const;
   void raise_out_of_terrain();
   JointVector finite(JointVector torque);
   void write(const JointVector& torque);
@@ -100,7 +89,7 @@ void Plant::Implementation::set_joints(const JointVector& q) {
   }
 }
 
-void Plant::Implementation::place(const RobotDescription& description) {
+void Plant::Implementation::place(const model::RobotDescription& description) {
   const InitialState& initial = options.initial;
   mjtNum* base = data.qpos + parts.base_qpos;
   base[0] = initial.position.x();
@@ -120,10 +109,10 @@ void Plant::Implementation::place(const RobotDescription& description) {
 void Plant::Implementation::settle(const JointVector& torque_limit) {
   const InitialState& initial = options.initial;
   if (initial.settle <= 0.0) return;
-  const JointVector torque = simulation::stand_up(
-      model, data, parts,
-      {initial.q, torque_limit, initial.settle, options.timestep, initial.limp});
-  actuators.rest_at(simulation::joint_positions(data, parts), torque);
+  const JointVector torque =
+      stand_up(model, data, parts,
+               {initial.q, torque_limit, initial.settle, options.timestep, initial.limp});
+  actuators.rest_at(joint_positions(data, parts), torque);
 }
 
 /// Raises the robot by its deepest penetration: touching_height() considers only the feet.
@@ -137,9 +126,8 @@ void Plant::Implementation::raise_out_of_terrain() {
     for (int id = 0; id < data.ncon; ++id) {
       const mjContact& contact = data.contact[id];
       const bool on_terrain =
-          parts.owner[static_cast<std::size_t>(contact.geom[0])].part ==
-              simulation::Part::terrain ||
-          parts.owner[static_cast<std::size_t>(contact.geom[1])].part == simulation::Part::terrain;
+          parts.owner[static_cast<std::size_t>(contact.geom[0])].part == Part::terrain ||
+          parts.owner[static_cast<std::size_t>(contact.geom[1])].part == Part::terrain;
       if (on_terrain) deepest = std::max(deepest, -contact.dist);
     }
     if (deepest < kTouches) return;
@@ -148,12 +136,12 @@ void Plant::Implementation::raise_out_of_terrain() {
 }
 
 /// Base height at which the first foot sphere touches the terrain; the base is at z = 0 now.
-double Plant::Implementation::touching_height(const RobotDescription& description) const {
+double Plant::Implementation::touching_height(const model::RobotDescription& description) const {
   double height = -std::numeric_limits<double>::infinity();
   for (const int geom : parts.foot_geom) {
     const mjtNum* center = data.geom_xpos + 3 * geom;
     const double resting =
-        simulation::resting_height(model, data, center[0], center[1], description.foot_radius);
+        resting_height(model, data, center[0], center[1], description.foot_radius);
     if (!std::isnan(resting)) height = std::max(height, resting - center[2]);
   }
   if (std::isinf(height)) {
@@ -165,8 +153,8 @@ double Plant::Implementation::touching_height(const RobotDescription& descriptio
 }
 
 void Plant::Implementation::set_torques() {
-  const JointVector torque = actuators.torque(simulation::joint_positions(data, parts),
-                                              simulation::joint_velocities(data, parts));
+  const JointVector torque =
+      actuators.torque(joint_positions(data, parts), joint_velocities(data, parts));
   for (std::size_t i = 0; i < kNumJoints; ++i) {
     data.ctrl[parts.actuator[i]] = torque[static_cast<Eigen::Index>(i)];
   }
@@ -175,13 +163,13 @@ void Plant::Implementation::set_torques() {
 void Plant::Implementation::physics_step() {
   set_torques();
   pushes.apply(options.timestep, data);
-  const Quat q_WB = simulation::base_orientation(data, parts);
-  const Vec3 v_before = simulation::base_velocity(data, parts);
+  const Quat q_WB = base_orientation(data, parts);
+  const Vec3 v_before = base_velocity(data, parts);
   mj_step2(&model, &data);
-  simulation::note_touches(model, data, parts, touched);
-  const Vec3 acceleration = (simulation::base_velocity(data, parts) - v_before) / options.timestep;
+  note_touches(model, data, parts, touched);
+  const Vec3 acceleration = (base_velocity(data, parts) - v_before) / options.timestep;
   sensors.accumulate(q_WB.conjugate() * (acceleration + Vec3(0.0, 0.0, kGravity)));
-  actuators.advance(simulation::joint_positions(data, parts));
+  actuators.advance(joint_positions(data, parts));
   mj_step1(&model, &data);
 }
 
@@ -191,7 +179,7 @@ void Plant::Implementation::observe() {
   mj_forwardSkip(&model, &data, mjSTAGE_VEL, 1);
   check_state();
   truth.time = static_cast<double>(tick) * options.control_period;
-  simulation::extract_truth(model, data, parts, truth);
+  extract_truth(model, data, parts, truth);
   for (std::size_t leg = 0; leg < kNumLegs; ++leg) {
     truth.feet[leg].touched = truth.feet[leg].touching || touched[leg];
   }
@@ -230,7 +218,7 @@ void Plant::Implementation::write(const JointVector& torque) {
   observe();
 }
 
-Plant::Plant(const RobotDescription& description, const PlantOptions& options)
+Plant::Plant(const model::RobotDescription& description, const PlantOptions& options)
     : implementation_(std::make_unique<Implementation>(description, options)) {}
 
 Plant::~Plant() = default;
@@ -259,4 +247,4 @@ double Plant::terrain_height(double x, double y) const {
   return simulation::terrain_height(implementation_->model, implementation_->data, x, y);
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::simulation

@@ -9,14 +9,14 @@
 #include <string>
 #include <vector>
 
-namespace surefoot {
+namespace surefoot::simulation {
 
 /// The simulated robot: MuJoCo with a model from the controller's URDF, plus actuators, sensors,
 /// terrain and disturbances.
-class Plant final : public RobotPort {
+class Plant final : public robot::RobotPort {
  public:
   /// Throws Error on an invalid option, with its name.
-  Plant(const RobotDescription& description, const PlantOptions& options);
+  Plant(const model::RobotDescription& description, const PlantOptions& options);
   ~Plant() override;
 
   /// Readings at the current time; also before the first write.
@@ -43,4 +43,4 @@ class Plant final : public RobotPort {
   std::unique_ptr<Implementation> implementation_;
 };
 
-}  // namespace surefoot
+}  // namespace surefoot::simulation

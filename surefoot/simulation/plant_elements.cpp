@@ -5,7 +5,7 @@
 #include <array>
 #include <string_view>
 
-namespace surefoot {
+namespace surefoot::simulation {
 namespace {
 
 std::vector<std::string> of_each_leg(const std::array<std::string_view, kJointsPerLeg>& parts) {
@@ -45,4 +45,4 @@ const std::vector<std::string>& axis_elements() {
   return kNames;
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::simulation

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-namespace surefoot {
+namespace surefoot::simulation {
 
 /// Names of the joints in the order of every JointVector, whatever the robot calls them: LF_HAA,
 /// LF_HFE, LF_KFE, RF_HAA …
@@ -14,4 +14,4 @@ namespace surefoot {
 [[nodiscard]] const std::vector<std::string>& angle_elements();  ///< roll, pitch, yaw
 [[nodiscard]] const std::vector<std::string>& axis_elements();   ///< x, y, z
 
-}  // namespace surefoot
+}  // namespace surefoot::simulation

@@ -3,7 +3,7 @@
 #include "surefoot/base/fields.hpp"
 #include "surefoot/simulation/plant_elements.hpp"
 
-namespace surefoot {
+namespace surefoot::simulation {
 namespace {
 
 constexpr NumberRange kDelay{.min = 0.0, .max = kMaxDelayTicks};
@@ -222,4 +222,4 @@ Group disturbance_fields(DisturbanceOptions& o) {
        "KFE axis to foot centre"}};
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::simulation

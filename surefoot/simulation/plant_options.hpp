@@ -9,6 +9,10 @@
 #include <vector>
 
 namespace surefoot {
+struct Group;
+}  // namespace surefoot
+
+namespace surefoot::simulation {
 
 /// Limit of sensor and drive delays, in control ticks.
 inline constexpr int kMaxDelayTicks = 1000;
@@ -218,7 +222,6 @@ struct PlantOptions {
   InitialState initial;
 };
 
-struct Group;
 /// Names, units, ranges and help of these options.
 [[nodiscard]] Group fields(TerrainBox& o);
 [[nodiscard]] Group fields(TerrainLevel& o);
@@ -232,4 +235,4 @@ struct Group;
 [[nodiscard]] Group sensor_fields(SensorOptions& o);            ///< but for the faults
 [[nodiscard]] Group disturbance_fields(DisturbanceOptions& o);  ///< but for pushes and lifts
 
-}  // namespace surefoot
+}  // namespace surefoot::simulation

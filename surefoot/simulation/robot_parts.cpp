@@ -19,7 +19,8 @@ int leg_of(const mjModel& model, const PerLeg<int>& thigh_body, int body) {
   return -1;
 }
 
-void find_joints(const mjModel& model, const RobotDescription& description, RobotParts& parts) {
+void find_joints(const mjModel& model, const model::RobotDescription& description,
+                 RobotParts& parts) {
   for (const Leg leg : kLegs) {
     for (std::size_t j = 0; j < kJointsPerLeg; ++j) {
       const std::string& name = description.legs[index(leg)].joints[j];
@@ -32,7 +33,8 @@ void find_joints(const mjModel& model, const RobotDescription& description, Robo
   }
 }
 
-void find_owners(const mjModel& model, const RobotDescription& description, RobotParts& parts) {
+void find_owners(const mjModel& model, const model::RobotDescription& description,
+                 RobotParts& parts) {
   PerLeg<int> thigh_body{};
   for (const Leg leg : kLegs) {
     const std::string& hfe = description.legs[index(leg)].joints[1];
@@ -55,7 +57,7 @@ void find_owners(const mjModel& model, const RobotDescription& description, Robo
 
 std::string foot_geom_name(Leg leg) { return std::string(kLegNames[index(leg)]) + "_foot_sphere"; }
 
-RobotParts find_parts(const mjModel& model, const RobotDescription& description) {
+RobotParts find_parts(const mjModel& model, const model::RobotDescription& description) {
   RobotParts parts;
   parts.base_body = id_of(model, mjOBJ_BODY, description.base_link);
   parts.base_qpos = model.jnt_qposadr[model.body_jntadr[parts.base_body]];

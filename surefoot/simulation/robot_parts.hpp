@@ -34,6 +34,7 @@ struct RobotParts {
 /// Name of a foot sphere's geom.
 [[nodiscard]] std::string foot_geom_name(Leg leg);
 
-[[nodiscard]] RobotParts find_parts(const mjModel& model, const RobotDescription& description);
+[[nodiscard]] RobotParts find_parts(const mjModel& model,
+                                    const model::RobotDescription& description);
 
 }  // namespace surefoot::simulation

@@ -73,7 +73,7 @@ JointVector stand_up(const mjModel& model, mjData& data, const RobotParts& parts
       const double down = kLoweringSpeed * options.timestep;
       foot.lowered += down;
       held.segment<3>(first_joint(leg)) +=
-          damped_inverse(foot_jacobian(model, data, parts, leg)) * Vec3(0.0, 0.0, -down);
+          model::damped_inverse(foot_jacobian(model, data, parts, leg)) * Vec3(0.0, 0.0, -down);
     }
     torque = stiffness * (held - joint_positions(data, parts)) -
              kDamping * joint_velocities(data, parts);

@@ -1,6 +1,6 @@
 #include "surefoot/simulation/truth_estimator.hpp"
 
-namespace surefoot {
+namespace surefoot::simulation {
 
 const RobotState& TruthEstimator::update(const SensorReading& reading,
                                          const TickContext& context) noexcept {
@@ -15,4 +15,4 @@ const RobotState& TruthEstimator::update(const SensorReading& reading,
   return state_;
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::simulation

@@ -3,12 +3,12 @@
 #include "surefoot/estimation/state_estimator.hpp"
 #include "surefoot/simulation/ground_truth.hpp"
 
-namespace surefoot {
+namespace surefoot::simulation {
 
 /// `estimation: truth`: base state and joint velocities from the simulator, joint positions and
 /// torques from the sensors; positions delayed by τ_q are predicted to now, q += q̇ τ_q. The only
 /// part of control that knows the truth.
-class TruthEstimator final : public StateEstimator {
+class TruthEstimator final : public estimation::StateEstimator {
  public:
   /// `truth` must outlive the estimator and be of the same time as the readings.
   explicit TruthEstimator(const GroundTruth& truth) : truth_(truth) {}
@@ -22,4 +22,4 @@ class TruthEstimator final : public StateEstimator {
   RobotState state_;
 };
 
-}  // namespace surefoot
+}  // namespace surefoot::simulation

@@ -10,7 +10,7 @@ namespace surefoot::simulation {
 
 namespace {
 
-SpecHandle parse(const PhysicsUrdf& urdf, const std::string& path) {
+SpecHandle parse(const model::PhysicsUrdf& urdf, const std::string& path) {
   std::array<char, 1024> error{};
   SpecHandle spec(
       mj_parseXMLString(urdf.xml.c_str(), nullptr, error.data(), static_cast<int>(error.size())));
@@ -54,9 +54,9 @@ mjsBody& find_body(mjSpec& spec, const std::string& name, const std::string& rol
   return *body;
 }
 
-SpecHandle read_spec(const RobotDescription& description, std::vector<std::string>& notes) {
-  const Urdf urdf = read_urdf(description.urdf_path);
-  const PhysicsUrdf physics = physics_urdf(urdf, mesh_folders(description));
+SpecHandle read_spec(const model::RobotDescription& description, std::vector<std::string>& notes) {
+  const model::Urdf urdf = model::read_urdf(description.urdf_path);
+  const model::PhysicsUrdf physics = model::physics_urdf(urdf, model::mesh_folders(description));
   notes.insert(notes.end(), urdf.notes.begin(), urdf.notes.end());
   notes.insert(notes.end(), physics.notes.begin(), physics.notes.end());
   SpecHandle spec = parse(physics, description.urdf_path);

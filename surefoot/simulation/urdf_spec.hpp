@@ -10,7 +10,7 @@ namespace surefoot::simulation {
 
 /// The robot's physics URDF as an editable MuJoCo spec: fixed links as separate bodies, the base
 /// free. Throws FileError or Error as build_model does.
-[[nodiscard]] SpecHandle read_spec(const RobotDescription& description,
+[[nodiscard]] SpecHandle read_spec(const model::RobotDescription& description,
                                    std::vector<std::string>& notes);
 
 /// `body` and the bodies below it, depth first.

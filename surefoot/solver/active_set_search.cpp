@@ -8,7 +8,7 @@
 #include <cmath>
 #include <cstddef>
 
-namespace surefoot {
+namespace surefoot::solver {
 namespace {
 
 /// Up to so many wrong rows, changing them all at once is likely to succeed.
@@ -164,4 +164,4 @@ bool ActiveSetSearch::release_idle(Sweep& s) {
   return !undecided_.empty();
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::solver

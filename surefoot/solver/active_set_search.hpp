@@ -6,7 +6,7 @@
 
 #include <vector>
 
-namespace surefoot {
+namespace surefoot::solver {
 
 /// Decides whether the active rows of a sweep are those of the lexicographic optimum, and otherwise
 /// which ones to try next.
@@ -76,4 +76,4 @@ class ActiveSetSearch {
   bool has_judged_norm_ = false;
 };
 
-}  // namespace surefoot
+}  // namespace surefoot::solver

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace surefoot {
+namespace surefoot::solver {
 namespace {
 
 // Relative to a residual plus the level's longest row.
@@ -39,4 +39,4 @@ AnswerComparison compare(const Hierarchy& hierarchy, const Solution& one, const 
   return result;
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::solver

@@ -3,7 +3,7 @@
 #include "surefoot/solver/hierarchy.hpp"
 #include "surefoot/solver/solution.hpp"
 
-namespace surefoot {
+namespace surefoot::solver {
 
 /// Comparison of another answer to a hierarchy with one, by the residuals of its levels.
 struct AnswerComparison {
@@ -15,4 +15,4 @@ struct AnswerComparison {
 [[nodiscard]] AnswerComparison compare(const Hierarchy& hierarchy, const Solution& one,
                                        const Solution& other);
 
-}  // namespace surefoot
+}  // namespace surefoot::solver

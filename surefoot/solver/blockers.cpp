@@ -10,7 +10,7 @@
 #include <cstdlib>
 #include <limits>
 
-namespace surefoot {
+namespace surefoot::solver {
 namespace {
 
 using Eigen::Index;
@@ -297,4 +297,4 @@ void BlockerSearch::insert(const Blocker& blocker, LevelBlockers& level) const {
   level.dearest[place] = blocker;
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::solver

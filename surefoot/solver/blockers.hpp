@@ -12,7 +12,7 @@
 #include <span>
 #include <vector>
 
-namespace surefoot {
+namespace surefoot::solver {
 
 /// The rows that hold a level back, as many as fit.
 struct LevelBlockers {
@@ -103,4 +103,4 @@ class BlockerSearch {
   Eigen::Index num_basis_ = 0;
 };
 
-}  // namespace surefoot
+}  // namespace surefoot::solver

@@ -5,7 +5,7 @@
 #include <limits>
 #include <string>
 
-namespace surefoot {
+namespace surefoot::solver {
 
 /// Limit of a solve's cost. Without limits it ends at the optimum.
 struct SolveBudget {
@@ -54,4 +54,4 @@ class BudgetWatch {
   double flops_ = 0.0, begin_ = 0.0;
 };
 
-}  // namespace surefoot
+}  // namespace surefoot::solver

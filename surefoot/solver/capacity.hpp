@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace surefoot {
+namespace surefoot::solver {
 
 /// Capacities of a hierarchy, and room for its solution.
 
@@ -48,4 +48,4 @@ inline bool fits(const Hierarchy& hierarchy, const Solution& solution) {
   return true;
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::solver

@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace surefoot {
+namespace surefoot::solver {
 namespace {}  // namespace
 
 CascadeSolver::CascadeSolver(const Hierarchy& capacity, const CascadeOptions& options)
@@ -81,4 +81,4 @@ void CascadeSolver::describe(const Level& level, LevelResult& result) const {
   result.residual = std::sqrt(sum);
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::solver

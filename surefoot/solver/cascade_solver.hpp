@@ -5,7 +5,7 @@
 #include "surefoot/solver/solution.hpp"
 #include "surefoot/solver/tableau.hpp"
 
-namespace surefoot {
+namespace surefoot::solver {
 
 struct CascadeOptions {
   RankTolerance rank;      ///< of independent rows
@@ -49,4 +49,4 @@ class CascadeSolver {
   Solution solution_;
 };
 
-}  // namespace surefoot
+}  // namespace surefoot::solver

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace surefoot {
+namespace surefoot::solver {
 namespace {
 
 double finite_or_infinity(double number) { return std::isfinite(number) ? number : kInfinity; }
@@ -89,4 +89,4 @@ double worst_stationarity(const std::vector<LevelCertificate>& levels) {
   return worst;
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::solver

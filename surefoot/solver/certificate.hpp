@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-namespace surefoot {
+namespace surefoot::solver {
 
 /// Possible gains in exact arithmetic that doubles can't see: in directions that rows see so weakly
 /// that rank is a matter of tolerance, or next to forces whose rounding hides it.
@@ -90,4 +90,4 @@ struct CertificateOptions {
 /// Largest stationarity of all levels; 0 without levels, ∞ for NaN.
 [[nodiscard]] double worst_stationarity(const std::vector<LevelCertificate>& levels);
 
-}  // namespace surefoot
+}  // namespace surefoot::solver

@@ -4,7 +4,7 @@
 #include <immintrin.h>
 #endif
 
-namespace surefoot {
+namespace surefoot::solver {
 
 /// While alive, flushes results below the range of normal doubles (2e-308) to zero, and treats such
 /// operands as zero, on processors with this mode. Orthogonal transformations of structured rows
@@ -31,4 +31,4 @@ class FlushDenormals {
   unsigned saved_ = read();
 };
 
-}  // namespace surefoot
+}  // namespace surefoot::solver

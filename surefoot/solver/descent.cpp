@@ -10,7 +10,7 @@
 #include <cmath>
 #include <cstddef>
 
-namespace surefoot {
+namespace surefoot::solver {
 namespace {
 
 using Side = LevelRows::Side;
@@ -393,4 +393,4 @@ void Descent::finish() {
   }
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::solver

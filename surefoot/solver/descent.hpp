@@ -8,7 +8,7 @@
 
 #include <vector>
 
-namespace surefoot {
+namespace surefoot::solver {
 
 /// Finds the active rows of a hierarchy level by level, by the cascade's primal active-set method:
 /// each level is minimised from the feasible point of the level before, within the satisfied rows
@@ -93,4 +93,4 @@ class Descent {
   bool has_minimised_norm_ = false;
 };
 
-}  // namespace surefoot
+}  // namespace surefoot::solver

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <functional>
 
-namespace surefoot {
+namespace surefoot::solver {
 namespace {
 
 using Eigen::VectorXd;
@@ -78,4 +78,4 @@ DistinctRows held_rows(const RowSet& fixed, const RowSet& touching, const Hierar
   return result;
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::solver

@@ -5,7 +5,7 @@
 
 #include <vector>
 
-namespace surefoot {
+namespace surefoot::solver {
 
 /// Rows without duplicates, which are listed with the row they repeat.
 struct DistinctRows {
@@ -35,4 +35,4 @@ struct DistinctRows {
 [[nodiscard]] DistinctRows held_rows(const RowSet& fixed, const RowSet& touching,
                                      const Hierarchy& hierarchy, const Eigen::VectorXd& x);
 
-}  // namespace surefoot
+}  // namespace surefoot::solver

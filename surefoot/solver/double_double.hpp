@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-namespace surefoot {
+namespace surefoot::solver {
 
 /// A number of about 32 digits, the sum of two doubles (Dekker 1971; Knuth, TAOCP 2, 4.2.2): for
 /// checks beyond the rounding of doubles, with Eigen's decompositions. Overflow gives NaN.
@@ -76,13 +76,14 @@ struct DoubleDouble {
   }
 };
 
-}  // namespace surefoot
+}  // namespace surefoot::solver
 
 template <>
-struct Eigen::NumTraits<surefoot::DoubleDouble> : Eigen::GenericNumTraits<surefoot::DoubleDouble> {
-  using Real = surefoot::DoubleDouble;
-  using NonInteger = surefoot::DoubleDouble;
-  using Nested = surefoot::DoubleDouble;
+struct Eigen::NumTraits<surefoot::solver::DoubleDouble>
+    : Eigen::GenericNumTraits<surefoot::solver::DoubleDouble> {
+  using Real = surefoot::solver::DoubleDouble;
+  using NonInteger = surefoot::solver::DoubleDouble;
+  using Nested = surefoot::solver::DoubleDouble;
   using Literal = double;
   enum {
     IsComplex = 0,

@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace surefoot {
+namespace surefoot::solver {
 namespace {
 
 using Eigen::MatrixXd;
@@ -256,4 +256,4 @@ Doubt what_doubles_hide(const Hierarchy& hierarchy, std::size_t k, const VectorX
   return result;
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::solver

@@ -5,7 +5,7 @@
 
 #include <Eigen/Core>
 
-namespace surefoot {
+namespace surefoot::solver {
 
 /// Ranks are borderline if less of a row is independent, relative to its length.
 inline constexpr double kClearRank = 1e-5;
@@ -23,4 +23,4 @@ inline constexpr double kLargeX = 1e6;
                                       const Eigen::VectorXd& x, double tight, const RowSet& fixed,
                                       const RowSet& touching, const Eigen::VectorXd& units);
 
-}  // namespace surefoot
+}  // namespace surefoot::solver

@@ -8,7 +8,7 @@
 #include <numeric>
 #include <vector>
 
-namespace surefoot {
+namespace surefoot::solver {
 namespace {
 
 using Eigen::ArrayXd;
@@ -212,4 +212,4 @@ Hierarchy with_shortest_in_units(const Hierarchy& hierarchy, const VectorXd& uni
   return result;
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::solver

@@ -7,7 +7,7 @@
 
 #include <algorithm>
 
-namespace surefoot {
+namespace surefoot::solver {
 
 /// Units d of the unknowns, x = d ∘ y, that equalize the sizes of a row's elements: over all |aᵢⱼ|
 /// that are not zero
@@ -47,4 +47,4 @@ template <typename Solver, typename Options>
   return solution;
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::solver

@@ -14,7 +14,7 @@
 #include <functional>
 #include <limits>
 
-namespace surefoot {
+namespace surefoot::solver {
 namespace {
 
 using Eigen::VectorXd;
@@ -322,4 +322,4 @@ std::vector<LevelExplanation> explain(const Hierarchy& hierarchy, const VectorXd
   return explain_as_given(in_units(hierarchy, units), x.cwiseQuotient(units), options);
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::solver

@@ -6,7 +6,7 @@
 #include <limits>
 #include <vector>
 
-namespace surefoot {
+namespace surefoot::solver {
 
 /// A row of a higher level that keeps a level from a smaller residual.
 struct Blocker {
@@ -62,4 +62,4 @@ struct ExplainOptions {
                                                     const Eigen::VectorXd& x,
                                                     const ExplainOptions& options = {});
 
-}  // namespace surefoot
+}  // namespace surefoot::solver

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <string>
 
-namespace surefoot {
+namespace surefoot::solver {
 namespace {
 
 /// A smaller independent part of a row, relative to its length, is rounding.
@@ -62,4 +62,4 @@ void add_damping(Level& level, double damping, const Eigen::Ref<const Eigen::Vec
   rows.weigh(damping);
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::solver

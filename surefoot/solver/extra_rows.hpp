@@ -2,7 +2,7 @@
 
 #include "surefoot/solver/hierarchy.hpp"
 
-namespace surefoot {
+namespace surefoot::solver {
 
 /// Appends w ‖x − x_ref‖ to a level: the rows w I x = w x_ref, one for each unknown.
 ///
@@ -35,4 +35,4 @@ void add_reference(Level& level, const Eigen::Ref<const Eigen::VectorXd>& x_ref,
 void add_damping(Level& level, double damping, const Eigen::Ref<const Eigen::VectorXd>& x_ref,
                  int first_id);
 
-}  // namespace surefoot
+}  // namespace surefoot::solver

@@ -7,7 +7,7 @@
 #include <sstream>
 #include <utility>
 
-namespace surefoot {
+namespace surefoot::solver {
 namespace {
 
 /// Returns a valid size of a level, or throws Error.
@@ -120,4 +120,4 @@ std::size_t Hierarchy::add_level(std::string name, Eigen::Index max_rows) {
   return levels_.size() - 1;
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::solver

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-namespace surefoot {
+namespace surefoot::solver {
 
 /// Rows that a task fills in place: lower ≤ A x ≤ upper, an equality if lower = upper (Eq. 8). A
 /// one-sided row has ±infinity on its open side. Rows longer than 1e150 (‖a‖) and finite bounds
@@ -109,4 +109,4 @@ class Hierarchy {
   std::vector<Level> levels_;
 };
 
-}  // namespace surefoot
+}  // namespace surefoot::solver

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace surefoot {
+namespace surefoot::solver {
 
 /// A reflection I − β v vᵀ with v₀ = 1 that maps a vector a to (head, 0, …, 0)ᵀ.
 struct Reflection {
@@ -64,4 +64,4 @@ void rotate_columns(const Rotation& rotation, First&& first, Second&& second) {
   }
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::solver

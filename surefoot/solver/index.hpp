@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <limits>
 
-namespace surefoot {
+namespace surefoot::solver {
 
 using Index = Eigen::Index;
 
@@ -14,4 +14,4 @@ inline constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 /// For containers of the standard library.
 inline std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
-}  // namespace surefoot
+}  // namespace surefoot::solver

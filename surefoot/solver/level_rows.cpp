@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace surefoot {
+namespace surefoot::solver {
 namespace {
 
 using Side = LevelRows::Side;
@@ -167,4 +167,4 @@ bool LevelRows::is_stationary(const RowValues& values, double length) const {
   return true;
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::solver

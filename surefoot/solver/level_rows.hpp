@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace surefoot {
+namespace surefoot::solver {
 
 /// Values of rows at a point, and their motion along a line; the current level has the rows
 /// [level_begin, num_rows).
@@ -102,4 +102,4 @@ class LevelRows {
   Eigen::VectorXd residual_, counting_residual_;
 };
 
-}  // namespace surefoot
+}  // namespace surefoot::solver

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace surefoot {
+namespace surefoot::solver {
 namespace {
 
 using Side = LevelRows::Side;
@@ -262,4 +262,4 @@ RankTolerance LevelSolver::present_tolerance(const Tableau& tableau) const {
   return {tolerance_.solve, std::max(tolerance_.keep, tolerance::rounding_after(pivot))};
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::solver

@@ -10,7 +10,7 @@
 
 #include <vector>
 
-namespace surefoot {
+namespace surefoot::solver {
 
 /// Solves one level of the cascade (Eqs. 9–11) in its least-squares form
 ///
@@ -90,4 +90,4 @@ class LevelSolver {
   bool may_turn_ = false;
 };
 
-}  // namespace surefoot
+}  // namespace surefoot::solver

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace surefoot {
+namespace surefoot::solver {
 
 void LevelTimer::reset() noexcept { std::ranges::fill(seconds_, 0.0); }
 
@@ -13,4 +13,4 @@ void LevelTimer::take(int level) noexcept {
   last_ = now;
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::solver

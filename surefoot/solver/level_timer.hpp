@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace surefoot {
+namespace surefoot::solver {
 
 /// Time of each level, over all sweeps and steps of a solve. Without a clock all times are 0.
 class LevelTimer {
@@ -36,4 +36,4 @@ class LevelTimer {
   std::vector<double> seconds_;  // by level
 };
 
-}  // namespace surefoot
+}  // namespace surefoot::solver

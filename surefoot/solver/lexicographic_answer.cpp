@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace surefoot {
+namespace surefoot::solver {
 namespace {
 
 // The kernels write these values.
@@ -168,4 +168,4 @@ void LexicographicSolver::count_freedom() {
   }
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::solver

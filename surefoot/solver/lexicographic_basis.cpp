@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace surefoot {
+namespace surefoot::solver {
 namespace {
 
 /// Squared column lengths that are safe to divide by.
@@ -153,4 +153,4 @@ void LexicographicSolver::project_rows(bool are_all) {
   budget_.spend(2.0 * count * s.unknowns * (s.columns + 1));
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::solver

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace surefoot {
+namespace surefoot::solver {
 namespace {
 
 /// Attempts to improve a guess before the search starts without one.
@@ -137,4 +137,4 @@ bool LexicographicSolver::polish() {
   return descend() == Outcome::optimal && find_active_rows(false) == Outcome::optimal;
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::solver

@@ -8,7 +8,7 @@
 
 #include <algorithm>
 
-namespace surefoot {
+namespace surefoot::solver {
 namespace {}  // namespace
 
 LexicographicSolver::LexicographicSolver(const Hierarchy& capacity,
@@ -131,7 +131,7 @@ void LexicographicSolver::reject(const Hierarchy& hierarchy) {
   is_swept_ = false;
   num_sweeps_ = 0;
   forget();
-  surefoot::reject(hierarchy, solution_);
+  solver::reject(hierarchy, solution_);
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::solver

@@ -12,7 +12,7 @@
 #include "surefoot/solver/substitution.hpp"
 #include "surefoot/solver/sweep_memory.hpp"
 
-namespace surefoot {
+namespace surefoot::solver {
 
 struct LexicographicOptions {
   RankTolerance rank{};    ///< of independent rows
@@ -198,4 +198,4 @@ class LexicographicSolver {
   double smallest_pivot_ = 1.0, unused_pivot_ = 1.0;  // as in Sweep
 };
 
-}  // namespace surefoot
+}  // namespace surefoot::solver

@@ -5,7 +5,7 @@
 
 #include <vector>
 
-namespace surefoot {
+namespace surefoot::solver {
 
 /// Matrix and vector of any scalar type.
 template <typename Scalar>
@@ -74,4 +74,4 @@ template <typename Scalar>
   return size * mu.cwiseProduct(per_length);
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::solver

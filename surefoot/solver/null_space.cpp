@@ -2,7 +2,7 @@
 
 #include "surefoot/solver/row_factorization.hpp"
 
-namespace surefoot {
+namespace surefoot::solver {
 namespace {
 
 // Z N(A Z) for given rows A Z and their lengths before the projection.
@@ -32,4 +32,4 @@ Eigen::MatrixXd null_space_within(const Eigen::Ref<const Eigen::MatrixXd>& A2,
   return shrink(A2 * Z1, A2.rowwise().norm(), Z1, relative_tolerance);
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::solver

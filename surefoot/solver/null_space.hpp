@@ -2,7 +2,7 @@
 
 #include <Eigen/Core>
 
-namespace surefoot {
+namespace surefoot::solver {
 
 /// Orthonormal basis Z of the null space N(A) = {x : A x = 0}, one direction a column (Eq. 12).
 ///
@@ -18,4 +18,4 @@ namespace surefoot {
                                                 const Eigen::Ref<const Eigen::MatrixXd>& Z1,
                                                 double relative_tolerance = 1e-8);
 
-}  // namespace surefoot
+}  // namespace surefoot::solver

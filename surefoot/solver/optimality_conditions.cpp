@@ -11,7 +11,7 @@
 #include <set>
 #include <utility>
 
-namespace surefoot {
+namespace surefoot::solver {
 namespace {
 
 using Eigen::MatrixXd;
@@ -296,4 +296,4 @@ VectorXd non_negative_least_squares(const MatrixXd& A, const VectorXd& b) {
   return non_negative_least_squares<double>(A, b);
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::solver

@@ -6,7 +6,7 @@
 
 #include <vector>
 
-namespace surefoot {
+namespace surefoot::solver {
 
 /// A row of a hierarchy.
 struct RowIndex {
@@ -86,4 +86,4 @@ void fix_violated(const Level& rows, const Eigen::VectorXd& x, const RowSet& fix
 [[nodiscard]] Eigen::VectorXd non_negative_least_squares(const Eigen::MatrixXd& A,
                                                          const Eigen::VectorXd& b);
 
-}  // namespace surefoot
+}  // namespace surefoot::solver

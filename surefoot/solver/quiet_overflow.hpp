@@ -6,7 +6,7 @@
 #include <immintrin.h>
 #endif
 
-namespace surefoot {
+namespace surefoot::solver {
 
 /// While alive, overflow gives infinity and invalid operations NaN, without an exception: no trap
 /// of the caller, and no flag afterwards. For checks whether squares of given numbers overflow.
@@ -39,4 +39,4 @@ class QuietOverflow {
 #endif
 };
 
-}  // namespace surefoot
+}  // namespace surefoot::solver

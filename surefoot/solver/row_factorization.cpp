@@ -7,7 +7,7 @@
 #include <cmath>
 #include <utility>
 
-namespace surefoot {
+namespace surefoot::solver {
 namespace {
 
 /// A downdated length below this share of its last exact value has lost half of its digits.
@@ -190,4 +190,4 @@ void RowFactorization::apply_on_the_right(Eigen::Ref<Eigen::MatrixXd> T,
   }
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::solver

@@ -6,7 +6,7 @@
 
 #include <vector>
 
-namespace surefoot {
+namespace surefoot::solver {
 
 /// Rank-revealing orthogonal factorization of a stack of rows K (m × d),
 ///
@@ -66,4 +66,4 @@ class RowFactorization {
   std::vector<Eigen::Index> column_order_;
 };
 
-}  // namespace surefoot
+}  // namespace surefoot::solver

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace surefoot {
+namespace surefoot::solver {
 
 RowMemory::RowMemory(const Hierarchy& capacity) : levels_(capacity.num_levels()) {
   for (std::size_t k = 0; k < levels_.size(); ++k) {
@@ -68,4 +68,4 @@ void RowMemory::remember(std::size_t k, const Level& level, const signed char* s
   for (std::size_t i = 0; i < memory.num_rows; ++i) memory.side[i] = side[i];
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::solver

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace surefoot {
+namespace surefoot::solver {
 
 /// Remembers the active side of every row, by the name of its level and its id.
 class RowMemory {
@@ -36,4 +36,4 @@ class RowMemory {
   std::vector<LevelMemory> levels_;
 };
 
-}  // namespace surefoot
+}  // namespace surefoot::solver

@@ -7,7 +7,7 @@
 
 #include <cmath>
 
-namespace surefoot {
+namespace surefoot::solver {
 
 /// States of rows, shared by both solvers.
 
@@ -94,4 +94,4 @@ inline RowState state_of(double value, double lower, double upper, double tolera
   return RowState::inactive;
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::solver

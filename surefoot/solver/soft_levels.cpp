@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace surefoot {
+namespace surefoot::solver {
 namespace {
 
 /// Relative distance of a row at its bound.
@@ -79,4 +79,4 @@ void SoftLevels::judge(const Solution& before, const Solution& after) {
   }
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::solver

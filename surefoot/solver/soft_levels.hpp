@@ -6,7 +6,7 @@
 #include <bitset>
 #include <cstddef>
 
-namespace surefoot {
+namespace surefoot::solver {
 
 /// The present levels of a hierarchy, by index; from the 64th on all are.
 using LevelSet = std::bitset<64>;
@@ -52,4 +52,4 @@ class SoftLevels {
   Eigen::VectorXd value_;  // of the rows of a level
 };
 
-}  // namespace surefoot
+}  // namespace surefoot::solver

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace surefoot {
+namespace surefoot::solver {
 
 enum class SolveStatus : int {
   optimal = 0,  ///< every level is at its lexicographic optimum; for `SoftLevels::between`: both
@@ -73,4 +73,4 @@ struct Solution {
   double flops = 0.0;
 };
 
-}  // namespace surefoot
+}  // namespace surefoot::solver

@@ -4,7 +4,7 @@
 
 #include <cstddef>
 
-namespace surefoot {
+namespace surefoot::solver {
 
 /// x = offset + basis · y: exactly the x that satisfy the first `num_levels` levels of a hierarchy.
 struct Substitution {
@@ -14,4 +14,4 @@ struct Substitution {
   Eigen::VectorXd offset;
 };
 
-}  // namespace surefoot
+}  // namespace surefoot::solver

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-namespace surefoot {
+namespace surefoot::solver {
 
 class LevelTimer;
 
@@ -153,4 +153,4 @@ constexpr double factorization_flops(int rows, int columns) {
 /// The kernels of all instruction sets of this processor, the fastest last.
 [[nodiscard]] std::vector<const SweepKernels*> all_kernels();
 
-}  // namespace surefoot
+}  // namespace surefoot::solver

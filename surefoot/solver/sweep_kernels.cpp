@@ -4,13 +4,13 @@
 
 #define SUREFOOT_PACK 2
 #define SUREFOOT_ISA_NAME "baseline"
-namespace surefoot {
+namespace surefoot::solver {
 namespace {
 namespace baseline {
 #include "surefoot/solver/sweep_kernels.inl"
 }  // namespace baseline
 }  // namespace
-}  // namespace surefoot
+}  // namespace surefoot::solver
 #undef SUREFOOT_PACK
 #undef SUREFOOT_ISA_NAME
 
@@ -20,13 +20,13 @@ namespace baseline {
 #pragma GCC target("avx2,fma")
 #define SUREFOOT_PACK 4
 #define SUREFOOT_ISA_NAME "avx2"
-namespace surefoot {
+namespace surefoot::solver {
 namespace {
 namespace avx2 {
 #include "surefoot/solver/sweep_kernels.inl"
 }  // namespace avx2
 }  // namespace
-}  // namespace surefoot
+}  // namespace surefoot::solver
 #undef SUREFOOT_PACK
 #undef SUREFOOT_ISA_NAME
 #pragma GCC pop_options
@@ -35,17 +35,17 @@ namespace avx2 {
 #pragma GCC target("avx512f,avx512vl,avx512dq,avx2,fma")
 #define SUREFOOT_PACK 8
 #define SUREFOOT_ISA_NAME "avx512"
-namespace surefoot {
+namespace surefoot::solver {
 namespace {
 namespace avx512 {
 #include "surefoot/solver/sweep_kernels.inl"
 }  // namespace avx512
 }  // namespace
-}  // namespace surefoot
+}  // namespace surefoot::solver
 #pragma GCC pop_options
 #endif
 
-namespace surefoot {
+namespace surefoot::solver {
 
 std::vector<const SweepKernels*> all_kernels() {
   std::vector<const SweepKernels*> all{&baseline::kKernels};
@@ -63,4 +63,4 @@ std::vector<const SweepKernels*> all_kernels() {
 
 const SweepKernels& fastest_kernels() { return *all_kernels().back(); }
 
-}  // namespace surefoot
+}  // namespace surefoot::solver

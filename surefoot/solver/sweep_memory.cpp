@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cstdint>
 
-namespace surefoot {
+namespace surefoot::solver {
 namespace {
 
 constexpr std::size_t kAlignment = SweepMemory::kWidestPack;
@@ -96,4 +96,4 @@ void append_level(Sweep& s, const Level& level) {
   }
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::solver

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace surefoot {
+namespace surefoot::solver {
 
 /// Owns the arrays of a sweep, aligned and padded for every instruction set.
 class SweepMemory {
@@ -37,4 +37,4 @@ class SweepMemory {
 /// Appends a level's rows unchecked.
 void append_level(Sweep& sweep, const Level& level);
 
-}  // namespace surefoot
+}  // namespace surefoot::solver

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <limits>
 
-namespace surefoot {
+namespace surefoot::solver {
 namespace {
 
 template <typename Piece>
@@ -134,4 +134,4 @@ void Tableau::retire() {
   level_begin = num_rows = to;
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::solver

@@ -8,7 +8,7 @@
 
 #include <vector>
 
-namespace surefoot {
+namespace surefoot::solver {
 
 /// All rows that still matter, in a basis of the unknowns that simplifies the next step.
 ///
@@ -83,4 +83,4 @@ class Tableau {
   Eigen::VectorXd scratch;
 };
 
-}  // namespace surefoot
+}  // namespace surefoot::solver

@@ -2,7 +2,7 @@
 
 #include <limits>
 
-namespace surefoot {
+namespace surefoot::solver {
 
 /// Rank policy, relative to the length ‖aᵢ‖ that a row has in the space of x.
 ///
@@ -67,4 +67,4 @@ inline constexpr double kWeakForce = 1e-6;
 inline constexpr double kBorderlineForce = 1e-7;
 
 }  // namespace tolerance
-}  // namespace surefoot
+}  // namespace surefoot::solver

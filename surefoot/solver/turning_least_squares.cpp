@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace surefoot {
+namespace surefoot::solver {
 namespace {
 
 /// Smallest diagonal element of R, relative to the largest, that certainly is no loss of rank.
@@ -61,4 +61,4 @@ void TurningLeastSquares::step(Eigen::Ref<Eigen::VectorXd> p) {
   }
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::solver

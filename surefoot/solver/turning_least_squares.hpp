@@ -4,7 +4,7 @@
 
 #include <Eigen/Core>
 
-namespace surefoot {
+namespace surefoot::solver {
 
 /// min ‖B p + r‖ over the last columns of B. Updates its factorization when pairs of columns rotate
 /// and when the number of free columns changes: O(d²) instead of a new factorization.
@@ -39,4 +39,4 @@ class TurningLeastSquares {
   Eigen::VectorXd c_;
 };
 
-}  // namespace surefoot
+}  // namespace surefoot::solver

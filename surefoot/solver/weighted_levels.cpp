@@ -4,7 +4,7 @@
 
 #include <utility>
 
-namespace surefoot {
+namespace surefoot::solver {
 
 WeightedLevels::WeightedLevels(const Hierarchy& capacity, std::size_t first,
                                std::vector<double> weights, const std::string& name)
@@ -43,4 +43,4 @@ const Hierarchy& WeightedLevels::update(const Hierarchy& hierarchy) noexcept {
   return weighted_;
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::solver

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace surefoot {
+namespace surefoot::solver {
 
 /// The same tasks, weighted instead of strict from one level on, for an honest comparison: the
 /// levels before `first` stay as they are, all others become one last level
@@ -33,4 +33,4 @@ class WeightedLevels {
   Hierarchy weighted_;
 };
 
-}  // namespace surefoot
+}  // namespace surefoot::solver

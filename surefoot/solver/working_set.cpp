@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace surefoot {
+namespace surefoot::solver {
 
 WorkingSet::WorkingSet(Index unknowns)
     : held_(static_cast<std::size_t>(unknowns)),
@@ -79,4 +79,4 @@ double WorkingSet::smallest_pivot(const Tableau& tableau) const {
   return smallest;
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::solver

@@ -7,7 +7,7 @@
 
 #include <vector>
 
-namespace surefoot {
+namespace surefoot::solver {
 
 /// Constraints of higher levels that are held at a bound while solving a level.
 ///
@@ -51,4 +51,4 @@ class WorkingSet {
   std::vector<Rotation> rotations_;
 };
 
-}  // namespace surefoot
+}  // namespace surefoot::solver

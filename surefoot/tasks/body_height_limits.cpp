@@ -2,7 +2,7 @@
 
 #include "surefoot/base/error.hpp"
 
-namespace surefoot {
+namespace surefoot::tasks {
 namespace {
 
 /// h_z of Eq. 32; at least one leg is in contact.
@@ -21,15 +21,15 @@ BodyHeightLimits::BodyHeightLimits(const Options& options)
   if (!(options.min < options.max)) throw Error("body_height_limits: min must be below max");
 }
 
-void BodyHeightLimits::write(const TaskInput& input, Level& level) const noexcept {
+void BodyHeightLimits::write(const TaskInput& input, solver::Level& level) const noexcept {
   if (input.plan.num_contacts() == 0) return;
-  const PointKinematics& base = input.dynamics.base;
+  const model::PointKinematics& base = input.dynamics.base;
   const double height = base.p.z() - footprint_height(input);
-  Rows row = level.add(1, first_id());
+  solver::Rows row = level.add(1, first_id());
   row.A.leftCols<kNumVelocities>() = base.J.row(2);
   bound_.write(row, 0, options_.min, options_.max, height, base.v.z(), base.Jdot_u.z());
 }
 
 std::string BodyHeightLimits::row_name(int) const { return "height above the footprint"; }
 
-}  // namespace surefoot
+}  // namespace surefoot::tasks

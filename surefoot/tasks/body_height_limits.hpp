@@ -3,7 +3,7 @@
 #include "surefoot/tasks/motion_bound.hpp"
 #include "surefoot/tasks/task.hpp"
 
-namespace surefoot {
+namespace surefoot::tasks {
 
 /// Bounds the height of the base above its footprint.
 ///
@@ -23,7 +23,7 @@ class BodyHeightLimits final : public Task {
   /// Throws Error unless min < max and dt > 0.
   explicit BodyHeightLimits(const Options& options);
 
-  void write(const TaskInput& input, Level& level) const noexcept override;
+  void write(const TaskInput& input, solver::Level& level) const noexcept override;
   [[nodiscard]] int max_rows() const override { return 1; }
   [[nodiscard]] std::string_view name() const override { return "body_height_limits"; }
   [[nodiscard]] std::string row_name(int id) const override;
@@ -33,4 +33,4 @@ class BodyHeightLimits final : public Task {
   MotionBound bound_;
 };
 
-}  // namespace surefoot
+}  // namespace surefoot::tasks

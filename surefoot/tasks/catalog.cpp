@@ -22,7 +22,7 @@
 #include <functional>
 #include <sstream>
 
-namespace surefoot {
+namespace surefoot::tasks {
 namespace {
 
 using Factory = std::function<std::unique_ptr<Task>(const TaskParameters&)>;
@@ -321,4 +321,4 @@ std::unique_ptr<Task> make_task(std::string_view name, const TaskParameters& par
   return catalog().factories[find(name)](parameters);
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::tasks

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-namespace surefoot {
+namespace surefoot::tasks {
 
 /// A number parameter of a task.
 struct TaskParameter {
@@ -55,4 +55,4 @@ struct TaskParameters {
 [[nodiscard]] std::unique_ptr<Task> make_task(std::string_view name,
                                               const TaskParameters& parameters = {});
 
-}  // namespace surefoot
+}  // namespace surefoot::tasks

@@ -2,7 +2,7 @@
 
 #include "surefoot/math/rotation.hpp"
 
-namespace surefoot {
+namespace surefoot::tasks {
 namespace {
 
 /// From the first to the second of two feet in contact, in the horizontal plane.
@@ -19,7 +19,7 @@ Vec2 support_line(const TaskInput& input) {
 
 }  // namespace
 
-void ComXy::write(const TaskInput& input, Level& level) const noexcept {
+void ComXy::write(const TaskInput& input, solver::Level& level) const noexcept {
   const int num_contacts = input.plan.num_contacts();
   if (num_contacts >= 3) {
     const Mat3 heading = rotation_about_z(yaw(input.plan.R_WC));
@@ -31,14 +31,14 @@ void ComXy::write(const TaskInput& input, Level& level) const noexcept {
 }
 
 void ComXy::write_row(const TaskInput& input, const Vec2& direction, int id,
-                      Level& level) const noexcept {
-  const PointKinematics& com = input.dynamics.com;
+                      solver::Level& level) const noexcept {
+  const model::PointKinematics& com = input.dynamics.com;
   const ComPlan& reference = input.plan.com;
   const Vec2 position_error = clip_norm<2>(reference.p - com.p.head<2>(), options_.max_error);
   const Vec2 velocity_error = reference.v - com.v.head<2>();
   const Vec2 acceleration = reference.a + options_.kd * velocity_error +
                             options_.kp * position_error - com.Jdot_u.head<2>();
-  Rows row = level.add(1, first_id() + id);
+  solver::Rows row = level.add(1, first_id() + id);
   row.A.leftCols<kNumVelocities>().noalias() = direction.transpose() * com.J.topRows<2>();
   row.set_equal(0, direction.dot(acceleration));
 }
@@ -48,4 +48,4 @@ std::string ComXy::row_name(int id) const {
   return kNames[static_cast<std::size_t>(id)];
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::tasks

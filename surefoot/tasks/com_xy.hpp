@@ -2,7 +2,7 @@
 
 #include "surefoot/tasks/task.hpp"
 
-namespace surefoot {
+namespace surefoot::tasks {
 
 /// The centre of mass follows its horizontal reference.
 ///
@@ -22,7 +22,7 @@ class ComXy final : public Task {
 
   explicit ComXy(const Options& options) : options_(options) {}
 
-  void write(const TaskInput& input, Level& level) const noexcept override;
+  void write(const TaskInput& input, solver::Level& level) const noexcept override;
   [[nodiscard]] int max_rows() const override { return 2; }
   [[nodiscard]] int num_ids() const override { return 3; }
   [[nodiscard]] std::string_view name() const override { return "com_xy"; }
@@ -30,9 +30,9 @@ class ComXy final : public Task {
 
  private:
   void write_row(const TaskInput& input, const Vec2& direction, int id,
-                 Level& level) const noexcept;
+                 solver::Level& level) const noexcept;
 
   Options options_;
 };
 
-}  // namespace surefoot
+}  // namespace surefoot::tasks

@@ -1,17 +1,17 @@
 #include "surefoot/tasks/contact_force_minimisation.hpp"
 
-namespace surefoot {
+namespace surefoot::tasks {
 
-void ContactForceMinimisation::write(const TaskInput& input, Level& level) const noexcept {
+void ContactForceMinimisation::write(const TaskInput& input, solver::Level& level) const noexcept {
   const Mat3 weighted_axes = weights_.asDiagonal() * input.plan.R_WC.transpose();
   for (const Leg leg : kLegs) {
     if (!input.support.in_contact(leg)) continue;
     const int force = input.support.first_force(leg);
-    Rows rows = level.add(3, first_id() + 3 * static_cast<int>(leg));
+    solver::Rows rows = level.add(3, first_id() + 3 * static_cast<int>(leg));
     rows.A.noalias() = weighted_axes * input.support.Lambda().middleRows<3>(force);
     rows.lower.noalias() = -weighted_axes * input.support.lambda_0().segment<3>(force);
     rows.upper = rows.lower;
   }
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::tasks

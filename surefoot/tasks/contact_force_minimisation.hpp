@@ -2,7 +2,7 @@
 
 #include "surefoot/tasks/task.hpp"
 
-namespace surefoot {
+namespace surefoot::tasks {
 
 /// Wants zero contact forces, so that a low level of the hierarchy minimizes internal forces.
 ///
@@ -19,7 +19,7 @@ class ContactForceMinimisation final : public Task {
   explicit ContactForceMinimisation(const Options& options)
       : weights_(options.weight_tangential, options.weight_tangential, options.weight_normal) {}
 
-  void write(const TaskInput& input, Level& level) const noexcept override;
+  void write(const TaskInput& input, solver::Level& level) const noexcept override;
   [[nodiscard]] int max_rows() const override { return 3 * kNumLegs; }
   [[nodiscard]] std::string_view name() const override { return "contact_force_minimisation"; }
   [[nodiscard]] std::string row_name(int id) const override { return leg_axis_name(id); }
@@ -28,4 +28,4 @@ class ContactForceMinimisation final : public Task {
   Vec3 weights_;
 };
 
-}  // namespace surefoot
+}  // namespace surefoot::tasks

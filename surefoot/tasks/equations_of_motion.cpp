@@ -1,10 +1,10 @@
 #include "surefoot/tasks/equations_of_motion.hpp"
 
-namespace surefoot {
+namespace surefoot::tasks {
 
-void EquationsOfMotion::write(const TaskInput& input, Level& level) const noexcept {
+void EquationsOfMotion::write(const TaskInput& input, solver::Level& level) const noexcept {
   const auto Q_u = input.support.Q_u();
-  Rows rows = level.add(Q_u.cols(), first_id());
+  solver::Rows rows = level.add(Q_u.cols(), first_id());
   rows.A.leftCols<kNumVelocities>() = -input.support.M_Q_u().transpose();
   rows.A.rightCols<kNumJoints>() = Q_u.transpose().rightCols<kNumJoints>();
   rows.lower.noalias() = Q_u.transpose() * input.dynamics.h;
@@ -15,4 +15,4 @@ std::string EquationsOfMotion::row_name(int id) const {
   return "direction " + std::to_string(id) + " of Q_u";
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::tasks

@@ -2,7 +2,7 @@
 
 #include "surefoot/tasks/task.hpp"
 
-namespace surefoot {
+namespace surefoot::tasks {
 
 /// Keeps accelerations and torques consistent with the dynamics, contact forces eliminated.
 ///
@@ -12,10 +12,10 @@ namespace surefoot {
 /// torque [N, N·m].
 class EquationsOfMotion final : public Task {
  public:
-  void write(const TaskInput& input, Level& level) const noexcept override;
+  void write(const TaskInput& input, solver::Level& level) const noexcept override;
   [[nodiscard]] int max_rows() const override { return kNumVelocities; }
   [[nodiscard]] std::string_view name() const override { return "equations_of_motion"; }
   [[nodiscard]] std::string row_name(int id) const override;
 };
 
-}  // namespace surefoot
+}  // namespace surefoot::tasks

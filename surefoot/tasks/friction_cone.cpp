@@ -9,7 +9,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace surefoot {
+namespace surefoot::tasks {
 namespace {
 
 constexpr double kMaxLean = 0.8;  // of the normal from the vertical, share of the half angle
@@ -53,13 +53,13 @@ FrictionPyramid FrictionCone::pyramid(const MotionPlan& plan, Leg leg) const {
   return {standing_axes(axes, mu), mu};
 }
 
-void FrictionCone::write(const TaskInput& input, Level& level) const noexcept {
+void FrictionCone::write(const TaskInput& input, solver::Level& level) const noexcept {
   for (const Leg leg : kLegs) {
     if (!input.support.in_contact(leg)) continue;
     const FootPlan& foot = input.plan.feet[index(leg)];
     const int force = input.support.first_force(leg);
     const auto B = pyramid_rows(pyramid(input.plan, leg));
-    Rows rows = level.add(kRowsPerLeg, first_id() + kRowsPerLeg * static_cast<int>(leg));
+    solver::Rows rows = level.add(kRowsPerLeg, first_id() + kRowsPerLeg * static_cast<int>(leg));
     rows.A.noalias() = B * input.support.Lambda().middleRows<3>(force);
     rows.lower << -kInfinity, -kInfinity, -kInfinity, -kInfinity,
         std::min(foot.force_min, foot.force_max);
@@ -78,4 +78,4 @@ std::string FrictionCone::row_name(int id) const {
          kNames[static_cast<std::size_t>(id % kRowsPerLeg)];
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::tasks

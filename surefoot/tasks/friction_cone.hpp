@@ -2,7 +2,7 @@
 
 #include "surefoot/tasks/task.hpp"
 
-namespace surefoot {
+namespace surefoot::tasks {
 
 /// Four faces that bound a foot's force.
 struct FrictionPyramid {
@@ -43,7 +43,7 @@ class FrictionCone final : public Task {
   /// The pyramid of a leg in contact.
   [[nodiscard]] FrictionPyramid pyramid(const MotionPlan& plan, Leg leg) const;
 
-  void write(const TaskInput& input, Level& level) const noexcept override;
+  void write(const TaskInput& input, solver::Level& level) const noexcept override;
   [[nodiscard]] int max_rows() const override { return kRowsPerLeg * kNumLegs; }
   [[nodiscard]] std::string_view name() const override { return "friction_cone"; }
   [[nodiscard]] std::string row_name(int id) const override;
@@ -52,4 +52,4 @@ class FrictionCone final : public Task {
   Options options_;
 };
 
-}  // namespace surefoot
+}  // namespace surefoot::tasks

@@ -2,15 +2,15 @@
 
 #include "surefoot/base/error.hpp"
 
-namespace surefoot {
+namespace surefoot::tasks {
 
 JointPositionLimits::JointPositionLimits(const Options& options)
     : options_(options), bound_(options.dt, options.response) {
   if (!(options.margin >= 0.0)) throw Error("joint_position_limits: margin must be at least 0");
 }
 
-void JointPositionLimits::write(const TaskInput& input, Level& level) const noexcept {
-  Rows rows = level.add(kNumJoints, first_id());
+void JointPositionLimits::write(const TaskInput& input, solver::Level& level) const noexcept {
+  solver::Rows rows = level.add(kNumJoints, first_id());
   rows.A.middleCols<kNumJoints>(6).setIdentity();
   for (int j = 0; j < kNumJoints; ++j) {
     // A range that is narrower than both margins shrinks to its middle.
@@ -21,4 +21,4 @@ void JointPositionLimits::write(const TaskInput& input, Level& level) const noex
   }
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::tasks

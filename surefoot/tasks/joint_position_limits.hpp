@@ -3,7 +3,7 @@
 #include "surefoot/tasks/motion_bound.hpp"
 #include "surefoot/tasks/task.hpp"
 
-namespace surefoot {
+namespace surefoot::tasks {
 
 /// Keeps every joint inside the robot's range, by the rule of Bellicoso 2016, Eq. 27.
 ///
@@ -21,7 +21,7 @@ class JointPositionLimits final : public Task {
   /// Throws Error unless margin ≥ 0 and dt > 0.
   explicit JointPositionLimits(const Options& options);
 
-  void write(const TaskInput& input, Level& level) const noexcept override;
+  void write(const TaskInput& input, solver::Level& level) const noexcept override;
   [[nodiscard]] int max_rows() const override { return kNumJoints; }
   [[nodiscard]] std::string_view name() const override { return "joint_position_limits"; }
   [[nodiscard]] std::string row_name(int id) const override { return joint_name(id); }
@@ -31,4 +31,4 @@ class JointPositionLimits final : public Task {
   MotionBound bound_;
 };
 
-}  // namespace surefoot
+}  // namespace surefoot::tasks

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace surefoot {
+namespace surefoot::tasks {
 namespace {
 
 using RowVector = Eigen::Matrix<double, 1, kNumVelocities>;
@@ -17,16 +17,17 @@ struct Extension {
   double drift = 0.0;
 };
 
-Extension vertical_to_still_foot(const PointKinematics& hip, const PointKinematics& foot) {
+Extension vertical_to_still_foot(const model::PointKinematics& hip,
+                                 const model::PointKinematics& foot) {
   return {hip.p.z() - foot.p.z(), hip.v.z(), hip.J.row(2), hip.Jdot_u.z()};
 }
 
-Extension vertical(const PointKinematics& hip, const PointKinematics& foot) {
+Extension vertical(const model::PointKinematics& hip, const model::PointKinematics& foot) {
   return {hip.p.z() - foot.p.z(), hip.v.z() - foot.v.z(), hip.J.row(2) - foot.J.row(2),
           hip.Jdot_u.z() - foot.Jdot_u.z()};
 }
 
-Extension radial(const PointKinematics& hip, const PointKinematics& foot) {
+Extension radial(const model::PointKinematics& hip, const model::PointKinematics& foot) {
   constexpr double kShortest = 1e-3;  // [m]; below it a leg's direction is meaningless
   const Vec3 p = hip.p - foot.p;
   const Vec3 v = hip.v - foot.v;
@@ -37,8 +38,8 @@ Extension radial(const PointKinematics& hip, const PointKinematics& foot) {
           e.dot(hip.Jdot_u - foot.Jdot_u) + (v.squaredNorm() - rdot * rdot) / r};
 }
 
-Extension extension(LimbExtensionLimits::Form form, const PointKinematics& hip,
-                    const PointKinematics& foot) {
+Extension extension(LimbExtensionLimits::Form form, const model::PointKinematics& hip,
+                    const model::PointKinematics& foot) {
   switch (form) {
     case LimbExtensionLimits::Form::paper:
       return vertical_to_still_foot(hip, foot);
@@ -59,8 +60,8 @@ LimbExtensionLimits::LimbExtensionLimits(const Options& options)
   }
 }
 
-void LimbExtensionLimits::write(const TaskInput& input, Level& level) const noexcept {
-  Rows rows = level.add(kNumLegs, first_id());
+void LimbExtensionLimits::write(const TaskInput& input, solver::Level& level) const noexcept {
+  solver::Rows rows = level.add(kNumLegs, first_id());
   for (const Leg leg : kLegs) {
     const Extension limb =
         extension(options_.form, input.dynamics.hip[index(leg)], input.dynamics.foot[index(leg)]);
@@ -74,4 +75,4 @@ std::string LimbExtensionLimits::row_name(int id) const {
   return std::string(kLegNames[static_cast<std::size_t>(id)]) + " extension";
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::tasks

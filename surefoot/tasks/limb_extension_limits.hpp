@@ -3,7 +3,7 @@
 #include "surefoot/tasks/motion_bound.hpp"
 #include "surefoot/tasks/task.hpp"
 
-namespace surefoot {
+namespace surefoot::tasks {
 
 /// Bounds the distance between hip H and foot F of every leg, in stance and in swing, so that the
 /// torso follows a foot that reaches down (Bellicoso 2016, Eq. 35, by the rule of Eq. 27).
@@ -31,7 +31,7 @@ class LimbExtensionLimits final : public Task {
   /// Throws Error unless 0 ≤ min < max and dt > 0.
   explicit LimbExtensionLimits(const Options& options);
 
-  void write(const TaskInput& input, Level& level) const noexcept override;
+  void write(const TaskInput& input, solver::Level& level) const noexcept override;
   [[nodiscard]] int max_rows() const override { return kNumLegs; }
   [[nodiscard]] std::string_view name() const override { return "limb_extension_limits"; }
   [[nodiscard]] std::string row_name(int id) const override;
@@ -41,4 +41,4 @@ class LimbExtensionLimits final : public Task {
   MotionBound bound_;
 };
 
-}  // namespace surefoot
+}  // namespace surefoot::tasks

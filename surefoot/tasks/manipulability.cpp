@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-namespace surefoot {
+namespace surefoot::tasks {
 
-LegManipulability leg_manipulability(const Dynamics& dynamics, Leg leg) noexcept {
+LegManipulability leg_manipulability(const model::Dynamics& dynamics, Leg leg) noexcept {
   constexpr double kSmallestDeterminant = 1e-4;  // [m³]
   const Mat3 J = dynamics.foot[index(leg)].J.middleCols<3>(6 + first_joint(leg));
   const Mat3 axes = dynamics.shank[index(leg)].J.middleCols<3>(6 + first_joint(leg));
@@ -30,7 +30,7 @@ LegManipulability leg_manipulability(const Dynamics& dynamics, Leg leg) noexcept
   return result;
 }
 
-void Manipulability::write(const TaskInput& input, Level& level) const noexcept {
+void Manipulability::write(const TaskInput& input, solver::Level& level) const noexcept {
   double drive = 0.0;
   for (const Leg leg : kLegs) {
     const LegManipulability measure = leg_manipulability(input.dynamics, leg);
@@ -39,12 +39,12 @@ void Manipulability::write(const TaskInput& input, Level& level) const noexcept 
     drive += options_.k0 * options_.weights[index(leg)] * slope;
   }
   drive = std::clamp(drive, -options_.max_acceleration, options_.max_acceleration);
-  const PointKinematics& base = input.dynamics.base;
-  Rows row = level.add(1, first_id());
+  const model::PointKinematics& base = input.dynamics.base;
+  solver::Rows row = level.add(1, first_id());
   row.A.leftCols<kNumVelocities>() = base.J.row(2);
   row.set_equal(0, drive - options_.kd * base.v.z() - base.Jdot_u.z());
 }
 
 std::string Manipulability::row_name(int) const { return "height"; }
 
-}  // namespace surefoot
+}  // namespace surefoot::tasks

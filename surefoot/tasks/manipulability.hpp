@@ -2,7 +2,7 @@
 
 #include "surefoot/tasks/task.hpp"
 
-namespace surefoot {
+namespace surefoot::tasks {
 
 /// Manipulability of a leg, m = |det J| with J = [j_HAA j_HFE j_KFE] its 3×3 translational Jacobian
 /// (Bellicoso 2016, Eq. 22), and its gradients.
@@ -14,7 +14,8 @@ struct LegManipulability {
 
 /// Exact, from the joint axes a_i: ∂j_i/∂q_l = a_min(i,l) × j_max(i,l), and ∂q/∂z_B = −J⁻¹ e_z with
 /// the foot fixed. Near a singular posture J⁻¹ uses |det J| = 1e-4 m³.
-[[nodiscard]] LegManipulability leg_manipulability(const Dynamics& dynamics, Leg leg) noexcept;
+[[nodiscard]] LegManipulability leg_manipulability(const model::Dynamics& dynamics,
+                                                   Leg leg) noexcept;
 
 /// Moves the base to the height of best manipulability, instead of a given height.
 ///
@@ -39,7 +40,7 @@ class Manipulability final : public Task {
 
   explicit Manipulability(const Options& options) : options_(options) {}
 
-  void write(const TaskInput& input, Level& level) const noexcept override;
+  void write(const TaskInput& input, solver::Level& level) const noexcept override;
   [[nodiscard]] int max_rows() const override { return 1; }
   [[nodiscard]] std::string_view name() const override { return "manipulability"; }
   [[nodiscard]] std::string row_name(int id) const override;
@@ -48,4 +49,4 @@ class Manipulability final : public Task {
   Options options_;
 };
 
-}  // namespace surefoot
+}  // namespace surefoot::tasks

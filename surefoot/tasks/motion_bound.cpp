@@ -2,7 +2,7 @@
 
 #include "surefoot/base/error.hpp"
 
-namespace surefoot {
+namespace surefoot::tasks {
 
 MotionBound::MotionBound(double dt, BoundResponse response)
     : stiffness_(2.0 / (dt * dt)),
@@ -10,4 +10,4 @@ MotionBound::MotionBound(double dt, BoundResponse response)
   if (!(dt > 0.0)) throw Error("dt, the time in which a bound is reached, must be positive");
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::tasks

@@ -2,7 +2,7 @@
 
 #include "surefoot/solver/hierarchy.hpp"
 
-namespace surefoot {
+namespace surefoot::tasks {
 
 /// How a coordinate stops at its bound.
 enum class BoundResponse {
@@ -29,7 +29,7 @@ class MotionBound {
   }
 
   /// Bounds row i, with A x = r̈ − drift.
-  void write(Rows& rows, Eigen::Index i, double r_min, double r_max, double r, double rdot,
+  void write(solver::Rows& rows, Eigen::Index i, double r_min, double r_max, double r, double rdot,
              double drift) const noexcept {
     rows.lower[i] = lower(r_min, r, rdot) - drift;
     rows.upper[i] = upper(r_max, r, rdot) - drift;
@@ -40,4 +40,4 @@ class MotionBound {
   double damping_;    ///< [1/s]
 };
 
-}  // namespace surefoot
+}  // namespace surefoot::tasks

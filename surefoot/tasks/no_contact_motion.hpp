@@ -2,7 +2,7 @@
 
 #include "surefoot/tasks/task.hpp"
 
-namespace surefoot {
+namespace surefoot::tasks {
 
 /// Keeps the contact points of stance feet in place.
 ///
@@ -19,7 +19,7 @@ class NoContactMotion final : public Task {
 
   explicit NoContactMotion(const Options& options) : options_(options) {}
 
-  void write(const TaskInput& input, Level& level) const noexcept override;
+  void write(const TaskInput& input, solver::Level& level) const noexcept override;
   [[nodiscard]] int max_rows() const override { return 3 * kNumLegs; }
   [[nodiscard]] std::string_view name() const override { return "no_contact_motion"; }
   [[nodiscard]] std::string row_name(int id) const override { return leg_axis_name(id); }
@@ -28,4 +28,4 @@ class NoContactMotion final : public Task {
   Options options_;
 };
 
-}  // namespace surefoot
+}  // namespace surefoot::tasks

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <limits>
 
-namespace surefoot {
+namespace surefoot::tasks {
 namespace {
 
 /// Preference for eliminating a contact force of 1 N over a motion that takes 1 N.
@@ -17,8 +17,8 @@ PhysicsSubstitution::PhysicsSubstitution() {
   substitution_.offset.setZero(kNumUnknowns);
 }
 
-const Substitution* PhysicsSubstitution::update(
-    const Dynamics& dynamics, const SupportDynamics& support,
+const solver::Substitution* PhysicsSubstitution::update(
+    const model::Dynamics& dynamics, const model::SupportDynamics& support,
     const Eigen::Ref<const Eigen::VectorXd>& contact_acceleration) noexcept {
   const int rank = support.rank();
   if (rank != 3 * support.num_contacts() || contact_acceleration.size() != rank) return nullptr;
@@ -74,7 +74,7 @@ bool PhysicsSubstitution::take_pivot(int step, int num_motions) {
 }
 
 /// x at y = 0: only the six chosen unknowns are non-zero.
-void PhysicsSubstitution::write_offset(const SupportDynamics& support,
+void PhysicsSubstitution::write_offset(const model::SupportDynamics& support,
                                        const GeneralizedVector& forces) {
   auto motion = substitution_.offset.head<kNumVelocities>();
   auto torque = substitution_.offset.tail<kNumJoints>();
@@ -88,7 +88,7 @@ void PhysicsSubstitution::write_offset(const SupportDynamics& support,
   }
 }
 
-void PhysicsSubstitution::write_basis(const SupportDynamics& support) {
+void PhysicsSubstitution::write_basis(const model::SupportDynamics& support) {
   const auto Q_u = support.Q_u();
   Eigen::Matrix<double, kNumJoints, kNumBase, Eigen::RowMajor> torque_of_chosen;
   Eigen::Matrix<double, kNumBase, kNumFree, Eigen::RowMajor> chosen_of_free;
@@ -111,4 +111,4 @@ void PhysicsSubstitution::write_basis(const SupportDynamics& support) {
   substitution_.basis.bottomRows<kNumJoints>() = torque;
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::tasks

@@ -5,7 +5,7 @@
 
 #include <array>
 
-namespace surefoot {
+namespace surefoot::tasks {
 
 /// All x = (u̇, τ) that the equations of motion and the stance feet allow, in closed form:
 /// x = offset + basis · y with 12 unknowns y, for any number of stance feet.
@@ -27,8 +27,8 @@ class PhysicsSubstitution {
   /// `contact_acceleration` is the required J_s u̇, in the order of `support`. Null if the contacts
   /// are singular by `SupportDynamics::kRankTolerance` (J_s u̇ may have no solution) or a number is
   /// not finite. The result stays valid until the next call. Does not allocate.
-  [[nodiscard]] const Substitution* update(
-      const Dynamics& dynamics, const SupportDynamics& support,
+  [[nodiscard]] const solver::Substitution* update(
+      const model::Dynamics& dynamics, const model::SupportDynamics& support,
       const Eigen::Ref<const Eigen::VectorXd>& contact_acceleration) noexcept;
 
  private:
@@ -37,16 +37,16 @@ class PhysicsSubstitution {
 
   [[nodiscard]] bool solve_base_rows(int num_motions);
   [[nodiscard]] bool take_pivot(int step, int num_motions);
-  void write_offset(const SupportDynamics& support, const GeneralizedVector& forces);
-  void write_basis(const SupportDynamics& support);
+  void write_offset(const model::SupportDynamics& support, const GeneralizedVector& forces);
+  void write_basis(const model::SupportDynamics& support);
 
-  MassMatrix P_ = MassMatrix::Zero();
+  model::MassMatrix P_ = model::MassMatrix::Zero();
   /// [P_b  −(M u̇₀ + h)_b], then solved for the columns `chosen_`, one a row.
   Eigen::Matrix<double, kNumBase, kNumVelocities + 1, Eigen::RowMajor> base_rows_;
   std::array<int, kNumBase> chosen_{};
   std::array<bool, kNumVelocities> is_chosen_{};
   GeneralizedVector motion_ = GeneralizedVector::Zero();  ///< u̇₀
-  Substitution substitution_;
+  solver::Substitution substitution_;
 };
 
-}  // namespace surefoot
+}  // namespace surefoot::tasks

@@ -2,16 +2,16 @@
 
 #include "surefoot/math/rotation.hpp"
 
-namespace surefoot {
+namespace surefoot::tasks {
 
-void SwingFoot::write(const TaskInput& input, Level& level) const noexcept {
+void SwingFoot::write(const TaskInput& input, solver::Level& level) const noexcept {
   for (const Leg leg : kLegs) {
     if (input.plan.contact(leg)) continue;
-    const PointKinematics& foot = input.dynamics.foot[index(leg)];
+    const model::PointKinematics& foot = input.dynamics.foot[index(leg)];
     const FootPlan& reference = input.plan.feet[index(leg)];
     const Vec3 position_error = clip_norm<3>(reference.p_WF - foot.p, options_.max_error);
     const Vec3 velocity_error = reference.v_WF - foot.v;
-    Rows rows = level.add(3, first_id() + 3 * static_cast<int>(leg));
+    solver::Rows rows = level.add(3, first_id() + 3 * static_cast<int>(leg));
     rows.A.leftCols<kNumVelocities>() = foot.J;
     rows.lower =
         reference.a_WF + options_.kd * velocity_error + options_.kp * position_error - foot.Jdot_u;
@@ -19,4 +19,4 @@ void SwingFoot::write(const TaskInput& input, Level& level) const noexcept {
   }
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::tasks

@@ -2,7 +2,7 @@
 
 #include "surefoot/tasks/task.hpp"
 
-namespace surefoot {
+namespace surefoot::tasks {
 
 /// Swing feet follow their references like a mass on spring and damper.
 ///
@@ -20,7 +20,7 @@ class SwingFoot final : public Task {
 
   explicit SwingFoot(const Options& options) : options_(options) {}
 
-  void write(const TaskInput& input, Level& level) const noexcept override;
+  void write(const TaskInput& input, solver::Level& level) const noexcept override;
   [[nodiscard]] int max_rows() const override { return 3 * kNumLegs; }
   [[nodiscard]] std::string_view name() const override { return "swing_foot"; }
   [[nodiscard]] std::string row_name(int id) const override { return leg_axis_name(id); }
@@ -29,4 +29,4 @@ class SwingFoot final : public Task {
   Options options_;
 };
 
-}  // namespace surefoot
+}  // namespace surefoot::tasks

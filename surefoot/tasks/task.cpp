@@ -1,6 +1,6 @@
 #include "surefoot/tasks/task.hpp"
 
-namespace surefoot {
+namespace surefoot::tasks {
 
 std::string leg_axis_name(int id) {
   return std::string(kLegNames[static_cast<std::size_t>(id / 3)]) + " " + "xyz"[id % 3];
@@ -11,4 +11,4 @@ std::string joint_name(int id) {
          std::string(kJointNames[static_cast<std::size_t>(id % kJointsPerLeg)]);
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::tasks

@@ -9,14 +9,14 @@
 #include <string>
 #include <string_view>
 
-namespace surefoot {
+namespace surefoot::tasks {
 
 /// Inputs of the tasks at one tick.
 struct TaskInput {
-  const Dynamics& dynamics;
+  const model::Dynamics& dynamics;
   const MotionPlan& plan;
-  const SupportDynamics& support;  ///< of the same dynamics and plan
-  const RobotDescription& robot;
+  const model::SupportDynamics& support;  ///< of the same dynamics and plan
+  const model::RobotDescription& robot;
 };
 
 /// One objective or limit, as rows over x = (u̇, τ) (Eq. 14). Immutable: the same input gives the
@@ -26,7 +26,7 @@ class Task {
   virtual ~Task() = default;
 
   /// Appends this tick's rows, at most `max_rows()`. Does not allocate.
-  virtual void write(const TaskInput& input, Level& level) const noexcept = 0;
+  virtual void write(const TaskInput& input, solver::Level& level) const noexcept = 0;
 
   /// Largest number of rows in a tick.
   [[nodiscard]] virtual int max_rows() const = 0;
@@ -55,4 +55,4 @@ class Task {
 /// "LF_HAA", "LF_HFE", … for an id per joint.
 [[nodiscard]] std::string joint_name(int id);
 
-}  // namespace surefoot
+}  // namespace surefoot::tasks

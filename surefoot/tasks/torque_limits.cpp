@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace surefoot {
+namespace surefoot::tasks {
 
 TorqueLimits::TorqueLimits(const Options& options) : options_(options) {
   if (!(options.fraction > 0.0 && options.fraction <= 1.0)) {
@@ -15,8 +15,8 @@ TorqueLimits::TorqueLimits(const Options& options) : options_(options) {
   }
 }
 
-void TorqueLimits::write(const TaskInput& input, Level& level) const noexcept {
-  Rows rows = level.add(kNumJoints, first_id());
+void TorqueLimits::write(const TaskInput& input, solver::Level& level) const noexcept {
+  solver::Rows rows = level.add(kNumJoints, first_id());
   rows.A.rightCols<kNumJoints>().setIdentity();
   for (int j = 0; j < kNumJoints; ++j) {
     const double speed = input.dynamics.u[6 + j];
@@ -33,4 +33,4 @@ double TorqueLimits::usable_fraction(double speed, double speed_limit) const noe
   return options_.fraction * std::clamp((speed_limit - speed) / (speed_limit - corner), 0.0, 1.0);
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::tasks

@@ -2,7 +2,7 @@
 
 #include "surefoot/tasks/task.hpp"
 
-namespace surefoot {
+namespace surefoot::tasks {
 
 /// Keeps every torque within its actuator's limit.
 ///
@@ -24,7 +24,7 @@ class TorqueLimits final : public Task {
   /// Throws Error unless 0 < fraction ≤ 1 and 0 ≤ corner_speed < 1.
   explicit TorqueLimits(const Options& options);
 
-  void write(const TaskInput& input, Level& level) const noexcept override;
+  void write(const TaskInput& input, solver::Level& level) const noexcept override;
   [[nodiscard]] int max_rows() const override { return kNumJoints; }
   [[nodiscard]] std::string_view name() const override { return "torque_limits"; }
   [[nodiscard]] std::string row_name(int id) const override { return joint_name(id); }
@@ -35,4 +35,4 @@ class TorqueLimits final : public Task {
   Options options_;
 };
 
-}  // namespace surefoot
+}  // namespace surefoot::tasks

@@ -1,12 +1,12 @@
 #include "surefoot/tasks/torque_minimisation.hpp"
 
-namespace surefoot {
+namespace surefoot::tasks {
 
-void TorqueMinimisation::write(const TaskInput&, Level& level) const noexcept {
-  Rows rows = level.add(kNumJoints, first_id());
+void TorqueMinimisation::write(const TaskInput&, solver::Level& level) const noexcept {
+  solver::Rows rows = level.add(kNumJoints, first_id());
   rows.A.rightCols<kNumJoints>().diagonal() = weights_.replicate<kNumLegs, 1>();
   rows.lower.setZero();
   rows.upper.setZero();
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::tasks

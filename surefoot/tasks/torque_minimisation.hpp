@@ -2,7 +2,7 @@
 
 #include "surefoot/tasks/task.hpp"
 
-namespace surefoot {
+namespace surefoot::tasks {
 
 /// Wants zero torques, so that a low level of the hierarchy minimizes them.
 ///
@@ -20,7 +20,7 @@ class TorqueMinimisation final : public Task {
   explicit TorqueMinimisation(const Options& options)
       : weights_(options.weight_HAA, options.weight_HFE, options.weight_KFE) {}
 
-  void write(const TaskInput& input, Level& level) const noexcept override;
+  void write(const TaskInput& input, solver::Level& level) const noexcept override;
   [[nodiscard]] int max_rows() const override { return kNumJoints; }
   [[nodiscard]] std::string_view name() const override { return "torque_minimisation"; }
   [[nodiscard]] std::string row_name(int id) const override { return joint_name(id); }
@@ -29,4 +29,4 @@ class TorqueMinimisation final : public Task {
   Vec3 weights_;
 };
 
-}  // namespace surefoot
+}  // namespace surefoot::tasks

@@ -2,15 +2,15 @@
 
 #include <algorithm>
 
-namespace surefoot {
+namespace surefoot::tasks {
 
-void TorsoHeight::write(const TaskInput& input, Level& level) const noexcept {
-  const PointKinematics& base = input.dynamics.base;
+void TorsoHeight::write(const TaskInput& input, solver::Level& level) const noexcept {
+  const model::PointKinematics& base = input.dynamics.base;
   const TorsoPlan& reference = input.plan.torso;
   const double height_error =
       std::clamp(reference.height - base.p.z(), -options_.max_error, options_.max_error);
   const double rate_error = reference.height_rate - base.v.z();
-  Rows row = level.add(1, first_id());
+  solver::Rows row = level.add(1, first_id());
   row.A.leftCols<kNumVelocities>() = base.J.row(2);
   row.set_equal(0, reference.height_acceleration + options_.kd * rate_error +
                        options_.kp * height_error - base.Jdot_u.z());
@@ -18,4 +18,4 @@ void TorsoHeight::write(const TaskInput& input, Level& level) const noexcept {
 
 std::string TorsoHeight::row_name(int) const { return "height"; }
 
-}  // namespace surefoot
+}  // namespace surefoot::tasks

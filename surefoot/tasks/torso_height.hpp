@@ -2,7 +2,7 @@
 
 #include "surefoot/tasks/task.hpp"
 
-namespace surefoot {
+namespace surefoot::tasks {
 
 /// The base follows its desired height in W.
 ///
@@ -19,7 +19,7 @@ class TorsoHeight final : public Task {
 
   explicit TorsoHeight(const Options& options) : options_(options) {}
 
-  void write(const TaskInput& input, Level& level) const noexcept override;
+  void write(const TaskInput& input, solver::Level& level) const noexcept override;
   [[nodiscard]] int max_rows() const override { return 1; }
   [[nodiscard]] std::string_view name() const override { return "torso_height"; }
   [[nodiscard]] std::string row_name(int id) const override;
@@ -28,4 +28,4 @@ class TorsoHeight final : public Task {
   Options options_;
 };
 
-}  // namespace surefoot
+}  // namespace surefoot::tasks

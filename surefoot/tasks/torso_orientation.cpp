@@ -2,10 +2,10 @@
 
 #include "surefoot/math/rotation.hpp"
 
-namespace surefoot {
+namespace surefoot::tasks {
 
-void TorsoOrientation::write(const TaskInput& input, Level& level) const noexcept {
-  const RotationKinematics& base = input.dynamics.base_rotation;
+void TorsoOrientation::write(const TaskInput& input, solver::Level& level) const noexcept {
+  const model::RotationKinematics& base = input.dynamics.base_rotation;
   const TorsoPlan& reference = input.plan.torso;
   const Vec3 orientation_error = box_minus(reference.q_WB, Quat(base.R));
   const Vec3 rate_error = reference.w_WB - base.w;
@@ -17,7 +17,7 @@ void TorsoOrientation::write(const TaskInput& input, Level& level) const noexcep
   const double size = error.norm();
   if (size > options_.max_error) error *= options_.max_error / size;
 
-  Rows rows = level.add(num_axes_, first_id());
+  solver::Rows rows = level.add(num_axes_, first_id());
   rows.A.leftCols<kNumVelocities>().noalias() = axes.transpose() * base.J;
   rows.lower = axes.transpose() * (reference.wdot_WB + options_.kd * rate_error - base.Jdot_u);
   rows.lower += options_.kp * error;
@@ -27,4 +27,4 @@ void TorsoOrientation::write(const TaskInput& input, Level& level) const noexcep
 std::string TorsoYaw::row_name(int) const { return "yaw"; }
 std::string TorsoRollPitch::row_name(int id) const { return id == 0 ? "roll" : "pitch"; }
 
-}  // namespace surefoot
+}  // namespace surefoot::tasks

@@ -2,7 +2,7 @@
 
 #include "surefoot/tasks/task.hpp"
 
-namespace surefoot {
+namespace surefoot::tasks {
 
 /// Gains of the two torso orientation tasks.
 struct TorsoOrientationOptions {
@@ -21,7 +21,7 @@ class TorsoOrientation : public Task {
  public:
   using Options = TorsoOrientationOptions;
 
-  void write(const TaskInput& input, Level& level) const noexcept override;
+  void write(const TaskInput& input, solver::Level& level) const noexcept override;
   [[nodiscard]] int max_rows() const override { return num_axes_; }
 
  protected:
@@ -50,4 +50,4 @@ class TorsoRollPitch final : public TorsoOrientation {
   [[nodiscard]] std::string row_name(int id) const override;
 };
 
-}  // namespace surefoot
+}  // namespace surefoot::tasks

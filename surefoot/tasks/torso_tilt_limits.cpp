@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace surefoot {
+namespace surefoot::tasks {
 
 TorsoTiltLimits::TorsoTiltLimits(const Options& options)
     : options_(options), bound_(options.dt, options.response) {
@@ -16,13 +16,13 @@ TorsoTiltLimits::TorsoTiltLimits(const Options& options)
   }
 }
 
-void TorsoTiltLimits::write(const TaskInput& input, Level& level) const noexcept {
-  const RotationKinematics& base = input.dynamics.base_rotation;
+void TorsoTiltLimits::write(const TaskInput& input, solver::Level& level) const noexcept {
+  const model::RotationKinematics& base = input.dynamics.base_rotation;
   const Vec3 up = base.R.col(2);
   const Vec3 centripetal = base.w.cross(base.w.cross(up));
   const Mat3 heading = rotation_about_z(yaw(input.plan.R_WC));
   const Vec2 limits(std::sin(options_.max_pitch), std::sin(options_.max_roll));
-  Rows rows = level.add(2, first_id());
+  solver::Rows rows = level.add(2, first_id());
   for (Eigen::Index i = 0; i < 2; ++i) {
     const Vec3 direction = heading.col(i);
     const Vec3 axis = up.cross(direction);
@@ -34,4 +34,4 @@ void TorsoTiltLimits::write(const TaskInput& input, Level& level) const noexcept
 
 std::string TorsoTiltLimits::row_name(int id) const { return id == 0 ? "pitch" : "roll"; }
 
-}  // namespace surefoot
+}  // namespace surefoot::tasks

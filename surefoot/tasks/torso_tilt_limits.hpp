@@ -3,7 +3,7 @@
 #include "surefoot/tasks/motion_bound.hpp"
 #include "surefoot/tasks/task.hpp"
 
-namespace surefoot {
+namespace surefoot::tasks {
 
 /// Bounds the torso's lean against gravity, by the rule of Bellicoso 2016, Eq. 27.
 ///
@@ -24,7 +24,7 @@ class TorsoTiltLimits final : public Task {
   /// Throws Error unless 0 < max_roll, max_pitch < π/2 and dt > 0.
   explicit TorsoTiltLimits(const Options& options);
 
-  void write(const TaskInput& input, Level& level) const noexcept override;
+  void write(const TaskInput& input, solver::Level& level) const noexcept override;
   [[nodiscard]] int max_rows() const override { return 2; }
   [[nodiscard]] std::string_view name() const override { return "torso_tilt_limits"; }
   [[nodiscard]] std::string row_name(int id) const override;
@@ -34,4 +34,4 @@ class TorsoTiltLimits final : public Task {
   MotionBound bound_;
 };
 
-}  // namespace surefoot
+}  // namespace surefoot::tasks

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace surefoot {
+namespace surefoot::cli {
 namespace {
 
 TEST(ContentsText, SaysOfASteeredRunThatItsCommandAloneGivesAnother) {
@@ -16,4 +16,4 @@ TEST(ContentsText, SaysOfASteeredRunThatItsCommandAloneGivesAnother) {
 }
 
 }  // namespace
-}  // namespace surefoot
+}  // namespace surefoot::cli

@@ -31,7 +31,7 @@ class DamagedLog : public testing::Test {
 
   void record(int ticks, const std::string& stack = "", int first = 0,
               const std::string& summary = R"({"metrics":{},"criteria":[]})") {
-    Recorder recorder(path(), SyntheticRun::header());
+    logging::Recorder recorder(path(), SyntheticRun::header());
     const auto changes = recorder.add_channel("/changes", "surefoot.Change",
                                               logged::schema<logged::Change>("surefoot.Change"));
     SyntheticRun run(3);
@@ -56,10 +56,12 @@ class DamagedLog : public testing::Test {
   [[nodiscard]] std::string path() const { return folder_ / "run.mcap"; }
 
   /// Turns a byte in the middle of a chunk.
-  void damage(std::size_t chunk) { damage(chunk, McapChunks(path()).chunks().at(chunk).size / 2); }
+  void damage(std::size_t chunk) {
+    damage(chunk, logging::McapChunks(path()).chunks().at(chunk).size / 2);
+  }
 
   void damage(std::size_t chunk, std::uint64_t byte) {
-    const McapChunk place = McapChunks(path()).chunks().at(chunk);
+    const logging::McapChunk place = logging::McapChunks(path()).chunks().at(chunk);
     std::string bytes = test::contents(path());
     bytes.at(place.offset + byte) ^= '\xFF';
     test::write_file(path(), bytes);
@@ -72,9 +74,9 @@ class DamagedLog : public testing::Test {
 
   /// All of the log, in its order.
   [[nodiscard]] std::vector<Message> messages() const {
-    McapReader source(path());
+    logging::McapReader source(path());
     std::vector<Message> all;
-    for (McapMessage message; source.next(message);)
+    for (logging::McapMessage message; source.next(message);)
       all.push_back({message.channel->topic, std::string(message.data), message.log_time});
     return all;
   }
@@ -83,9 +85,9 @@ class DamagedLog : public testing::Test {
   [[nodiscard]] std::string with_broken_message(const std::string& broken, int number,
                                                 const std::vector<Message>& all) const {
     const std::string changed = folder_ / "changed.mcap";
-    McapWriter writer(changed);
+    logging::McapWriter writer(changed);
     std::map<std::string, std::uint16_t> channels;
-    const McapReader source(path());
+    const logging::McapReader source(path());
     for (const auto& [name, data] : source.attachments())
       writer.attach(name, "application/json", data);
     for (const auto& [topic, data, time] : all) {
@@ -100,12 +102,12 @@ class DamagedLog : public testing::Test {
     return changed;
   }
 
-  static nlohmann::json session(LogContent& content) {
+  static nlohmann::json session(server::LogContent& content) {
     return nlohmann::json::parse(content.get("/api/session", {}).body);
   }
 
   /// The session once all of the log is summarised.
-  static nlohmann::json whole_session(LogContent& content) {
+  static nlohmann::json whole_session(server::LogContent& content) {
     const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(60);
     while (std::chrono::steady_clock::now() < end) {
       nlohmann::json now = session(content);
@@ -116,17 +118,18 @@ class DamagedLog : public testing::Test {
     return session(content);
   }
 
-  static std::vector<ViewFrame> frames(LogContent& content, std::uint32_t from, std::uint32_t count,
-                                       std::uint32_t stride = 1, bool min_max = false) {
-    const WebAnswer answer = content.get("/api/frames", {{"from", std::to_string(from)},
-                                                         {"count", std::to_string(count)},
-                                                         {"stride", std::to_string(stride)},
-                                                         {"min_max", min_max ? "1" : "0"}});
+  static std::vector<server::ViewFrame> frames(server::LogContent& content, std::uint32_t from,
+                                               std::uint32_t count, std::uint32_t stride = 1,
+                                               bool min_max = false) {
+    const server::WebAnswer answer = content.get("/api/frames", {{"from", std::to_string(from)},
+                                                                 {"count", std::to_string(count)},
+                                                                 {"stride", std::to_string(stride)},
+                                                                 {"min_max", min_max ? "1" : "0"}});
     EXPECT_EQ(answer.status, 200) << answer.body;
-    return read_block(answer.body, session(content).at("frame_floats")).frames;
+    return server::read_block(answer.body, session(content).at("frame_floats")).frames;
   }
 
-  static std::size_t marks_of_damage(LogContent& content) {
+  static std::size_t marks_of_damage(server::LogContent& content) {
     const nlohmann::json events = nlohmann::json::parse(content.get("/api/events", {}).body);
     return static_cast<std::size_t>(std::ranges::count_if(events, [](const nlohmann::json& event) {
       return event.is_object() && event.at("kind") == "damage";

@@ -14,7 +14,7 @@
 #include <limits>
 #include <sstream>
 
-namespace surefoot::test {
+namespace surefoot::cli {
 namespace {
 
 const std::vector<std::string> kShort = {"duration=0.2"};
@@ -57,9 +57,10 @@ TEST(DumpCommand, WritesTheTicksOfTheRangeAsSolveReadsThem) {
   const std::vector<std::string> lines = lines_of(dump(from_to(0.1, 0.125)));
   ASSERT_EQ(lines.size(), 10u);
   for (const std::string& line : lines) {
-    const NamedHierarchy read = parse_hierarchy(line, "line");
+    const config::NamedHierarchy read = config::parse_hierarchy(line, "line");
     EXPECT_EQ(read.hierarchy.unknowns(), 30);
-    EXPECT_EQ(CascadeSolver(read.hierarchy).solve(read.hierarchy).status, SolveStatus::optimal);
+    EXPECT_EQ(solver::CascadeSolver(read.hierarchy).solve(read.hierarchy).status,
+              solver::SolveStatus::optimal);
     EXPECT_EQ(read.row_names[0][0].find("A 1"), std::string::npos) << "rows have names";
     EXPECT_EQ(read.units[0], "N and N·m");
     EXPECT_EQ(read.units[2], "N·m");
@@ -76,10 +77,10 @@ TEST(DumpCommand, OfSeveralTicksOneIsWritten) {
 }
 
 TEST(DumpCommand, AScenarioAndItsLogGiveTheSameLines) {
-  const TemporaryFolder folder;
-  ClosedLoopOptions options;
+  const test::TemporaryFolder folder;
+  closed_loop::ClosedLoopOptions options;
   options.record_path = folder / "run.mcap";
-  (void)run_closed_loop(load_scenario({"walk_flat", 0, kShort}), options);
+  (void)closed_loop::run_closed_loop(config::load_scenario({"walk_flat", 0, kShort}), options);
   DumpArguments of_log;
   of_log.source = folder / "run.mcap";
   DumpArguments of_scenario;
@@ -94,10 +95,10 @@ TEST(DumpCommand, ALogWithSwitchedLevelsGivesTheLinesOfItsScenario) {
   const std::vector<std::string> switched{
       "duration=0.2", "stack=terrain_adaptation",
       "stack_switches=[{time: 0.1, remove: [torso_yaw], duration: 0.05}]"};
-  const TemporaryFolder folder;
-  ClosedLoopOptions options;
+  const test::TemporaryFolder folder;
+  closed_loop::ClosedLoopOptions options;
   options.record_path = folder / "run.mcap";
-  (void)run_closed_loop(load_scenario({"walk_flat", 0, switched}), options);
+  (void)closed_loop::run_closed_loop(config::load_scenario({"walk_flat", 0, switched}), options);
   DumpArguments of_log;
   of_log.source = folder / "run.mcap";
   DumpArguments of_scenario;
@@ -106,7 +107,7 @@ TEST(DumpCommand, ALogWithSwitchedLevelsGivesTheLinesOfItsScenario) {
   const std::string lines = dump(of_scenario);
   EXPECT_EQ(dump(of_log), lines);
   const auto rows_of_yaw = [&](std::size_t tick) {
-    const NamedHierarchy read = parse_hierarchy(lines_of(lines).at(tick), "line");
+    const config::NamedHierarchy read = config::parse_hierarchy(lines_of(lines).at(tick), "line");
     for (std::size_t k = 0; k < read.hierarchy.num_levels(); ++k) {
       if (read.hierarchy.level(k).name() == "torso_yaw") return read.hierarchy.level(k).num_rows();
     }
@@ -118,12 +119,12 @@ TEST(DumpCommand, ALogWithSwitchedLevelsGivesTheLinesOfItsScenario) {
 }
 
 TEST(DumpCommand, AFileHasItsNameOnlyOnceItIsWhole) {
-  const TemporaryFolder folder;
+  const test::TemporaryFolder folder;
   DumpArguments arguments = from_to(0.1, 0.125);
   const std::string lines = dump(arguments);
   arguments.out = folder / "ticks.jsonl";
   EXPECT_EQ(dump(arguments), "");
-  EXPECT_EQ(contents(arguments.out), lines);
+  EXPECT_EQ(test::contents(arguments.out), lines);
   std::filesystem::remove(arguments.out);
   arguments.from = 5.0, arguments.to = 6.0;
   EXPECT_NE(complaint(arguments).find("no tick"), std::string::npos);
@@ -131,12 +132,12 @@ TEST(DumpCommand, AFileHasItsNameOnlyOnceItIsWhole) {
 }
 
 TEST(DumpCommand, WhatIsReadIsNotWrittenOver) {
-  const TemporaryFolder folder;
+  const test::TemporaryFolder folder;
   DumpArguments arguments;
   arguments.source = arguments.out = folder / "run.mcap";
-  write_file(arguments.source, "a run");
+  test::write_file(arguments.source, "a run");
   EXPECT_NE(complaint(arguments).find("the log itself"), std::string::npos);
-  EXPECT_EQ(contents(arguments.source), "a run");
+  EXPECT_EQ(test::contents(arguments.source), "a run");
 }
 
 TEST(DumpCommand, TellsWhatIsWrongWithTheRange) {
@@ -150,7 +151,7 @@ TEST(DumpCommand, TellsWhatIsWrongWithTheRange) {
 }
 
 TEST(DumpCommand, TellsWhatIsWrongWithTheSourceAndTheFile) {
-  const TemporaryFolder folder;
+  const test::TemporaryFolder folder;
   DumpArguments arguments = from_to(0.0, 0.1);
   arguments.out = folder / "no/such/folder/ticks.jsonl";
   EXPECT_NE(complaint(arguments).find("ticks.jsonl"), std::string::npos);
@@ -161,9 +162,9 @@ TEST(DumpCommand, TellsWhatIsWrongWithTheSourceAndTheFile) {
   EXPECT_NE(complaint(arguments).find("is a log"), std::string::npos) << "--set is not for logs";
   arguments.assignments.clear();
   EXPECT_NE(complaint(arguments).find("text.mcap"), std::string::npos);
-  write_file(arguments.source, "no log");
+  test::write_file(arguments.source, "no log");
   EXPECT_NE(complaint(arguments).find("text.mcap"), std::string::npos);
 }
 
 }  // namespace
-}  // namespace surefoot::test
+}  // namespace surefoot::cli

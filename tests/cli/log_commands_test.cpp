@@ -11,17 +11,17 @@
 #include <sstream>
 #include <string>
 
-namespace surefoot {
+namespace surefoot::cli {
 namespace {
 
 /// With control characters in what `info` and `explain` tell of it.
 void record_coloured(const std::string& path) {
-  LogHeader header = test::SyntheticRun::header();
+  logging::LogHeader header = test::SyntheticRun::header();
   header.description = "\x1b[31mred";
   header.scenario = "back\x1b[1A\xc2\x9b";
   header.notes = {"a note\x1b[2J"};
   header.level_names[8] = "hei\x1b[32mght";
-  Recorder recorder(path, header);
+  logging::Recorder recorder(path, header);
   test::SyntheticRun run;
   for (int i = 0; i < 4; ++i) {
     run.step();
@@ -57,7 +57,7 @@ TEST(LogCommands, NamesAndNotesOfALogCannotMoveTheTerminalsCursor) {
 
 TEST(LogCommands, CostsOfALogWhoseControllerCannotBeMadeAgainAreToldAsEstimates) {
   const test::TemporaryFolder folder;
-  Recorder recorder(folder / "run.mcap", test::SyntheticRun::header());
+  logging::Recorder recorder(folder / "run.mcap", test::SyntheticRun::header());
   test::SyntheticRun run;
   run.step();
   run.tick.command.mode = CommandMode::optimal;
@@ -87,4 +87,4 @@ TEST(LogCommands, CostsOfALogWhoseControllerCannotBeMadeAgainAreToldAsEstimates)
 }
 
 }  // namespace
-}  // namespace surefoot
+}  // namespace surefoot::cli

@@ -3,7 +3,7 @@
 #include "surefoot/logging/log_reader.hpp"
 #include "tests/cli/damaged_log.hpp"
 
-namespace surefoot {
+namespace surefoot::cli {
 namespace {
 
 using nlohmann::json;
@@ -28,37 +28,37 @@ class LogWithoutChunks : public test::DamagedLog {
 
   /// Writes the log anew without chunks.
   void write_without_chunks() {
-    std::string bytes(mcap::kMagic);
+    std::string bytes(logging::mcap::kMagic);
     std::map<std::uint16_t, std::string> topics;
     bare_.clear();
-    const auto take = [&](mcap::Opcode opcode, std::string_view content) {
-      if (opcode == mcap::Opcode::channel) {
-        const mcap::ChannelRecord channel = mcap::channel_record(content);
+    const auto take = [&](logging::mcap::Opcode opcode, std::string_view content) {
+      if (opcode == logging::mcap::Opcode::channel) {
+        const logging::mcap::ChannelRecord channel = logging::mcap::channel_record(content);
         topics[channel.id] = channel.topic;
       }
-      if (opcode == mcap::Opcode::message) {
-        const mcap::MessageRecord message = mcap::message_record(content);
+      if (opcode == logging::mcap::Opcode::message) {
+        const logging::mcap::MessageRecord message = logging::mcap::message_record(content);
         bare_.push_back({topics.at(message.channel), message.log_time, bytes.size()});
       }
       bytes += record_of(opcode, content);
     };
-    mcap::RecordWalk walk(path());
-    while (walk.next() && walk.opcode() != mcap::Opcode::data_end) {
+    logging::mcap::RecordWalk walk(path());
+    while (walk.next() && walk.opcode() != logging::mcap::Opcode::data_end) {
       const std::string content = walk.content();
-      if (walk.opcode() == mcap::Opcode::message_index) continue;
-      if (walk.opcode() != mcap::Opcode::chunk) {
+      if (walk.opcode() == logging::mcap::Opcode::message_index) continue;
+      if (walk.opcode() != logging::mcap::Opcode::chunk) {
         take(walk.opcode(), content);
         continue;
       }
-      const std::string records = mcap::chunk_records(content);
-      for (mcap::Cursor cursor(records); !cursor.rest().empty();) {
-        const auto [opcode, length] = mcap::take_head(cursor);
+      const std::string records = logging::mcap::chunk_records(content);
+      for (logging::mcap::Cursor cursor(records); !cursor.rest().empty();) {
+        const auto [opcode, length] = logging::mcap::take_head(cursor);
         take(opcode, cursor.bytes(length));
       }
     }
-    bytes += record_of(mcap::Opcode::data_end, std::string(4, '\0'));
-    bytes += record_of(mcap::Opcode::footer, std::string(20, '\0'));
-    test::write_file(path(), bytes + std::string(mcap::kMagic));
+    bytes += record_of(logging::mcap::Opcode::data_end, std::string(4, '\0'));
+    bytes += record_of(logging::mcap::Opcode::footer, std::string(20, '\0'));
+    test::write_file(path(), bytes + std::string(logging::mcap::kMagic));
   }
 
   static std::string number(std::uint64_t value) {
@@ -68,7 +68,7 @@ class LogWithoutChunks : public test::DamagedLog {
     return bytes;
   }
 
-  static std::string record_of(mcap::Opcode opcode, std::string_view content) {
+  static std::string record_of(logging::mcap::Opcode opcode, std::string_view content) {
     return static_cast<char>(opcode) + number(content.size()) + std::string(content);
   }
 
@@ -82,20 +82,20 @@ class LogWithoutChunks : public test::DamagedLog {
 
   void write_time(const Bare& message, std::uint64_t time) {
     std::string bytes = test::contents(path());
-    bytes.replace(message.offset + mcap::kRecordHead + 6, 8, number(time));
+    bytes.replace(message.offset + logging::mcap::kRecordHead + 6, 8, number(time));
     test::write_file(path(), bytes);
   }
 
   /// All ticks but one can be read, and the damage is told once.
   void expect_only_lost(std::uint32_t tick, const std::string& told) {
-    LogContent content(path());
+    server::LogContent content(path());
     const json session = whole_session(content);
     EXPECT_EQ(session.at("ticks"), kTicks);
     ASSERT_EQ(session.at("damage").size(), 1u) << session.at("damage");
     EXPECT_NE(session.at("damage")[0].get<std::string>().find(told), std::string::npos)
         << session.at("damage");
     std::uint32_t next = 0;
-    for (const ViewFrame& frame : frames(content, 0, kTicks)) {
+    for (const server::ViewFrame& frame : frames(content, 0, kTicks)) {
       if (next == tick) ++next;
       ASSERT_EQ(frame.tick, next++);
     }
@@ -114,7 +114,7 @@ TEST_F(LogWithoutChunks, a_wrong_time_of_one_message_costs_its_tick_and_is_told)
         const Bare message = bare(topic, tick);
         write_time(message, time);
         expect_only_lost(tick, "1 piece of the log can't be read");
-        LogFrames frames(path(), LogReader(path()).header());
+        server::LogFrames frames(path(), logging::LogReader(path()).header());
         for (std::size_t i = 0; i < frames.num_chunks(); ++i)
           EXPECT_LE(frames.chunk(i)->frames.size(), 401u) << "not all is in memory at once";
         write_time(message, message.time);
@@ -132,11 +132,11 @@ TEST_F(LogWithoutChunks, a_clock_that_skips_is_no_damage_here_either) {
   std::string bytes = test::contents(path());
   for (const Bare& message : bare_) {
     if (message.time < kFirstBehind * kTickTime) continue;
-    bytes.replace(message.offset + mcap::kRecordHead + 6, 8,
+    bytes.replace(message.offset + logging::mcap::kRecordHead + 6, 8,
                   number(message.time + kSkip * kTickTime));
   }
   test::write_file(path(), bytes);
-  LogContent content(path());
+  server::LogContent content(path());
   const json session = whole_session(content);
   EXPECT_EQ(session.at("damage"), json::array());
   EXPECT_EQ(session.at("ticks"), kTicks + kSkip);
@@ -149,7 +149,7 @@ TEST_F(LogWithoutChunks, a_message_whose_channel_is_unknown_costs_its_tick_and_i
     const Bare message = bare("/command", tick);
     const std::string whole = test::contents(path());
     std::string bytes = whole;
-    bytes.at(message.offset + mcap::kRecordHead + 1) = '\x7F';
+    bytes.at(message.offset + logging::mcap::kRecordHead + 1) = '\x7F';
     test::write_file(path(), bytes);
     expect_only_lost(tick, "some ticks of ");
     expect_only_lost(tick, "the channel of the message at byte " + std::to_string(message.offset) +
@@ -163,7 +163,7 @@ TEST_F(LogWithoutChunks, a_message_that_is_too_short_costs_nothing_else) {
     const std::string whole = test::contents(path());
     std::string bytes = whole;
     bytes.insert(bare("/plan", 701).offset,
-                 record_of(mcap::Opcode::message, std::string(size, '\x01')));
+                 record_of(logging::mcap::Opcode::message, std::string(size, '\x01')));
     test::write_file(path(), bytes);
     expect_only_lost(kNone, "1 piece of the log can't be read");
     test::write_file(path(), whole);
@@ -171,4 +171,4 @@ TEST_F(LogWithoutChunks, a_message_that_is_too_short_costs_nothing_else) {
 }
 
 }  // namespace
-}  // namespace surefoot
+}  // namespace surefoot::cli

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace surefoot {
+namespace surefoot::cli {
 namespace {
 
 TEST(TimeLeft, is_told_of_what_takes_longer_than_a_minute) {
@@ -19,4 +19,4 @@ TEST(TimeLeft, is_not_told_before_anything_is_known) {
 }
 
 }  // namespace
-}  // namespace surefoot
+}  // namespace surefoot::cli

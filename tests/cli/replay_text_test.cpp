@@ -4,12 +4,12 @@
 
 #include <string>
 
-namespace surefoot {
+namespace surefoot::cli {
 namespace {
 
 /// Its largest residual is at 0.5 s, that of its torques at 0.25 s.
-StackComparison compared() {
-  StackComparison result;
+replay::StackComparison compared() {
+  replay::StackComparison result;
   result.ticks = 400;
   result.last_time = 0.9975;
   for (std::size_t i = 0; i < result.joints.size(); ++i) {
@@ -27,7 +27,7 @@ StackComparison compared() {
 }
 
 TEST(ComparisonText, AMarkIsExplainedWhereThereIsOne) {
-  StackComparison result = compared();
+  replay::StackComparison result = compared();
   result.walk_end = {0.4, "its torso came to the ground"};
   const std::string text = comparison_text("run.mcap", result);
   EXPECT_NE(text.find("0.5000 s *"), std::string::npos) << text;
@@ -36,7 +36,7 @@ TEST(ComparisonText, AMarkIsExplainedWhereThereIsOne) {
 }
 
 TEST(ComparisonText, WhereNothingIsMarkedNoMarkIsExplained) {
-  StackComparison result = compared();
+  replay::StackComparison result = compared();
   result.walk_end = {0.75, "its torso came to the ground"};
   const std::string text = comparison_text("run.mcap", result);
   EXPECT_EQ(text.find('*'), std::string::npos) << text;
@@ -45,7 +45,7 @@ TEST(ComparisonText, WhereNothingIsMarkedNoMarkIsExplained) {
 }
 
 TEST(ComparisonText, SaysOfWhichTicksTheTablesAreAndWhyTheOthersHaveNoAnswer) {
-  StackComparison result = compared();
+  replay::StackComparison result = compared();
   result.compared = 300;
   result.not_asked = {20, 0.9, ""};
   result.other_unanswered = {80, 0.125, "its solve was cut off in com_xy"};
@@ -68,7 +68,7 @@ TEST(ComparisonText, SaysOfWhichTicksTheTablesAreAndWhyTheOthersHaveNoAnswer) {
 }
 
 TEST(ComparisonText, WhereAllIsAnsweredAndTheRunIsReproducedNothingElseIsSaid) {
-  StackComparison result = compared();
+  replay::StackComparison result = compared();
   result.compared = result.ticks;
   const std::string text = comparison_text("run.mcap", result);
   EXPECT_NE(text.find("\nBoth answered every tick.\n"), std::string::npos) << text;
@@ -77,7 +77,7 @@ TEST(ComparisonText, WhereAllIsAnsweredAndTheRunIsReproducedNothingElseIsSaid) {
 }
 
 TEST(ComparisonText, SaysWhereThisBuildIsAnotherThanTheRuns) {
-  StackComparison result = compared();
+  replay::StackComparison result = compared();
   result.not_reproduced = {7, 0.5, ""};
   const std::string text = comparison_text("run.mcap", result);
   EXPECT_NE(text.find("other torques for the run itself at 7 ticks, first at 0.5000 s"),
@@ -86,15 +86,15 @@ TEST(ComparisonText, SaysWhereThisBuildIsAnotherThanTheRuns) {
 }
 
 TEST(ComparisonText, ATorqueBelowRoundingIsNothingAndHasNoTimeOfItsLargest) {
-  StackComparison result = compared();
-  for (JointComparison& joint : result.joints) joint = {2e-15, -7.66e-15, 0.25};
+  replay::StackComparison result = compared();
+  for (replay::JointComparison& joint : result.joints) joint = {2e-15, -7.66e-15, 0.25};
   const std::string text = comparison_text("run.mcap", result);
   EXPECT_EQ(text.find("e-15"), std::string::npos) << text;
   EXPECT_EQ(text.find("0.2500 s"), std::string::npos) << text;
 }
 
 TEST(ComparisonJson, TimesAreToTheNanosecond) {
-  StackComparison result = compared();
+  replay::StackComparison result = compared();
   result.last_time = 12.405000000000001;
   result.joints[0].time = 12.405000000000001;
   const std::string text = comparison_json("run.mcap", result).dump();
@@ -103,7 +103,7 @@ TEST(ComparisonJson, TimesAreToTheNanosecond) {
 }
 
 TEST(ComparisonJson, WhatWasNeverLargerThanNothingHasNoTimeOfItsLargest) {
-  StackComparison result = compared();
+  replay::StackComparison result = compared();
   result.joints[3] = {};
   const auto json = comparison_json("run.mcap", result);
   EXPECT_EQ(json.at("levels")[0].at("logged").at("time"), 0.5);
@@ -113,4 +113,4 @@ TEST(ComparisonJson, WhatWasNeverLargerThanNothingHasNoTimeOfItsLargest) {
 }
 
 }  // namespace
-}  // namespace surefoot
+}  // namespace surefoot::cli

@@ -10,15 +10,15 @@
 #include <regex>
 #include <string>
 
-namespace surefoot::test {
+namespace surefoot::cli {
 namespace {
 
 TEST(SolveCommand, AnAnswerThatWasCutOffIsNotBlamedOnLengthsOfRows) {
   const std::string line =
       R"({"levels":[{"D":[[-2e6,1e6],[0,1]],"f":[3e6,-0.8],"A":[[1,-2]],"b":[-0.7]}]})";
-  const CommandRun whole(line, {.file = "", .certify = true});
+  const test::CommandRun whole(line, {.file = "", .certify = true});
   EXPECT_EQ(whole.exit_code, 0) << whole.err.str();
-  const CommandRun run(line, {.file = "", .certify = true, .budget = 1.0});
+  const test::CommandRun run(line, {.file = "", .certify = true, .budget = 1.0});
   EXPECT_EQ(run.exit_code, 1);
   EXPECT_NE(
       run.err.str().find(":1: not proven, cut off in level 1 of 1 at its budget; only levels"),
@@ -30,13 +30,14 @@ TEST(SolveCommand, AnAnswerThatWasCutOffIsNotBlamedOnLengthsOfRows) {
 TEST(SolveCommand, SaysWhatABudgetHasToBe) {
   const std::string line =
       R"({"levels":[{"A":[[1,1]],"b":[2]},{"D":[[1,0],[0,1]],"f":[-3,2]},{"A":[[1,0]],"b":[9]}]})";
-  const double flops = CommandRun(line).results.at(0).at("flops");
+  const double flops = test::CommandRun(line).results.at(0).at("flops");
   EXPECT_GT(flops, 0.0);
-  const CommandRun enough(line, {.file = "", .budget = flops});
+  const test::CommandRun enough(line, {.file = "", .budget = flops});
   EXPECT_FALSE(enough.results.at(0).contains("status"));
-  const CommandRun explained(line, {.file = "", .explain = true, .json = true});
+  const test::CommandRun explained(line, {.file = "", .explain = true, .json = true});
   EXPECT_EQ(explained.results.at(0).at("flops"), flops);
-  EXPECT_FALSE(CommandRun(line, {.file = "", .method = "cascade"}).results.at(0).contains("flops"));
+  EXPECT_FALSE(
+      test::CommandRun(line, {.file = "", .method = "cascade"}).results.at(0).contains("flops"));
 }
 
 TEST(SolveCommand, OfALineThatTheSolversOwnCapHasEndedABudgetIsNotBlamed) {
@@ -48,23 +49,23 @@ TEST(SolveCommand, OfALineThatTheSolversOwnCapHasEndedABudgetIsNotBlamed) {
       R"(.7729654952265927]},{"D":[[1,0,0],[0,1,0],[0,0,1]],"lower":[-3.481651663534138,-0.572)"
       R"(7512207958192,4.2712791873188],"f":[-3.481651663534138,-0.5727512207958192,4.27127918)"
       R"(73188]}]})";
-  const CommandRun run(line, {.file = "", .budget = 1e9});
+  const test::CommandRun run(line, {.file = "", .budget = 1e9});
   ASSERT_EQ(run.results.at(0).at("status"), "iteration_cap");
   EXPECT_EQ(run.results.at(0).at("cut_off_by"), "cap");
   EXPECT_EQ(run.exit_code, 1);
   EXPECT_NE(run.err.str().find("at the solver's own cap"), std::string::npos) << run.err.str();
   const double spent = run.results.at(0).at("flops");
-  const CommandRun less(line, {.file = "", .budget = 0.5 * spent});
+  const test::CommandRun less(line, {.file = "", .budget = 0.5 * spent});
   EXPECT_EQ(less.results.at(0).at("cut_off_by"), "budget");
   EXPECT_EQ(less.exit_code, 0);
-  EXPECT_FALSE(CommandRun(line).results.at(0).contains("status")) << "the cascade solves it";
+  EXPECT_FALSE(test::CommandRun(line).results.at(0).contains("status")) << "the cascade solves it";
 }
 
 TEST(SolveCommand, EndsALineAtItsBudgetWithTheLevelsThatAreFinished) {
   const std::string line = R"({"levels":[{"A":[[1,1]],"b":[2]},{"D":[[1,0]],"f":[-3]}]})";
-  const CommandRun all(line, {.file = "", .budget = 1e6});
+  const test::CommandRun all(line, {.file = "", .budget = 1e6});
   EXPECT_FALSE(all.results.at(0).contains("status"));
-  const CommandRun none(line, {.file = "", .budget = 0.0});
+  const test::CommandRun none(line, {.file = "", .budget = 0.0});
   EXPECT_EQ(none.exit_code, 0);
   EXPECT_EQ(none.results.at(0).at("status"), "iteration_cap");
   EXPECT_EQ(none.results.at(0).at("cut_off_by"), "budget");
@@ -78,25 +79,25 @@ const std::string kCutInTheMiddle =
     R"({"name":"wish","A":[[0,1]],"b":[1]}]})";
 
 TEST(SolveCommand, OfLevelsThatWereNotFinishedOnlyWhatIsKnownIsTold) {
-  const CommandRun run(kCutInTheMiddle, {.file = "", .certify = true, .budget = 0.0});
+  const test::CommandRun run(kCutInTheMiddle, {.file = "", .certify = true, .budget = 0.0});
   EXPECT_EQ(run.exit_code, 1);
   EXPECT_NE(run.err.str().find(":1: not proven, cut off in level 2 of 3"), std::string::npos)
       << run.err.str();
-  const Json& levels = run.results.at(0).at("levels");
+  const test::Json& levels = run.results.at(0).at("levels");
   EXPECT_FALSE(levels[0].contains("status"));
   EXPECT_TRUE(levels[0].contains("certificate"));
   EXPECT_EQ(levels[1].at("status"), "cut off");
   EXPECT_GT(levels[1].at("residual").get<double>(), 1.0);
   EXPECT_FALSE(levels[1].contains("certificate"));
-  EXPECT_EQ(levels[2], Json({{"status", "not reached"}}));
-  EXPECT_FALSE(CommandRun(kCutInTheMiddle).results.at(0).contains("cut_off_by"));
+  EXPECT_EQ(levels[2], test::Json({{"status", "not reached"}}));
+  EXPECT_FALSE(test::CommandRun(kCutInTheMiddle).results.at(0).contains("cut_off_by"));
 }
 
 TEST(SolveCommand, ExplainsNothingOfLevelsThatWereNotFinished) {
   const SolveArguments text{.file = "", .certify = true, .explain = true, .budget = 0.0};
   SolveArguments json = text;
   json.json = true;
-  const CommandRun table(kCutInTheMiddle, text), line(kCutInTheMiddle, json);
+  const test::CommandRun table(kCutInTheMiddle, text), line(kCutInTheMiddle, json);
   const std::string out = table.out.str();
   EXPECT_NE(out.find("status: iteration_cap, at its budget in level 2"), std::string::npos) << out;
   EXPECT_NE(out.find("so far: the search ended in this level, at its budget"), std::string::npos)
@@ -105,18 +106,18 @@ TEST(SolveCommand, ExplainsNothingOfLevelsThatWereNotFinished) {
   EXPECT_TRUE(std::regex_search(out, std::regex("\n2 limit +cut off +4 ?[^\n]*–\n"))) << out;
   EXPECT_TRUE(std::regex_search(out, std::regex("\n3 wish +not reached +– +1 +– +– +– +– +– +–\n")))
       << out;
-  const Json& levels = line.results.at(0).at("levels");
+  const test::Json& levels = line.results.at(0).at("levels");
   EXPECT_TRUE(levels[0].contains("blocked_by"));
   EXPECT_EQ(levels[1].at("missed").size(), 1u);
   for (const char* key : {"blocked_by", "certificate", "freedom_left"})
     EXPECT_FALSE(levels[1].contains(key)) << key;
-  EXPECT_EQ(levels[2], Json({{"name", "wish"}, {"status", "not reached"}, {"rows", 1}}));
+  EXPECT_EQ(levels[2], test::Json({{"name", "wish"}, {"status", "not reached"}, {"rows", 1}}));
 }
 
 TEST(SolveCommand, ABudgetThatSufficesForAllLevelsSaysOptimal) {
   for (const char* line : {R"({"levels":[{"A":[[1,1]],"b":[2]},{"A":[[1,0]],"b":[3]}]})",
                            R"({"levels":[{"A":[[1,0],[0,1]],"b":[1,2]},{"D":[[1,1]],"f":[1]}]})"}) {
-    const CommandRun run(line, {.file = "", .certify = true, .budget = 0.0});
+    const test::CommandRun run(line, {.file = "", .certify = true, .budget = 0.0});
     EXPECT_FALSE(run.results.at(0).contains("status")) << line;
     EXPECT_EQ(run.exit_code, 0) << run.err.str();
     EXPECT_EQ(run.err.str(), "");
@@ -124,23 +125,23 @@ TEST(SolveCommand, ABudgetThatSufficesForAllLevelsSaysOptimal) {
 }
 
 TEST(SolveCommand, AMethodThatThereIsNotOrHasNoBudgetIsAnError) {
-  EXPECT_THROW(CommandRun("", {.file = "", .method = "simplex"}), Error);
-  EXPECT_THROW(CommandRun("", {.file = "", .method = "cascade", .budget = 1.0}), Error);
-  EXPECT_THROW(CommandRun("", {.file = "", .budget = -1.0}), Error);
+  EXPECT_THROW(test::CommandRun("", {.file = "", .method = "simplex"}), Error);
+  EXPECT_THROW(test::CommandRun("", {.file = "", .method = "cascade", .budget = 1.0}), Error);
+  EXPECT_THROW(test::CommandRun("", {.file = "", .budget = -1.0}), Error);
 }
 
 TEST(SolveCommand, EndsALineAtItsBudgetOfMicroseconds) {
   const std::string line = R"({"levels":[{"D":[[1,0]],"f":[-1]},{"D":[[0,1]],"f":[-2]}]})";
-  const CommandRun run(line, {.file = "", .budget_us = 0.0});
+  const test::CommandRun run(line, {.file = "", .budget_us = 0.0});
   EXPECT_EQ(run.exit_code, 0) << run.err.str();
   EXPECT_EQ(run.results[0]["status"], "iteration_cap");
-  const CommandRun whole(line, {.file = "", .budget_us = 1e9});
+  const test::CommandRun whole(line, {.file = "", .budget_us = 1e9});
   EXPECT_FALSE(whole.results[0].contains("status"));
   EXPECT_NEAR(whole.results[0]["x"][1].get<double>(), -2.0, 1e-12);
   for (const SolveArguments& wrong :
        {SolveArguments{.file = "", .budget_us = -1.0},
         SolveArguments{.file = "", .method = "cascade", .budget_us = 1.0}})
-    EXPECT_THROW(CommandRun(line, wrong), Error);
+    EXPECT_THROW(test::CommandRun(line, wrong), Error);
 }
 
 /// The first line that goes to stderr while `Something` lives; waits for it.
@@ -167,4 +168,4 @@ TEST(SolveCommand, WhatTakesLongSaysThatItGoesOn) {
 }
 
 }  // namespace
-}  // namespace surefoot::test
+}  // namespace surefoot::cli

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace surefoot::test {
+namespace surefoot::cli {
 namespace {
 
 TEST(SolveCommand, OfAnAnswerThatIsNotProvenRowsOfTooDifferentLengthsAreTold) {
@@ -21,10 +21,10 @@ TEST(SolveCommand, OfAnAnswerThatIsNotProvenRowsOfTooDifferentLengthsAreTold) {
     const std::string line = std::regex_replace(levels, std::regex("\n *"), "");
     return std::regex_replace(line, std::regex("SIZE"), size);
   };
-  const CommandRun proven(with("e3"), {.file = "", .certify = true});
+  const test::CommandRun proven(with("e3"), {.file = "", .certify = true});
   EXPECT_EQ(proven.exit_code, 0) << proven.err.str();
   EXPECT_EQ(proven.err.str(), "");
-  const CommandRun run(with("e8"), {.file = "", .certify = true});
+  const test::CommandRun run(with("e8"), {.file = "", .certify = true});
   EXPECT_EQ(run.exit_code, 1);
   EXPECT_NE(run.err.str().find(":1: not proven: level "), std::string::npos) << run.err.str();
   EXPECT_NE(
@@ -36,7 +36,7 @@ TEST(SolveCommand, OfAnAnswerThatIsNotProvenRowsOfTooDifferentLengthsAreTold) {
 TEST(SolveCommand, OfAnAnswerThatIsNotProvenItTellsWhichLevelAndByHowMuch) {
   // By 5e-9 of its length the first level's second row is no copy: used by the solvers, too little
   // for the certificate to know of.
-  const CommandRun run(
+  const test::CommandRun run(
       R"({"levels":[{"A":[[1,1],[1,1.00000001]],"b":[0,1]},{"A":[[1,-1]],"b":[0]}]})",
       {.file = "", .certify = true});
   EXPECT_EQ(run.exit_code, 1);
@@ -48,7 +48,7 @@ TEST(SolveCommand, OfAnAnswerThatIsNotProvenItTellsWhichLevelAndByHowMuch) {
 }
 
 TEST(SolveCommand, OfSeveralLevelsThatAreNotProvenTheFirstIsTold) {
-  const CommandRun run(
+  const test::CommandRun run(
       R"({"levels":[{"A":[[1,1],[1,1.0000000001]],"b":[0,1]},{"A":[[1,0]],"b":[1]}]})",
       {.file = "", .certify = true});
   for (const std::size_t level : {0u, 1u})
@@ -62,16 +62,16 @@ TEST(SolveCommand, WhatHangsOnARankIsNotJudged) {
       R"({"levels":[{"D":[[0,-1,1,9.5367431640625e-07]],"lower":[-5],"f":[-4]},)"
       R"({"D":[[9.5367431640625e-07,-0.9999990463256836,-1,2],[0,-1,0.9999990463256836,9.5367431640625e-07]],"lower":[-5,4],"f":[-5,null]},)"
       R"({"D":[[0,-1.0000009536743164,3,0],[9.5367431640625e-07,0.9999990463256836,0,2.0000009536743164]],"lower":[-4,-4],"f":[-1,-4]}]})";
-  const CommandRun run(line, {.file = "", .certify = true});
+  const test::CommandRun run(line, {.file = "", .certify = true});
   EXPECT_EQ(run.exit_code, 1);
   std::vector<std::string> verdicts;
-  for (const Json& level : run.results[0]["levels"]) verdicts.push_back(level["verdict"]);
+  for (const test::Json& level : run.results[0]["levels"]) verdicts.push_back(level["verdict"]);
   EXPECT_EQ(verdicts, (std::vector<std::string>{"proven", "proven", "not judged"}));
   EXPECT_FALSE(run.results[0]["levels"][2].contains("rests_on"));
   const std::string below = line.substr(0, line.size() - 2) + R"(,{"A":[[0,0,0,0]],"b":[0]}]})";
   for (const bool explain : {false, true}) {
-    const CommandRun more(below,
-                          {.file = "", .certify = true, .explain = explain, .json = explain});
+    const test::CommandRun more(below,
+                                {.file = "", .certify = true, .explain = explain, .json = explain});
     EXPECT_EQ(more.results[0]["levels"][3]["verdict"], "not judged");
     EXPECT_EQ(more.results[0]["levels"][3]["rests_on"], 3);
     EXPECT_NE(more.err.str().find(":1: not judged: level 3 "), std::string::npos);
@@ -80,14 +80,14 @@ TEST(SolveCommand, WhatHangsOnARankIsNotJudged) {
             std::string::npos)
       << run.err.str();
   EXPECT_NE(run.err.str().find("its ranks are borderline"), std::string::npos);
-  const CommandRun text(line, {.file = "", .certify = true, .explain = true});
+  const test::CommandRun text(line, {.file = "", .certify = true, .explain = true});
   EXPECT_NE(text.out.str().find(", not judged"), std::string::npos) << text.out.str();
 }
 
 TEST(SolveCommand, ALimitThatHoldsBackALongRowIsProvenAndNamed) {
   const std::string line =
       R"({"levels":[{"D":[[1,0]],"f":[1]},{"A":[[1e4,0],[0,1]],"b":[10000.01,0]}]})";
-  const CommandRun run(line, {.file = "", .certify = true, .explain = true});
+  const test::CommandRun run(line, {.file = "", .certify = true, .explain = true});
   EXPECT_EQ(run.exit_code, 0) << run.err.str();
   EXPECT_NE(run.out.str().find("held back by"), std::string::npos) << run.out.str();
   EXPECT_NE(run.out.str().find("multiplier 100"), std::string::npos) << run.out.str();
@@ -98,21 +98,21 @@ const std::string kLimitedWish =
     R"({"name":"wish","A":[[1]],"b":[3]}]})";
 
 TEST(SolveCommand, CertifiesEachLevel) {
-  const CommandRun run(kLimitedWish, {.file = "", .certify = true});
+  const test::CommandRun run(kLimitedWish, {.file = "", .certify = true});
   EXPECT_EQ(run.exit_code, 0);
   ASSERT_EQ(run.results.size(), 1u);
-  for (const Json& level : run.results[0]["levels"]) {
+  for (const test::Json& level : run.results[0]["levels"]) {
     EXPECT_LE(level.at("certificate").get<double>(), 1e-12);
   }
 }
 
 TEST(SolveCommand, WithoutBeingAskedCertifiesNothing) {
-  const CommandRun run(kLimitedWish);
+  const test::CommandRun run(kLimitedWish);
   EXPECT_FALSE(run.results.at(0)["levels"][0].contains("certificate"));
 }
 
 TEST(SolveCommand, ExplainsByNameWhichRowCostALevelHowMuch) {
-  const CommandRun run(kLimitedWish, {.file = "", .explain = true});
+  const test::CommandRun run(kLimitedWish, {.file = "", .explain = true});
   EXPECT_EQ(run.exit_code, 0);
   const std::string text = run.out.str();
   for (const char* part :
@@ -124,8 +124,8 @@ TEST(SolveCommand, ExplainsByNameWhichRowCostALevelHowMuch) {
 }
 
 TEST(SolveCommand, ExplainsInTheUnitOfTheLevel) {
-  const CommandRun run(R"({"levels":[{"D":[[1]],"f":[1]},{"A":[[1]],"b":[3],"unit":"N"}]})",
-                       {.file = "", .explain = true});
+  const test::CommandRun run(R"({"levels":[{"D":[[1]],"f":[1]},{"A":[[1]],"b":[3],"unit":"N"}]})",
+                             {.file = "", .explain = true});
   const std::string text = run.out.str();
   for (const char* part : {"A 1 is 2 N too low", "costs 2 N: without it", "alone costs 2 N"}) {
     EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
@@ -134,7 +134,7 @@ TEST(SolveCommand, ExplainsInTheUnitOfTheLevel) {
 
 TEST(SolveCommand, ExplainsWithStatusIterationsAndTimeOfEachLevel) {
   const std::string text =
-      CommandRun(kLimitedWish, {.file = "", .explain = true, .method = "cascade"}).out.str();
+      test::CommandRun(kLimitedWish, {.file = "", .explain = true, .method = "cascade"}).out.str();
   const std::regex headline("\nstatus: optimal, 1 iteration, [0-9.]+ µs\n");
   EXPECT_TRUE(std::regex_search(text, headline)) << text;
   const std::regex met("\n1 limit +met +0 +1 +1 +0 +1 +0 +[0-9.]+ µs\n");
@@ -144,15 +144,15 @@ TEST(SolveCommand, ExplainsWithStatusIterationsAndTimeOfEachLevel) {
 }
 
 TEST(SolveCommand, ExplainsWithSweepsWhereAllLevelsAreSolvedAtOnce) {
-  const std::string text = CommandRun(kLimitedWish, {.file = "", .explain = true}).out.str();
+  const std::string text = test::CommandRun(kLimitedWish, {.file = "", .explain = true}).out.str();
   EXPECT_TRUE(
       std::regex_search(text, std::regex("\nstatus: optimal, [0-9]+ sweeps?, [0-9.]+ µs\n")))
       << text;
-  const CommandRun json(kLimitedWish, {.file = "", .explain = true, .json = true});
+  const test::CommandRun json(kLimitedWish, {.file = "", .explain = true, .json = true});
   EXPECT_GE(json.results.at(0).at("sweeps").get<int>(), 1);
-  const Json& line = json.results.at(0);
+  const test::Json& line = json.results.at(0);
   double sum = 0.0;
-  for (const Json& level : line["levels"]) {
+  for (const test::Json& level : line["levels"]) {
     EXPECT_FALSE(level.contains("iterations"));
     EXPECT_GT(level.at("time_s").get<double>(), 0.0);
     sum += level["time_s"].get<double>();
@@ -163,12 +163,12 @@ TEST(SolveCommand, ExplainsWithSweepsWhereAllLevelsAreSolvedAtOnce) {
 TEST(SolveCommand, LevelsThatAreSolvedTogetherHaveNoTimeOfTheirOwn) {
   const std::string two_facts =
       R"({"levels":[{"A":[[1,0]],"b":[1]},{"A":[[0,1]],"b":[2]},{"D":[[1,1]],"f":[1]}]})";
-  const CommandRun json(two_facts, {.file = "", .explain = true, .json = true});
-  const Json& levels = json.results.at(0).at("levels");
+  const test::CommandRun json(two_facts, {.file = "", .explain = true, .json = true});
+  const test::Json& levels = json.results.at(0).at("levels");
   EXPECT_FALSE(levels[0].contains("time_s"));
   EXPECT_FALSE(levels[1].contains("time_s"));
   EXPECT_GT(levels[2].at("time_s").get<double>(), 0.0);
-  const std::string text = CommandRun(two_facts, {.file = "", .explain = true}).out.str();
+  const std::string text = test::CommandRun(two_facts, {.file = "", .explain = true}).out.str();
   EXPECT_TRUE(std::regex_search(text, std::regex("\nlevel 1 +met +[^\n]* – +–\n"))) << text;
 }
 
@@ -177,7 +177,7 @@ TEST(SolveCommand, WhatHoldsAShortRowBackBesideALongOneIsNamed) {
     for (const std::string power : {"3", "4", "5", "6"}) {
       const std::string line = R"({"levels":[{"D":[[)" + limit + R"(,0]],"f":[0]},{"A":[[1e-)" +
                                power + R"(,0],[0,1e)" + power + R"(]],"b":[1,1]}]})";
-      const CommandRun run(line, {.file = "", .explain = true});
+      const test::CommandRun run(line, {.file = "", .explain = true});
       EXPECT_NE(run.out.str().find("held back by level 1, which costs 1:"), std::string::npos)
           << run.out.str();
     }
@@ -186,7 +186,7 @@ TEST(SolveCommand, WhatHoldsAShortRowBackBesideALongOneIsNamed) {
 
 TEST(SolveCommand, ALevelThatIsMetButForTheRoundingOfAnXOfZeroIsMet) {
   // x is 0 because two rows of level 2 pull at it both ways, and not to the last bit.
-  const CommandRun run(
+  const test::CommandRun run(
       R"({"levels":[{"D":[[-2]],"lower":[-6],"f":[null]},)"
       R"({"D":[[2],[-2]],"lower":[2,2],"f":[6,6]},{"D":[[0]],"lower":[5],"f":[5]},)"
       R"({"D":[[-3]],"lower":[0],"f":[0]}]})",
@@ -194,17 +194,17 @@ TEST(SolveCommand, ALevelThatIsMetButForTheRoundingOfAnXOfZeroIsMet) {
   EXPECT_EQ(run.results[0]["levels"][3]["status"], "met");
   EXPECT_EQ(run.results[0]["levels"][3]["residual"], 0.0);
   EXPECT_EQ(run.results[0]["levels"][1]["status"], "missed");
-  const CommandRun small(R"({"levels":[{"D":[[1]],"f":[0]},{"A":[[1]],"b":[1e-12]}]})",
-                         {.file = "", .explain = true, .json = true});
+  const test::CommandRun small(R"({"levels":[{"D":[[1]],"f":[0]},{"A":[[1]],"b":[1e-12]}]})",
+                               {.file = "", .explain = true, .json = true});
   EXPECT_EQ(small.results[0]["levels"][1]["status"], "missed") << "small numbers are no rounding";
 }
 
 TEST(SolveCommand, SaysWhereNothingAboveHoldsALevelBackOrSeveralDo) {
-  const CommandRun alone(R"({"levels":[{"A":[[1],[1]],"b":[1,3]}]})",
-                         {.file = "", .explain = true});
+  const test::CommandRun alone(R"({"levels":[{"A":[[1],[1]],"b":[1,3]}]})",
+                               {.file = "", .explain = true});
   EXPECT_NE(alone.out.str().find("held back by nothing above"), std::string::npos)
       << alone.out.str();
-  const CommandRun both(
+  const test::CommandRun both(
       R"({"levels":[{"A":[[1,0],[0,1]],"b":[0,0]},{"A":[[1,1]],"b":[0]},{"A":[[1,1]],"b":[1]}]})",
       {.file = "", .explain = true});
   EXPECT_NE(both.out.str().find("held back by level 1 and by level 2, none"), std::string::npos)
@@ -212,7 +212,7 @@ TEST(SolveCommand, SaysWhereNothingAboveHoldsALevelBackOrSeveralDo) {
 }
 
 TEST(SolveCommand, WhereNoRowCostsAnythingAloneAllThatHoldAreNamed) {
-  const CommandRun run(
+  const test::CommandRun run(
       R"({"levels":[{"name":"motor","D":[[1]],"f":[500]},)"
       R"({"name":"task","A":[[1]],"b":[550]},{"name":"wish","A":[[1]],"b":[600]}]})",
       {.file = "", .explain = true});
@@ -229,10 +229,10 @@ TEST(SolveCommand, AMultiplierHasTheUnitOfHalfTheSquaredResidualByTheRowsBound) 
   const auto explained = [](const std::string& limit_unit, const std::string& unit) {
     const std::string line = R"({"levels":[{"D":[[1]],"f":[1],"unit":")" + limit_unit +
                              R"("},{"A":[[1]],"b":[3],"unit":")" + unit + R"("}]})";
-    const CommandRun json(line, {.file = "", .explain = true, .json = true});
-    const Json row = json.results[0]["levels"][1]["blocked_by"][0]["rows"][0];
+    const test::CommandRun json(line, {.file = "", .explain = true, .json = true});
+    const test::Json row = json.results[0]["levels"][1]["blocked_by"][0]["rows"][0];
     const std::string told = row.value("multiplier_unit", "");
-    const std::string text = CommandRun(line, {.file = "", .explain = true}).out.str();
+    const std::string text = test::CommandRun(line, {.file = "", .explain = true}).out.str();
     EXPECT_NE(text.find("(multiplier 2" + (told.empty() ? "" : " " + told) + ")"),
               std::string::npos)
         << text;
@@ -249,18 +249,19 @@ TEST(SolveCommand, AMultiplierHasTheUnitOfHalfTheSquaredResidualByTheRowsBound) 
 TEST(SolveCommand, ALimitThatIsGivenTwiceIsToldOnceWithWhatBothCost) {
   const std::string line =
       R"({"levels":[{"D":[[1],[2]],"f":[1,2]},{"D":[[1]],"f":[1]},{"A":[[1]],"b":[3]}]})";
-  const std::string text = CommandRun(line, {.file = "", .explain = true}).out.str();
+  const std::string text = test::CommandRun(line, {.file = "", .explain = true}).out.str();
   EXPECT_NE(
       text.find("D 1, at its upper bound, with D 2 and D 1 of level 2, which say the same, costs 2 "
                 "(multiplier 2)\n"),
       std::string::npos)
       << text;
   EXPECT_EQ(text.find("alone costs"), std::string::npos) << text;
-  const CommandRun json(line, {.file = "", .explain = true, .json = true});
-  const Json& row = json.results.at(0)["levels"][2]["blocked_by"][0]["rows"][0];
-  EXPECT_EQ(row.at("same"), Json::parse(R"([{"level":1,"row":"D 2"},{"level":2,"row":"D 1"}])"));
+  const test::CommandRun json(line, {.file = "", .explain = true, .json = true});
+  const test::Json& row = json.results.at(0)["levels"][2]["blocked_by"][0]["rows"][0];
+  EXPECT_EQ(row.at("same"),
+            test::Json::parse(R"([{"level":1,"row":"D 2"},{"level":2,"row":"D 1"}])"));
   EXPECT_NEAR(row.at("cost").get<double>(), 2.0, 1e-12);
-  EXPECT_FALSE(CommandRun(kLimitedWish, {.file = "", .explain = true, .json = true})
+  EXPECT_FALSE(test::CommandRun(kLimitedWish, {.file = "", .explain = true, .json = true})
                    .results.at(0)["levels"][1]["blocked_by"][0]["rows"][0]
                    .contains("same"));
 }
@@ -271,33 +272,35 @@ const std::string kContradiction =
     R"({"name":"wish","A":[[1]],"b":[600]}]})";
 
 TEST(SolveCommand, OfLimitsThatContradictEachOtherItSaysWhichOneStopsTheWish) {
-  const std::string text = CommandRun(kContradiction, {.file = "", .explain = true}).out.str();
+  const std::string text =
+      test::CommandRun(kContradiction, {.file = "", .explain = true}).out.str();
   for (const char* part :
        {"at most 500, above its upper bound, alone costs 100 (",
         "at least 501, below its lower bound, stops nothing: it wants the same, and others"})
     EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
-  const CommandRun json(kContradiction, {.file = "", .explain = true, .json = true});
-  const Json& rows = json.results.at(0)["levels"][1]["blocked_by"][0]["rows"];
+  const test::CommandRun json(kContradiction, {.file = "", .explain = true, .json = true});
+  const test::Json& rows = json.results.at(0)["levels"][1]["blocked_by"][0]["rows"];
   ASSERT_EQ(rows.size(), 2u);
   EXPECT_FALSE(rows[0].contains("would_gain"));
   EXPECT_EQ(rows[1].at("would_gain"), true);
 }
 
 TEST(SolveCommand, WhatAWeightedRowMissesIsToldInItsUnitAndHowOftenItCounts) {
-  const std::string text = CommandRun(kContradiction, {.file = "", .explain = true}).out.str();
+  const std::string text =
+      test::CommandRun(kContradiction, {.file = "", .explain = true}).out.str();
   for (const char* part : {"at least 501 is 1 N too low\n",
                            "at most 500 is 1e-06 N too high, weighted 1000 times: 0.001\n"})
     EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
-  const CommandRun json(kContradiction, {.file = "", .explain = true, .json = true});
-  const Json& missed = json.results.at(0)["levels"][0]["missed"];
+  const test::CommandRun json(kContradiction, {.file = "", .explain = true, .json = true});
+  const test::Json& missed = json.results.at(0)["levels"][0]["missed"];
   EXPECT_NEAR(missed[1].at("by").get<double>(), 1e-6, 1e-10);
   EXPECT_EQ(missed[1].at("weight"), 1000.0);
   EXPECT_FALSE(missed[0].contains("weight"));
-  const CommandRun weighted(
+  const test::CommandRun weighted(
       R"({"levels":[{"A":[[1]],"b":[0],"A_weights":[2]},{"A":[[1]],"b":[4]}],"x_ref":[0]})",
       {.file = "", .explain = true, .json = true, .weighted_from = 1, .weights = {1.0, 3.0}});
   std::vector<double> weights;
-  for (const Json& row : weighted.results.at(0)["levels"][0]["missed"])
+  for (const test::Json& row : weighted.results.at(0)["levels"][0]["missed"])
     weights.push_back(row.value("weight", 1.0));
   std::ranges::sort(weights);
   EXPECT_EQ(weights, (std::vector<double>{2.0, 3.0}));
@@ -308,7 +311,7 @@ TEST(SolveCommand, ALimitThatTwoLevelsSetIsToldBesideOthersThatCostLess) {
   const std::string twice = R"({"levels":[{"name":"l1","D":[[1,0]],"f":[1]},)"
                             R"({"name":"l2","D":[[1,0]],"f":[1]},)";
   const std::string line = twice + R"({"name":"l3","D":[[0,1]],"f":[1]},)" + wish;
-  const std::string text = CommandRun(line, {.file = "", .explain = true}).out.str();
+  const std::string text = test::CommandRun(line, {.file = "", .explain = true}).out.str();
   const std::string told =
       "held back by 1 l1, which costs nothing alone: other levels say the same\n"
       "      D 1, at its upper bound, with D 1 of level 2, which says the same, costs ";
@@ -316,14 +319,15 @@ TEST(SolveCommand, ALimitThatTwoLevelsSetIsToldBesideOthersThatCostLess) {
   ASSERT_NE(limit, std::string::npos) << text;
   ASSERT_NE(other, std::string::npos) << text;
   EXPECT_LT(limit, other) << "the dearest first";
-  const std::string alone = CommandRun(twice + wish, {.file = "", .explain = true}).out.str();
+  const std::string alone = test::CommandRun(twice + wish, {.file = "", .explain = true}).out.str();
   EXPECT_NE(alone.find(told + "4 "), std::string::npos) << alone;
   EXPECT_EQ(alone.find("and by others"), std::string::npos) << alone;
 }
 
 TEST(SolveCommand, AnAnswerHasTheNumberOfItsLine) {
   for (const bool explain : {false, true}) {
-    const CommandRun run("\n{\n" + kLimitedWish, {.file = "", .explain = explain, .json = explain});
+    const test::CommandRun run("\n{\n" + kLimitedWish,
+                               {.file = "", .explain = explain, .json = explain});
     ASSERT_EQ(run.results.size(), 1u);
     EXPECT_EQ(run.results[0].at("line"), 3);
   }
@@ -331,23 +335,23 @@ TEST(SolveCommand, AnAnswerHasTheNumberOfItsLine) {
 
 TEST(SolveCommand, WhereABoundIsFarAwayTheCostOfAnotherRowIsKnown) {
   // At x = 1e60 the limit is met by 1e160, more than the solvers take as a bound.
-  const CommandRun run(R"({"levels":[{"A":[[1e-60]],"b":[1]},{"D":[[-1e100]],"f":[0]},)"
-                       R"({"A":[[1]],"b":[-3]}]})",
-                       {.file = "", .explain = true});
+  const test::CommandRun run(R"({"levels":[{"A":[[1e-60]],"b":[1]},{"D":[[-1e100]],"f":[0]},)"
+                             R"({"A":[[1]],"b":[-3]}]})",
+                             {.file = "", .explain = true});
   EXPECT_NE(run.out.str().find("held back by level 1, which costs 1e+60"), std::string::npos)
       << run.out.str();
 }
 
 TEST(SolveCommand, ExplainsTheSameAsJson) {
-  const CommandRun run(
+  const test::CommandRun run(
       kLimitedWish,
       {.file = "", .certify = true, .explain = true, .json = true, .method = "cascade"});
   ASSERT_EQ(run.results.size(), 1u);
-  const Json& line = run.results[0];
+  const test::Json& line = run.results[0];
   EXPECT_EQ(line.at("status"), "optimal");
   EXPECT_EQ(line.at("iterations"), 1);
   EXPECT_NEAR(line.at("x").at(0).get<double>(), 1.0, 1e-12);
-  const Json &limit = line.at("levels").at(0), &wish = line.at("levels").at(1);
+  const test::Json &limit = line.at("levels").at(0), &wish = line.at("levels").at(1);
   EXPECT_EQ(limit.at("status"), "met");
   EXPECT_EQ(limit.at("at_bound").at(0).at("row"), "LF torque");
   EXPECT_EQ(wish.at("status"), "missed");
@@ -355,7 +359,7 @@ TEST(SolveCommand, ExplainsTheSameAsJson) {
   EXPECT_NEAR(wish.at("residual").get<double>(), 2.0, 1e-12);
   EXPECT_NEAR(wish.at("missed").at(0).at("by").get<double>(), -2.0, 1e-12);
   EXPECT_LE(wish.at("certificate").get<double>(), 1e-12);
-  const Json& by = wish.at("blocked_by").at(0);
+  const test::Json& by = wish.at("blocked_by").at(0);
   EXPECT_EQ(by.at("level"), 1);
   EXPECT_EQ(by.at("name"), "limit");
   EXPECT_NEAR(by.at("cost").get<double>(), 2.0, 1e-12);
@@ -369,18 +373,18 @@ TEST(SolveCommand, ExplainsTheSameAsJson) {
 TEST(SolveCommand, OfNearlyDependentRowsItSaysThatMultipliersSayLittle) {
   const std::string line =
       R"({"levels":[{"A":[[1,1],[1,1.000000002]],"b":[0,0]},{"A":[[1,-1]],"b":[1]}]})";
-  const CommandRun run(line, {.file = "", .explain = true});
+  const test::CommandRun run(line, {.file = "", .explain = true});
   EXPECT_NE(run.out.str().find("nearly dependent on others that hold, only 1e-09 of its length"),
             std::string::npos)
       << run.out.str();
-  const CommandRun json(line, {.file = "", .explain = true, .json = true});
-  const Json& rows = json.results[0]["levels"][1]["blocked_by"][0]["rows"];
+  const test::CommandRun json(line, {.file = "", .explain = true, .json = true});
+  const test::Json& rows = json.results[0]["levels"][1]["blocked_by"][0]["rows"];
   ASSERT_EQ(rows.size(), 2u);
-  for (const Json& row : rows) EXPECT_NEAR(row["independence"].get<double>(), 1e-9, 1e-14);
-  const CommandRun other(R"({"levels":[{"D":[[0,1]],"f":[0]},{"A":[[0,1]],"b":[1]}]})",
-                         {.file = "", .explain = true});
+  for (const test::Json& row : rows) EXPECT_NEAR(row["independence"].get<double>(), 1e-9, 1e-14);
+  const test::CommandRun other(R"({"levels":[{"D":[[0,1]],"f":[0]},{"A":[[0,1]],"b":[1]}]})",
+                               {.file = "", .explain = true});
   EXPECT_EQ(other.out.str().find("nearly dependent"), std::string::npos) << other.out.str();
 }
 
 }  // namespace
-}  // namespace surefoot::test
+}  // namespace surefoot::cli

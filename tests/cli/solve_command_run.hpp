@@ -17,13 +17,13 @@ using Json = nlohmann::json;
 
 /// Runs the command on a file with these lines.
 struct CommandRun {
-  explicit CommandRun(const std::string& text, SolveArguments arguments = {}) {
+  explicit CommandRun(const std::string& text, cli::SolveArguments arguments = {}) {
     file = std::filesystem::path(testing::TempDir()) /
            (std::string("solve_command_") +
             testing::UnitTest::GetInstance()->current_test_info()->name() + ".jsonl");
     std::ofstream(file) << text;
     arguments.file = file.string();
-    exit_code = run_solve(arguments, out, err);
+    exit_code = cli::run_solve(arguments, out, err);
     std::filesystem::remove(file);
     std::istringstream lines(out.str());
     for (std::string line; (!arguments.explain || arguments.json) && std::getline(lines, line);) {

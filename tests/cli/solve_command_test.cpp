@@ -10,11 +10,11 @@
 #include <utility>
 #include <vector>
 
-namespace surefoot::test {
+namespace surefoot::cli {
 namespace {
 
 TEST(SolveCommand, WritesOneLineForEach) {
-  const CommandRun run(
+  const test::CommandRun run(
       "{\"levels\":[{\"A\":[[1,0]],\"b\":[1]},{\"A\":[[1,1]],\"b\":[4]}]}\n"
       "\n"
       "{\"levels\":[{\"D\":[[1]],\"f\":[1]},{\"A\":[[1]],\"b\":[3]}]}");
@@ -31,28 +31,30 @@ TEST(SolveCommand, WritesOneLineForEach) {
 TEST(SolveCommand, SaysWhereAnAnswerIsBorderline) {
   const std::string clear = R"({"levels":[{"A":[[1,1],[1,2]],"b":[0,1]}]})";
   const std::string weak = R"({"levels":[{"A":[[1,1],[1,1.00000000005]],"b":[0,1]}]})";
-  EXPECT_FALSE(CommandRun(clear).results[0].contains("borderline"));
-  EXPECT_EQ(CommandRun(weak).results[0]["borderline"], true);
-  EXPECT_EQ(CommandRun(weak, {.file = "", .explain = true, .json = true}).results[0]["borderline"],
-            true);
-  const CommandRun text(weak, {.file = "", .explain = true});
+  EXPECT_FALSE(test::CommandRun(clear).results[0].contains("borderline"));
+  EXPECT_EQ(test::CommandRun(weak).results[0]["borderline"], true);
+  EXPECT_EQ(
+      test::CommandRun(weak, {.file = "", .explain = true, .json = true}).results[0]["borderline"],
+      true);
+  const test::CommandRun text(weak, {.file = "", .explain = true});
   EXPECT_NE(text.out.str().find(", borderline: "), std::string::npos);
 }
 
 TEST(SolveCommand, SaysWhichInstructionsTheSolverUses) {
-  const std::string line = R"({"levels":[{"A":[[1]],"b":[1]}]})", name = fastest_kernels().name;
-  EXPECT_EQ(CommandRun(line).results[0]["instructions"], name);
-  EXPECT_EQ(
-      CommandRun(line, {.file = "", .explain = true, .json = true}).results[0]["instructions"],
-      name);
-  const CommandRun text(line, {.file = "", .explain = true});
+  const std::string line = R"({"levels":[{"A":[[1]],"b":[1]}]})",
+                    name = solver::fastest_kernels().name;
+  EXPECT_EQ(test::CommandRun(line).results[0]["instructions"], name);
+  EXPECT_EQ(test::CommandRun(line, {.file = "", .explain = true, .json = true})
+                .results[0]["instructions"],
+            name);
+  const test::CommandRun text(line, {.file = "", .explain = true});
   EXPECT_NE(text.out.str().find(":1, " + name + " instructions\n"), std::string::npos);
-  const CommandRun cascade(line, {.file = "", .method = "cascade"});
+  const test::CommandRun cascade(line, {.file = "", .method = "cascade"});
   EXPECT_FALSE(cascade.results[0].contains("instructions"));
 }
 
 TEST(SolveCommand, TheResidualIsThatOfEqualitiesAndViolatedInequalitiesTogether) {
-  const CommandRun run(
+  const test::CommandRun run(
       R"({"levels":[{"A":[[1]],"b":[0]},{"A":[[1]],"b":[3],"D":[[1],[-1]],"f":[5,-4]}]})");
   ASSERT_EQ(run.results.size(), 1u);
   EXPECT_NEAR(run.results[0]["levels"][1]["residual"].get<double>(), std::sqrt(9.0 + 16.0), 1e-12);
@@ -65,9 +67,9 @@ TEST(SolveCommand, UnknownsMayHaveVeryDifferentUnits) {
       R"([0,384,0.001953125,-393216]],"b":[1,-2]},)"
       R"({"A":[[-0.000244140625,-256,0.00390625,-131072]],"b":[1]}]})";
   for (const char* method : {"lexicographic", "cascade"}) {
-    const CommandRun run(line, {.file = "", .certify = true, .method = method});
+    const test::CommandRun run(line, {.file = "", .certify = true, .method = method});
     EXPECT_EQ(run.exit_code, 0) << run.err.str();
-    for (const Json& level : run.results[0]["levels"])
+    for (const test::Json& level : run.results[0]["levels"])
       EXPECT_LE(level["residual"].get<double>(), 1e-9) << method;
   }
 }
@@ -76,11 +78,11 @@ TEST(SolveCommand, LevelsFromOneOnCanBeSolvedAsOneWeightedLevel) {
   const std::string line =
       R"({"levels":[{"D":[[1]],"f":[5]},{"name":"near","A":[[1]],"b":[0]},{"A":[[1]],"b":[4]}]})";
   const auto x = [&](int from, const std::vector<double>& weights) {
-    const CommandRun run(line,
-                         {.file = "", .certify = true, .weighted_from = from, .weights = weights});
+    const test::CommandRun run(
+        line, {.file = "", .certify = true, .weighted_from = from, .weights = weights});
     EXPECT_EQ(run.exit_code, 0) << run.err.str();
     EXPECT_EQ(run.results[0]["levels"].size(), static_cast<std::size_t>(from));
-    const Json& strict = run.results[0]["strict_residuals"];
+    const test::Json& strict = run.results[0]["strict_residuals"];
     const double at = run.results[0]["x"][0];
     EXPECT_NEAR(strict[1].get<double>(), std::abs(at), 1e-12);
     EXPECT_NEAR(strict[2].get<double>(), std::abs(at - 4.0), 1e-12);
@@ -89,8 +91,8 @@ TEST(SolveCommand, LevelsFromOneOnCanBeSolvedAsOneWeightedLevel) {
   EXPECT_NEAR(x(3, {}), 0.0, 1e-12) << "the last alone: strict";
   EXPECT_NEAR(x(2, {}), 2.0, 1e-12);
   EXPECT_NEAR(x(2, {1.0, 3.0}), 3.6, 1e-12);
-  EXPECT_FALSE(CommandRun(line).results[0].contains("strict_residuals"));
-  const CommandRun text(line, {.file = "", .explain = true, .weighted_from = 2});
+  EXPECT_FALSE(test::CommandRun(line).results[0].contains("strict_residuals"));
+  const test::CommandRun text(line, {.file = "", .explain = true, .weighted_from = 2});
   EXPECT_NE(text.out.str().find("near, A 1 is 2 too high"), std::string::npos) << text.out.str();
 }
 
@@ -98,39 +100,40 @@ TEST(SolveCommand, WhatXIsToBeCloseToStaysTheLastLevelBelowTheWeightedOne) {
   const std::string levels =
       R"({"levels":[{"A":[[1,0]],"b":[1]},{"A":[[1,0],[1,1]],"b":[3,7]},{"A":[[1,1]],"b":[7]}])";
   const SolveArguments weighted{.file = "", .certify = true, .weighted_from = 2};
-  const CommandRun without(levels + "}", weighted), with(levels + R"(,"x_ref":[0,0]})", weighted);
+  const test::CommandRun without(levels + "}", weighted),
+      with(levels + R"(,"x_ref":[0,0]})", weighted);
   EXPECT_EQ(with.exit_code, 0) << with.err.str();
   for (const std::size_t i : {0u, 1u})
     EXPECT_NEAR(with.results[0]["x"][i], without.results[0]["x"][i].get<double>(), 1e-9);
   EXPECT_EQ(with.results[0]["levels"].size(), 3u);
   EXPECT_EQ(with.results[0]["strict_residuals"].size(), 4u);
   EXPECT_NEAR(with.results[0]["strict_residuals"][2].get<double>(), 0.0, 1e-9);
-  const CommandRun more(levels + R"(,"x_ref":[0,0]})",
-                        {.file = "", .weighted_from = 2, .weights = {1.0, 1.0, 1.0}});
+  const test::CommandRun more(levels + R"(,"x_ref":[0,0]})",
+                              {.file = "", .weighted_from = 2, .weights = {1.0, 1.0, 1.0}});
   EXPECT_NE(more.err.str().find("with 3 weights; expected at most 2"), std::string::npos)
       << more.err.str();
-  const CommandRun below(levels + R"(,"x_ref":[0,0]})", {.file = "", .weighted_from = 4});
+  const test::CommandRun below(levels + R"(,"x_ref":[0,0]})", {.file = "", .weighted_from = 4});
   EXPECT_NE(below.err.str().find("expected 1 to 3"), std::string::npos) << below.err.str();
 }
 
 TEST(SolveCommand, WeightedFromALevelThatIsNotThereIsWrongInput) {
   const std::string line = R"({"levels":[{"A":[[1]],"b":[1]},{"A":[[1]],"b":[2]}]})";
-  const CommandRun run(line, {.file = "", .weighted_from = 3});
+  const test::CommandRun run(line, {.file = "", .weighted_from = 3});
   EXPECT_EQ(run.exit_code, 2);
   EXPECT_NE(run.err.str().find(":1: --weighted is 3; expected 1 to 2"), std::string::npos)
       << run.err.str();
-  const CommandRun more(line, {.file = "", .weighted_from = 2, .weights = {1.0, 2.0}});
+  const test::CommandRun more(line, {.file = "", .weighted_from = 2, .weights = {1.0, 2.0}});
   EXPECT_NE(more.err.str().find("--weighted is 2 with 2 weights; expected at most 1"),
             std::string::npos)
       << more.err.str();
-  EXPECT_THROW(CommandRun(line, {.file = "", .weights = {1.0}}), Error);
+  EXPECT_THROW(test::CommandRun(line, {.file = "", .weights = {1.0}}), Error);
   for (const int none : {0, -1})
-    EXPECT_THROW(CommandRun(line, {.file = "", .weighted_from = none}), Error);
-  EXPECT_THROW(CommandRun(line, {.file = "", .weighted_from = 1, .weights = {0.0}}), Error);
+    EXPECT_THROW(test::CommandRun(line, {.file = "", .weighted_from = none}), Error);
+  EXPECT_THROW(test::CommandRun(line, {.file = "", .weighted_from = 1, .weights = {0.0}}), Error);
 }
 
 TEST(SolveCommand, ABadLineIsNamedAndTheOthersAreSolved) {
-  const CommandRun run(
+  const test::CommandRun run(
       "{\"levels\":[{\"A\":[[1]],\"b\":[1]}]}\n"
       "{\"levels\":[{\"A\":[[1]],\"b\":[1,2]}]}\n"
       "{\"levels\":[{\"A\":[[1]],\"b\":[3]}]}\n");
@@ -141,7 +144,7 @@ TEST(SolveCommand, ABadLineIsNamedAndTheOthersAreSolved) {
 }
 
 TEST(SolveCommand, NumbersBeyondTheRangeOfTheSolverAreNamed) {
-  const CommandRun run(R"({"levels":[{"A":[[1e200]],"b":[1]}]})");
+  const test::CommandRun run(R"({"levels":[{"A":[[1e200]],"b":[1]}]})");
   EXPECT_EQ(run.exit_code, 2);
   EXPECT_TRUE(run.results.empty());
   EXPECT_NE(run.err.str().find(":1: level 1: A: row 1: element 1 is 1e+200, too large"),
@@ -153,8 +156,8 @@ TEST(SolveCommand, AnswersBeyondTheRangeOfDoublesAreNamed) {
   const std::string overflow =
       R"({"levels":[{"A":[[1e-90,0]],"b":[1e100]},{"A":[[0,1e-90]],"b":[1e100]}]})";
   for (const char* method : {"lexicographic", "cascade"}) {
-    const CommandRun run(overflow + "\n" + R"({"levels":[{"A":[[1]],"b":[3]}]})",
-                         {.file = "", .certify = true, .method = method});
+    const test::CommandRun run(overflow + "\n" + R"({"levels":[{"A":[[1]],"b":[3]}]})",
+                               {.file = "", .certify = true, .method = method});
     EXPECT_EQ(run.exit_code, 2);
     EXPECT_EQ(run.results.size(), 1u);
     EXPECT_NE(run.err.str().find(":1: the answer is beyond the range of doubles"),
@@ -166,7 +169,7 @@ TEST(SolveCommand, AnswersBeyondTheRangeOfDoublesAreNamed) {
 TEST(SolveCommand, TheReferenceGivesTheSameAnswer) {
   const std::string line =
       R"({"levels":[{"D":[[1,0],[1,1]],"f":[1,1]},{"A":[[1,2]],"b":[4]},{"A":[[1,0],[0,1]],"b":[3,0]}]})";
-  const CommandRun ours(line), cascade(line, {.file = "", .method = "cascade"});
+  const test::CommandRun ours(line), cascade(line, {.file = "", .method = "cascade"});
   for (std::size_t i = 0; i < 2; ++i) {
     EXPECT_NEAR(ours.results.at(0)["x"][i].get<double>(),
                 cascade.results.at(0)["x"][i].get<double>(), 1e-12);
@@ -183,7 +186,7 @@ TEST(SolveCommand, ABadLineOfAnyKindLeavesTheOthersSolved) {
       {R"({"levels":[{"A":[[1e-300]],"b":[1]}]})", "level 1: A: row 1: has nothing larger than"},
       {R"({"levels":[{"D":[[1]]}]})", "level 1: D has 1 row and no f"}};
   for (const auto& [line, message] : bad) {
-    const CommandRun run(good + "\n" + line + "\n" + good + "\n");
+    const test::CommandRun run(good + "\n" + line + "\n" + good + "\n");
     EXPECT_EQ(run.exit_code, 2);
     EXPECT_EQ(run.results.size(), 2u);
     EXPECT_EQ(std::ranges::count(run.err.str(), '\n'), 1);
@@ -195,7 +198,7 @@ TEST(SolveCommand, ABadLineOfAnyKindLeavesTheOthersSolved) {
 TEST(SolveCommand, AFileWithoutALineIsAnError) {
   for (const char* text : {"", "\n \n"}) {
     try {
-      const CommandRun run(text);
+      const test::CommandRun run(text);
       FAIL() << "an empty file passed";
     } catch (const FileError& error) {
       EXPECT_NE(std::string(error.what()).find("is empty; expected a file with one JSON object"),
@@ -213,7 +216,7 @@ TEST(SolveCommand, NumbersAtTheEndsOfWhatIsAcceptedAreSolved) {
       "\n"
       R"({"levels":[{"D":[[1]],"lower":[-1e100],"f":[1e100]},{"A":[[1]],"b":[2]}]})";
   for (const char* method : {"lexicographic", "cascade"}) {
-    const CommandRun run(lines, {.file = "", .certify = true, .method = method});
+    const test::CommandRun run(lines, {.file = "", .certify = true, .method = method});
     EXPECT_EQ(run.exit_code, 0) << run.err.str();
     ASSERT_EQ(run.results.size(), 3u);
     EXPECT_NEAR(run.results[0]["x"][0].get<double>(), -1.0, 1e-12);
@@ -246,7 +249,7 @@ TEST(SolveCommand, ControlCharactersInNamesAreWrittenOutWhereverTheyAreTold) {
                            odd + "\"]},{" + named + "}]}";
   for (const bool is_text : {false, true}) {
     for (const bool is_explained : {false, true}) {
-      const CommandRun run(
+      const test::CommandRun run(
           line, {.file = "", .certify = true, .explain = is_explained, .json = !is_text});
       EXPECT_EQ(run.exit_code, 0) << run.err.str();
       EXPECT_TRUE(is_harmless(run.out.str())) << run.out.str();
@@ -256,11 +259,11 @@ TEST(SolveCommand, ControlCharactersInNamesAreWrittenOutWhereverTheyAreTold) {
           << run.err.str();
     }
   }
-  const CommandRun json(line, {.file = "", .explain = true, .json = true});
+  const test::CommandRun json(line, {.file = "", .explain = true, .json = true});
   EXPECT_EQ(json.results.at(0)["levels"][0]["name"],
             "\x1b[31m\x7f\xc2\x9b"
             "1m\ttab\n");
-  const CommandRun text(line, {.file = "", .explain = true});
+  const test::CommandRun text(line, {.file = "", .explain = true});
   EXPECT_NE(text.out.str().find("2 \\u001b[31m\\u007f\\u009b1m"), std::string::npos)
       << text.out.str();
 }
@@ -272,7 +275,7 @@ TEST(SolveCommand, ControlCharactersInWhatIsWrongAreWrittenOut) {
            R"({"levels":[{"\u001b":1,"\u001b":2}]})",
            "{\"levels\":[{\"A\":[[1]],\"b\":[\"\xc2\x9b\"]}]}", "{\"levels\":[{\"A\":\x7f}]}",
            R"({"levels":[{"name":"\u001b[31m","A":[["\u001b"]],"b":[1]}]})"}) {
-    const CommandRun run(line);
+    const test::CommandRun run(line);
     EXPECT_EQ(run.exit_code, 2);
     EXPECT_TRUE(is_harmless(run.err.str())) << run.err.str();
     EXPECT_NE(run.err.str().find("\\u00"), std::string::npos) << run.err.str();
@@ -280,7 +283,7 @@ TEST(SolveCommand, ControlCharactersInWhatIsWrongAreWrittenOut) {
 }
 
 TEST(SolveCommand, ALevelWithoutRowsIsNamedWithItsLineAndAllLinesAreSolved) {
-  const CommandRun run(
+  const test::CommandRun run(
       "{\"levels\":[{\"A\":[[1]],\"b\":[1]}]}\n"
       "{\"levels\":[{\"A\":[[1]],\"b\":[2]},{\"name\":\"swing\"},{\"D\":[],\"f\":[]}]}\n"
       "{\"levels\":[{\"A\":[[1]],\"b\":[3]}]}\n");
@@ -300,15 +303,15 @@ TEST(SolveCommand, ALevelWithoutRowsIsNamedWithItsLineAndAllLinesAreSolved) {
 TEST(SolveCommand, OfManyLevelsWithoutRowsOnlyTheFirstAreToldOutsideOfTheResults) {
   std::string text;
   for (int i = 0; i < 15; ++i) text += "{\"levels\":[{\"A\":[[1]],\"b\":[1]},{}]}\n";
-  const CommandRun run(text);
+  const test::CommandRun run(text);
   EXPECT_EQ(std::ranges::count(run.err.str(), '\n'), 11) << run.err.str();
   EXPECT_NE(run.err.str().find("5 more levels without rows"), std::string::npos);
   ASSERT_EQ(run.results.size(), 15u);
-  for (const Json& line : run.results) EXPECT_EQ(line.at("notes").size(), 1u);
+  for (const test::Json& line : run.results) EXPECT_EQ(line.at("notes").size(), 1u);
 }
 
 TEST(SolveCommand, WeightsDampingAndAReferenceAreThoseOfTheLine) {
-  const CommandRun run(
+  const test::CommandRun run(
       R"({"levels":[{"A":[[1,0],[1,0]],"b":[0,4],"A_weights":[1,3],"damping":2}],"x_ref":[1,5]})",
       {.file = "", .certify = true});
   EXPECT_EQ(run.exit_code, 0) << run.err.str();
@@ -317,7 +320,7 @@ TEST(SolveCommand, WeightsDampingAndAReferenceAreThoseOfTheLine) {
   const double x = 40.0 / 14.0;
   EXPECT_NEAR(run.results[0]["x"][0].get<double>(), x, 1e-12);
   EXPECT_NEAR(run.results[0]["x"][1].get<double>(), 5.0, 1e-12);
-  const Json& levels = run.results[0]["levels"];
+  const test::Json& levels = run.results[0]["levels"];
   ASSERT_EQ(levels.size(), 2u);
   EXPECT_NEAR(levels[0]["residual"].get<double>(),
               std::sqrt(x * x + std::pow(3 * x - 12, 2) + 4 * std::pow(x - 1, 2)), 1e-12);
@@ -325,4 +328,4 @@ TEST(SolveCommand, WeightsDampingAndAReferenceAreThoseOfTheLine) {
 }
 
 }  // namespace
-}  // namespace surefoot::test
+}  // namespace surefoot::cli

@@ -14,24 +14,25 @@
 
 #include <cmath>
 
-namespace surefoot {
+namespace surefoot::closed_loop {
 namespace {
 
-Scenario short_walk(const std::vector<std::string>& assignments = {}) {
+config::Scenario short_walk(const std::vector<std::string>& assignments = {}) {
   std::vector<std::string> all{"duration=0.4"};
   all.insert(all.end(), assignments.begin(), assignments.end());
-  return load_scenario({"walk_flat_sea", 3, all});
+  return config::load_scenario({"walk_flat_sea", 3, all});
 }
 
 /// Height of the nominal stance at which the sum of the legs' manipulabilities |det J| is largest,
 /// by trying all.
-double best_height(const Scenario& scenario) {
-  const RobotModel model(scenario.robot);
-  const BodyTree tree = make_body_tree(scenario.robot, read_urdf(scenario.robot.urdf_path));
-  StanceOptions stance = scenario.controller.planner.stance;
+double best_height(const config::Scenario& scenario) {
+  const model::RobotModel model(scenario.robot);
+  const model::BodyTree tree =
+      model::make_body_tree(scenario.robot, model::read_urdf(scenario.robot.urdf_path));
+  gaits::StanceOptions stance = scenario.controller.planner.stance;
   double best = 0.0, best_height = 0.0;
   for (stance.height = 0.30; stance.height < 0.51; stance.height += 1e-4) {
-    const JointVector q = stance_posture(model, stance);
+    const JointVector q = config::stance_posture(model, stance);
     double sum = 0.0;
     for (const Leg leg : kLegs) {
       Mat3 J;
@@ -56,7 +57,7 @@ TEST(ClosedLoop, stands_for_the_whole_duration_and_says_so) {
 }
 
 TEST(ClosedLoop, the_same_seed_gives_the_same_run) {
-  const Scenario scenario = short_walk({"duration=2.5"});
+  const config::Scenario scenario = short_walk({"duration=2.5"});
   const RunResult first = run_closed_loop(scenario, {});
   const RunResult again = run_closed_loop(scenario, {});
   EXPECT_GT(first.metrics.steps_taken, 0);
@@ -75,7 +76,7 @@ TEST(ClosedLoop, an_interrupt_ends_the_run_with_a_readable_log_that_does_not_loo
   EXPECT_FALSE(result.metrics.succeeded);
 
   EXPECT_FALSE(std::filesystem::exists(folder / "run.mcap"));
-  LogReader log(partial_path(folder / "run.mcap"));
+  logging::LogReader log(logging::partial_path(folder / "run.mcap"));
   TickRecord tick;
   int read = 0;
   while (log.next(tick)) ++read;
@@ -89,7 +90,7 @@ TEST(ClosedLoop, the_log_names_what_the_run_was_made_from) {
   ClosedLoopOptions options;
   options.record_path = folder / "run.mcap";
   (void)run_closed_loop(short_walk({"stack=terrain_adaptation"}), options);
-  const LogHeader header = LogReader(folder / "run.mcap").header();
+  const logging::LogHeader header = logging::LogReader(folder / "run.mcap").header();
   EXPECT_EQ(header.scenario, "walk_flat_sea");
   EXPECT_EQ(header.stack, "terrain_adaptation");
   EXPECT_EQ(header.estimation, "truth");
@@ -106,10 +107,10 @@ TEST(ClosedLoop, the_log_says_how_to_make_the_run_again) {
   const test::TemporaryFolder folder;
   ClosedLoopOptions options;
   options.record_path = folder / "run.mcap";
-  const Scenario scenario =
+  const config::Scenario scenario =
       short_walk({"randomise={initial.yaw: [0.0, 0.1]}", "description=it's me"});
   (void)run_closed_loop(scenario, options);
-  const LogHeader header = LogReader(folder / "run.mcap").header();
+  const logging::LogHeader header = logging::LogReader(folder / "run.mcap").header();
   EXPECT_TRUE(header.command.starts_with("bin/surefoot run walk_flat_sea --seed 3 --set "));
   EXPECT_TRUE(header.command.ends_with(R"( --set 'description=it'\''s me')")) << header.command;
   EXPECT_EQ(header.description, "it's me");
@@ -120,18 +121,18 @@ TEST(ClosedLoop, the_log_says_how_to_make_the_run_again) {
 }
 
 TEST(ClosedLoop, the_log_holds_the_ground_as_the_plant_has_it) {
-  const std::vector<LogTerrain> flat = log_terrain({});
+  const std::vector<logging::LogTerrain> flat = log_terrain({});
   ASSERT_EQ(flat.size(), 1u);
   EXPECT_EQ(flat[0].shape, "plane");
-  TerrainRandomBoxes boxes;
+  simulation::TerrainRandomBoxes boxes;
   boxes.size_x = 0.9;
   boxes.size_y = 0.6;
   boxes.cell = 0.3;
-  TerrainHeightField field;
+  simulation::TerrainHeightField field;
   field.amplitude = 0.02;
-  TerrainOptions terrain;
+  simulation::TerrainOptions terrain;
   terrain.elements = {boxes, field};
-  const std::vector<LogTerrain> rough = log_terrain(terrain);
+  const std::vector<logging::LogTerrain> rough = log_terrain(terrain);
   ASSERT_EQ(rough.size(), 7u) << "3 × 2 boxes, one field";
   EXPECT_EQ(rough[0].size.x(), 0.3);
   EXPECT_EQ(rough[6].heights.size(), static_cast<std::size_t>(rough[6].columns * rough[6].rows));
@@ -188,22 +189,22 @@ TEST(ClosedLoop, a_stop_for_safety_before_a_fall_counts_and_after_it_does_not) {
 }
 
 TEST(ClosedLoop, standing_finds_the_height_of_best_manipulability) {
-  const Scenario scenario = load_scenario({"manipulability_standing", 0, {}});
+  const config::Scenario scenario = config::load_scenario({"manipulability_standing", 0, {}});
   const double best = best_height(scenario);
   const RunResult result = run_closed_loop(scenario, {});
   EXPECT_NEAR(result.metrics.base_height_end_m, best, 5e-4);
   // The scenario's own criterion is about this optimum.
   const auto criterion =
-      std::ranges::find(scenario.criteria, "base_height_end_m", &Criterion::metric);
+      std::ranges::find(scenario.criteria, "base_height_end_m", &evaluation::Criterion::metric);
   ASSERT_NE(criterion, scenario.criteria.end());
   EXPECT_NEAR((criterion->min.value() + criterion->max.value()) / 2.0, best, 1e-4);
 }
 
 TEST(ClosedLoop, options_that_make_no_sense_are_told_before_the_run) {
-  Scenario scenario = short_walk();
+  config::Scenario scenario = short_walk();
   scenario.plant.control_period = 0.0007;
   EXPECT_TRUE(test::holds(test::message_of([&] { check_setup(scenario); }), "control_period"));
 }
 
 }  // namespace
-}  // namespace surefoot
+}  // namespace surefoot::closed_loop

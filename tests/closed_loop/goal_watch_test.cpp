@@ -2,12 +2,12 @@
 
 #include <gtest/gtest.h>
 
-namespace surefoot {
+namespace surefoot::closed_loop {
 namespace {
 
 /// All four feet on the ground at these x, the base at another.
-GroundTruth standing(const PerLeg<double>& feet_x, double base_x) {
-  GroundTruth truth;
+simulation::GroundTruth standing(const PerLeg<double>& feet_x, double base_x) {
+  simulation::GroundTruth truth;
   truth.p_WB.x() = base_x;
   for (const Leg leg : kLegs) {
     truth.feet[index(leg)].touching = true;
@@ -17,7 +17,7 @@ GroundTruth standing(const PerLeg<double>& feet_x, double base_x) {
 }
 
 TEST(GoalWatch, without_a_goal_never_ends_a_run_and_says_nothing_of_one) {
-  GoalWatch goal{Goal{}};
+  GoalWatch goal{config::Goal{}};
   EXPECT_FALSE(goal.update(standing({9, 9, 9, 9}, 9)));
   EXPECT_EQ(goal.reached(), std::nullopt);
 }
@@ -34,7 +34,7 @@ TEST(GoalWatch, needs_all_feet_beyond_then_the_way_on) {
 
 TEST(GoalWatch, a_foot_in_the_air_is_not_down_beyond) {
   GoalWatch goal({.feet_beyond_x = 0.5, .walk_on = 0.0});
-  GroundTruth truth = standing({0.9, 0.9, 0.6, 0.6}, 0.7);
+  simulation::GroundTruth truth = standing({0.9, 0.9, 0.6, 0.6}, 0.7);
   truth.feet[index(Leg::RH)].touching = false;
   EXPECT_FALSE(goal.update(truth));
   truth.feet[index(Leg::RH)].touching = true;
@@ -42,4 +42,4 @@ TEST(GoalWatch, a_foot_in_the_air_is_not_down_beyond) {
 }
 
 }  // namespace
-}  // namespace surefoot
+}  // namespace surefoot::closed_loop

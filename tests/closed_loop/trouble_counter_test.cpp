@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace surefoot {
+namespace surefoot::closed_loop {
 namespace {
 
 TickRecord tick(SampleFault imu = SampleFault::none, CommandMode mode = CommandMode::optimal) {
@@ -48,4 +48,4 @@ TEST(TroubleCounter, ASensorThatNeverGaveAGoodSampleIsNone) {
 }
 
 }  // namespace
-}  // namespace surefoot
+}  // namespace surefoot::closed_loop

@@ -6,7 +6,7 @@
 
 #include <cstdlib>
 
-namespace surefoot {
+namespace surefoot::config {
 namespace {
 
 using test::holds;
@@ -154,4 +154,4 @@ TEST(ConfigTree, words_become_json_texts_and_numbers_numbers) {
 }
 
 }  // namespace
-}  // namespace surefoot
+}  // namespace surefoot::config

@@ -13,7 +13,7 @@
 #include <set>
 #include <sstream>
 
-namespace surefoot {
+namespace surefoot::config {
 namespace {
 
 using test::holds;
@@ -31,13 +31,13 @@ std::string complaint(const std::string& text) {
 }
 
 TEST(Fields, have_defaults_that_are_valid_in_cpp) {
-  ControllerOptions controller;
+  control::ControllerOptions controller;
   check_fields("", fields(controller));
   simulation::check_options({});
 }
 
 TEST(Fields, out_of_range_are_refused_in_a_file_and_in_cpp) {
-  ControllerOptions controller;
+  control::ControllerOptions controller;
   controller.planner.swing.apex = -0.1;
   EXPECT_EQ(message_of([&] { check_fields("", fields(controller)); }),
             "planner.swing.apex is -0.1; it must be a finite number above 0");
@@ -46,7 +46,7 @@ TEST(Fields, out_of_range_are_refused_in_a_file_and_in_cpp) {
 }
 
 TEST(Fields, that_contradict_each_other_are_refused_in_a_file_and_in_cpp) {
-  ControllerOptions controller;
+  control::ControllerOptions controller;
   controller.safety.bridge_time = 0.05;
   EXPECT_TRUE(holds(message_of([&] { check_fields("", fields(controller)); }),
                     "safety.bridge_time: 0.05 s must not be above guard.patience, 0.02 s"));
@@ -117,4 +117,4 @@ TEST(Fields, stand_in_the_schema_of_scenarios_as_in_the_list) {
 }
 
 }  // namespace
-}  // namespace surefoot
+}  // namespace surefoot::config

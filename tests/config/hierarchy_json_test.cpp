@@ -12,10 +12,10 @@
 #include <string>
 #include <vector>
 
-namespace surefoot::test {
+namespace surefoot::config {
 namespace {
 
-Hierarchy parse(const std::string& line) {
+solver::Hierarchy parse(const std::string& line) {
   return parse_hierarchy(line, "stack.jsonl:3").hierarchy;
 }
 
@@ -36,11 +36,11 @@ void expect_error(const std::string& line, const std::string& part) {
 }
 
 TEST(HierarchyJson, ReadsEqualitiesAndInequalities) {
-  const Hierarchy hierarchy =
+  const solver::Hierarchy hierarchy =
       parse(R"({"levels":[{"A":[[1,2.5]],"b":[3],"D":[[4,5],[6,7]],"f":[8,-9e-1]}]})");
   ASSERT_EQ(hierarchy.unknowns(), 2);
   ASSERT_EQ(hierarchy.num_levels(), 1u);
-  const Level& level = hierarchy.level(0);
+  const solver::Level& level = hierarchy.level(0);
   ASSERT_EQ(level.num_rows(), 3);
   EXPECT_EQ(level.A()(0, 1), 2.5);
   EXPECT_EQ(level.A()(2, 0), 6.0);
@@ -51,7 +51,7 @@ TEST(HierarchyJson, ReadsEqualitiesAndInequalities) {
 }
 
 TEST(HierarchyJson, EmptyAndMissingBlocksAreAllowed) {
-  const Hierarchy hierarchy =
+  const solver::Hierarchy hierarchy =
       parse(R"({"levels":[{"A":[],"b":[],"D":[],"f":[]},{"A":[[1]],"b":[2]},{}]})");
   ASSERT_EQ(hierarchy.num_levels(), 3u);
   EXPECT_EQ(hierarchy.level(0).num_rows(), 0);
@@ -60,7 +60,7 @@ TEST(HierarchyJson, EmptyAndMissingBlocksAreAllowed) {
 }
 
 /// The rows of a level in the order in which they are written.
-std::vector<Eigen::Index> as_written(const Level& level) {
+std::vector<Eigen::Index> as_written(const solver::Level& level) {
   std::vector<Eigen::Index> rows(static_cast<std::size_t>(level.num_rows()));
   std::iota(rows.begin(), rows.end(), 0);
   std::ranges::stable_partition(
@@ -70,22 +70,23 @@ std::vector<Eigen::Index> as_written(const Level& level) {
 
 TEST(HierarchyJson, WhatIsWrittenReadsBackToTheSameRowsBoundsAndIds) {
   int two_sided = 0;
-  for (SeededRandom& random : Seeds(50)) {
-    Hierarchy original(5);
-    for (const LevelData& level : random_levels(random, {.unknowns = 5, .levels = 4})) {
+  for (test::SeededRandom& random : test::Seeds(50)) {
+    solver::Hierarchy original(5);
+    for (const test::LevelData& level : test::random_levels(random, {.unknowns = 5, .levels = 4})) {
       const std::size_t k = original.add_level("any", level.A.rows());
       for (Eigen::Index i = 0; i < level.A.rows(); ++i) {
-        Rows row = original.level(k).add(1, 10 * static_cast<int>(i) + random.integer(0, 9));
+        solver::Rows row =
+            original.level(k).add(1, 10 * static_cast<int>(i) + random.integer(0, 9));
         row.A = level.A.row(i);
         row.lower[0] = random.chance(0.3) ? -kInfinity : level.lower[i];
         row.upper[0] = level.upper[i];
         if (row.lower[0] == -kInfinity && row.upper[0] == kInfinity) row.upper[0] = 1.0;
       }
     }
-    const Hierarchy copy = parse(format_hierarchy(original));
+    const solver::Hierarchy copy = parse(format_hierarchy(original));
     ASSERT_EQ(format_hierarchy(copy), format_hierarchy(original));
     for (std::size_t k = 0; k < original.num_levels(); ++k) {
-      const Level &from = original.level(k), &to = copy.level(k);
+      const solver::Level &from = original.level(k), &to = copy.level(k);
       const std::vector<Eigen::Index> rows = as_written(from);
       ASSERT_EQ(to.num_rows(), from.num_rows());
       for (Eigen::Index i = 0; i < to.num_rows(); ++i) {
@@ -103,9 +104,10 @@ TEST(HierarchyJson, WhatIsWrittenReadsBackToTheSameRowsBoundsAndIds) {
 }
 
 TEST(HierarchyJson, ARowMayHaveALowerBoundAnUpperBoundOrBoth) {
-  const Level level = parse(R"({"levels":[{"D":[[1],[2],[3]],"lower":[-1,null,-2],"f":[1,4,null],
+  const solver::Level level =
+      parse(R"({"levels":[{"D":[[1],[2],[3]],"lower":[-1,null,-2],"f":[1,4,null],
                                            "D_ids":[7,9,-3]}]})")
-                          .level(0);
+          .level(0);
   ASSERT_EQ(level.num_rows(), 3);
   EXPECT_EQ(level.lower(), Eigen::Vector3d(-1.0, -kInfinity, -2.0));
   EXPECT_EQ(level.upper(), Eigen::Vector3d(1.0, 4.0, kInfinity));
@@ -114,7 +116,7 @@ TEST(HierarchyJson, ARowMayHaveALowerBoundAnUpperBoundOrBoth) {
 }
 
 TEST(HierarchyJson, LowerBoundsNeedNoUpperOnes) {
-  const Level level = parse(R"({"levels":[{"D":[[1],[2]],"lower":[-1,3]}]})").level(0);
+  const solver::Level level = parse(R"({"levels":[{"D":[[1],[2]],"lower":[-1,3]}]})").level(0);
   EXPECT_EQ(level.lower(), Eigen::Vector2d(-1.0, 3.0));
   EXPECT_EQ(level.upper(), Eigen::Vector2d(kInfinity, kInfinity));
 }
@@ -123,7 +125,7 @@ TEST(HierarchyJson, ARowWithoutAnyBoundIsOneThatIsSwitchedOff) {
   for (const char* bounds :
        {R"("lower":[0,null],"f":[1,null])", R"("lower":[0,null])", R"("f":[1,null])"}) {
     const std::string line = R"({"levels":[{"D":[[1],[2]],)" + std::string(bounds) + "}]}";
-    const Level level = parse(line).level(0);
+    const solver::Level level = parse(line).level(0);
     ASSERT_EQ(level.num_rows(), 2) << bounds;
     EXPECT_EQ(level.lower()[1], -kInfinity);
     EXPECT_EQ(level.upper()[1], kInfinity);
@@ -214,25 +216,25 @@ TEST(HierarchyJson, IdsThatALevelHasTwiceAreNamed) {
                "that none has");
   expect_error(R"({"levels":[{"A":[[1]],"b":[1],"A_ids":[4],"D":[[1]],"f":[2],"D_ids":[4]}]})",
                "level 1: D_ids: element 1 is 4, which another");
-  const Hierarchy two =
+  const solver::Hierarchy two =
       parse(R"({"levels":[{"A":[[1]],"b":[1],"A_ids":[4]},{"A":[[1]],"b":[1],"A_ids":[4]}]})");
   EXPECT_EQ(two.level(1).id(0), 4);
 }
 
 TEST(HierarchyJson, RowsWithoutIdsAreCountedPastThoseThatOthersHave) {
-  const Level level = parse(
-                          R"({"levels":[{"A":[[1],[2]],"b":[1,2],
+  const solver::Level level = parse(
+                                  R"({"levels":[{"A":[[1],[2]],"b":[1,2],
                               "D":[[1],[2]],"f":[2,3],"D_ids":[1,0]}]})")
-                          .level(0);
+                                  .level(0);
   EXPECT_EQ(level.id(0), 2);
   EXPECT_EQ(level.id(1), 3);
   EXPECT_EQ(level.id(2), 1);
 }
 
 TEST(HierarchyJson, LevelsKeepTheirNames) {
-  Hierarchy hierarchy(1);
+  solver::Hierarchy hierarchy(1);
   hierarchy.add_level("torque \"limits\"", 1);
-  Rows rows = hierarchy.level(0).add(1, 0);
+  solver::Rows rows = hierarchy.level(0).add(1, 0);
   rows.A << 2.0;
   rows.set_equal(0, 1.0);
   const std::string line = format_hierarchy(hierarchy);
@@ -241,7 +243,7 @@ TEST(HierarchyJson, LevelsKeepTheirNames) {
 }
 
 TEST(HierarchyJson, LevelsKeepTheirUnits) {
-  Hierarchy hierarchy(1);
+  solver::Hierarchy hierarchy(1);
   for (const char* name : {"first", "second"}) {
     const std::size_t k = hierarchy.add_level(name, 1);
     hierarchy.level(k).add(1, 0).A << 2.0;
@@ -266,7 +268,7 @@ TEST(HierarchyJson, NumbersThatAreNotFiniteAreNamedWithLevelAndRow) {
 }
 
 TEST(HierarchyJson, NumbersUpTo1e100AreReadAndAreBounds) {
-  const Level level =
+  const solver::Level level =
       parse(R"({"levels":[{"A":[[1e100]],"b":[-1e100],"D":[[1]],"lower":[-1e100],"f":[1e100]}]})")
           .level(0);
   EXPECT_EQ(level.A()(0, 0), 1e100);
@@ -285,7 +287,7 @@ TEST(HierarchyJson, RowsTooSmallToComputeWithAreNamed) {
                "level 1: D: row 1: has nothing larger");
   expect_error(R"({"levels":[{"A":[[1e-400]],"b":[1]}]})",
                "level 1: A: row 1: element 1 is 1e-400, too small");
-  const Level level =
+  const solver::Level level =
       parse(R"({"levels":[{"A":[[1e-100,0],[0,0],[1,1e-300]],"b":[0,0,1e-300]}]})").level(0);
   EXPECT_EQ(level.A()(0, 0), 1e-100);
   EXPECT_EQ(level.A()(2, 1), 1e-300);
@@ -315,9 +317,9 @@ TEST(HierarchyJson, RowsHaveTheNamesOfTheFileOrTheirPlace) {
 }
 
 TEST(HierarchyJson, NamesAreWrittenAndReadBack) {
-  Hierarchy hierarchy(1);
+  solver::Hierarchy hierarchy(1);
   hierarchy.add_level("limits", 1);
-  Rows rows = hierarchy.level(0).add(1, 0);
+  solver::Rows rows = hierarchy.level(0).add(1, 0);
   rows.A(0, 0) = 1.0;
   rows.lower[0] = -1.0;
   rows.upper[0] = 2.0;
@@ -342,7 +344,7 @@ TEST(HierarchyJson, RowsAreWeighedAndALevelDampedAndXPulledToAReference) {
           "x_ref":[7,8]})",
       "");
   ASSERT_EQ(read.hierarchy.num_levels(), 2u);
-  const Level& level = read.hierarchy.level(0);
+  const solver::Level& level = read.hierarchy.level(0);
   ASSERT_EQ(level.num_rows(), 4);
   EXPECT_EQ(level.A()(0, 1), 20.0);
   EXPECT_EQ(level.lower()[0], 30.0);
@@ -353,7 +355,7 @@ TEST(HierarchyJson, RowsAreWeighedAndALevelDampedAndXPulledToAReference) {
   EXPECT_NEAR(level.A().bottomRows(2).norm(), 0.25, 1e-15);
   EXPECT_NEAR(level.upper().tail(2).norm(), 0.25 * 8.0, 1e-14);
   EXPECT_EQ(read.row_names[0], (std::vector<std::string>{"A 1", "D 1", "damping 1", "damping 2"}));
-  const Level& last = read.hierarchy.level(1);
+  const solver::Level& last = read.hierarchy.level(1);
   EXPECT_EQ(last.name(), "x_ref");
   ASSERT_EQ(last.num_rows(), 2);
   EXPECT_EQ(last.upper()[1], 8.0);
@@ -379,4 +381,4 @@ TEST(HierarchyJson, WeightsDampingAndReferencesThatMakeNoSenseAreErrors) {
 }
 
 }  // namespace
-}  // namespace surefoot::test
+}  // namespace surefoot::config

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace surefoot {
+namespace surefoot::config {
 namespace {
 
 using test::holds;
@@ -56,9 +56,10 @@ TEST_F(PlantOfScenario, takes_the_numbers_of_a_vector_by_name) {
 }
 
 TEST_F(PlantOfScenario, has_actuators_of_two_levels) {
-  EXPECT_EQ(read("").plant.actuators.model, ActuatorModel::sea) << "ideal ones must be asked for";
+  EXPECT_EQ(read("").plant.actuators.model, simulation::ActuatorModel::sea)
+      << "ideal ones must be asked for";
   EXPECT_EQ(read("").plant.actuators.level, 1);
-  const ActuatorOptions actuators =
+  const simulation::ActuatorOptions actuators =
       read(
           "actuators: {model: sea, level: 2, spring: {stiffness: 150}, rotor: {inertia: 3e-5, "
           "coulomb: 0.5}, torque_loop: {damping: 1}}\n")
@@ -78,16 +79,16 @@ TEST_F(PlantOfScenario, has_actuators_of_two_levels) {
 }
 
 TEST_F(PlantOfScenario, has_sensors_that_fail) {
-  const std::vector<SensorFault> faults =
+  const std::vector<simulation::SensorFault> faults =
       read(
           "sensors: {faults: {a: {sensor: imu, kind: stops, time: 3}, b: {sensor: encoders, kind: "
           "late, time: 1, duration: 0.5, size: 4, joint: RF_HFE}, c: }}\n")
           .plant.sensors.faults;
   ASSERT_EQ(faults.size(), 2u);
-  EXPECT_EQ(faults[0].kind, FaultKind::stops);
+  EXPECT_EQ(faults[0].kind, simulation::FaultKind::stops);
   EXPECT_EQ(faults[0].time, 3.0);
   EXPECT_TRUE(std::isinf(faults[0].duration));
-  EXPECT_EQ(faults[1].sensor, FaultySensor::encoders);
+  EXPECT_EQ(faults[1].sensor, simulation::FaultySensor::encoders);
   EXPECT_EQ(faults[1].size, 4.0);
   EXPECT_EQ(faults[1].joint, 4);
 }
@@ -120,10 +121,10 @@ TEST_F(PlantOfScenario, has_foot_sensors_that_fail) {
            "foot_force, kind: jump, time: 3, size: 80, leg: " +
            leg + "}\n";
   };
-  const SensorOptions sensors = read(options("LH")).plant.sensors;
+  const simulation::SensorOptions sensors = read(options("LH")).plant.sensors;
   EXPECT_EQ(sensors.foot_force.delay_ticks, 2);
   ASSERT_EQ(sensors.faults.size(), 1u);
-  EXPECT_EQ(sensors.faults[0].sensor, FaultySensor::foot_force);
+  EXPECT_EQ(sensors.faults[0].sensor, simulation::FaultySensor::foot_force);
   EXPECT_EQ(sensors.faults[0].leg, 2);
   EXPECT_TRUE(holds(complaint(options("HL")), "sensors.faults.a.leg: unknown leg \"HL\""));
 }
@@ -170,9 +171,9 @@ TEST_F(PlantOfScenario, whose_foot_contact_is_too_stiff_for_the_timestep_names_t
 }
 
 TEST_F(PlantOfScenario, begins_in_the_stance_or_with_joints_of_its_own) {
-  const InitialState stance = read("").plant.initial;
+  const simulation::InitialState stance = read("").plant.initial;
   EXPECT_FALSE(stance.is_given);
-  const InitialState given =
+  const simulation::InitialState given =
       read("initial: {joints: {LF: [0.1, 1.4, -2.8], RH: {KFE: 2.5}}}\n").plant.initial;
   EXPECT_TRUE(given.is_given);
   EXPECT_EQ(given.q.head<3>(), Vec3(0.1, 1.4, -2.8));
@@ -185,7 +186,7 @@ TEST_F(PlantOfScenario, begins_in_the_stance_or_with_joints_of_its_own) {
 }
 
 TEST_F(PlantOfScenario, is_lifted_by_hands) {
-  const DisturbanceOptions disturbances =
+  const simulation::DisturbanceOptions disturbances =
       read("disturbances: {lifts: {up: {time: 3, height: 0.2, hold: 2}, off: ~}}\n")
           .plant.disturbances;
   ASSERT_EQ(disturbances.lifts.size(), 1U);
@@ -224,4 +225,4 @@ TEST_F(PlantOfScenario, reads_a_push_along_the_ground_by_magnitude_and_direction
 }
 
 }  // namespace
-}  // namespace surefoot
+}  // namespace surefoot::config

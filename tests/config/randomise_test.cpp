@@ -9,7 +9,7 @@
 #include <cmath>
 #include <set>
 
-namespace surefoot {
+namespace surefoot::config {
 namespace {
 
 using test::holds;
@@ -166,4 +166,4 @@ TEST_F(IncludedRanges, include_others_and_each_counts_once) {
 }
 
 }  // namespace
-}  // namespace surefoot
+}  // namespace surefoot::config

@@ -7,7 +7,7 @@
 
 #include <vector>
 
-namespace surefoot {
+namespace surefoot::config {
 namespace {
 
 using test::holds;
@@ -43,7 +43,7 @@ class RobotFile : public testing::Test {
 };
 
 TEST_F(RobotFile, of_anymal_b_is_read) {
-  const RobotDescription robot = load_robot("anymal_b");
+  const model::RobotDescription robot = load_robot("anymal_b");
   EXPECT_EQ(robot.legs[index(Leg::RH)].foot_frame, "RH_FOOT");
   EXPECT_EQ(robot.legs[index(Leg::LF)].joints[2], "LF_KFE");
   EXPECT_EQ(robot.torque_limit, JointVector::Constant(40.0));
@@ -138,7 +138,7 @@ TEST_F(RobotFile, may_have_drives_that_differ_along_a_leg) {
   change(text_, "torque: 40.0", "torque: [30, 35.5, 50]");
   change(text_, "velocity: ", "velocity: {KFE: 9, HAA: 12, HFE: 11}  # ");
   test::write_file(folder_ / "robot.yaml", text_);
-  const RobotDescription robot = load_robot(folder_ / "robot.yaml");
+  const model::RobotDescription robot = load_robot(folder_ / "robot.yaml");
   EXPECT_EQ(robot.torque_limit, Vec3(30.0, 35.5, 50.0).replicate(4, 1));
   EXPECT_EQ(robot.velocity_limit, Vec3(12.0, 11.0, 9.0).replicate(4, 1));
 }
@@ -162,7 +162,7 @@ TEST_F(RobotFile, with_legs_that_were_exchanged_says_so) {
 TEST_F(RobotFile, whose_knees_bend_backward_alone_has_hind_legs_like_the_front_ones) {
   change(text_, "2.6, 2.9]", "2.6, -0.1]");
   test::write_file(folder_ / "robot.yaml", text_);
-  const RobotDescription robot = load_robot(folder_ / "robot.yaml");
+  const model::RobotDescription robot = load_robot(folder_ / "robot.yaml");
   for (const Leg leg : kLegs)
     EXPECT_EQ(robot.q_nominal.segment<3>(first_joint(leg)), Vec3(0.0, 0.4, -0.8));
 }
@@ -174,7 +174,7 @@ TEST_F(RobotFile, may_lie_in_a_package_of_ones_own) {
   text_.replace(begin, text_.find('\n', begin) - begin, "package://mine/robots/robot.urdf");
   test::write_file(folder_ / "robot.yaml", text_);
   setenv("ROS_PACKAGE_PATH", ("/nowhere:" + folder_.path() + "/").c_str(), 1);
-  const RobotDescription robot = load_robot(folder_ / "robot.yaml");
+  const model::RobotDescription robot = load_robot(folder_ / "robot.yaml");
   unsetenv("ROS_PACKAGE_PATH");
   EXPECT_EQ(robot.urdf_path, folder_ / "mine/robots/robot.urdf");
 }
@@ -185,4 +185,4 @@ TEST_F(RobotFile, that_does_not_exist_lists_those_that_do) {
 }
 
 }  // namespace
-}  // namespace surefoot
+}  // namespace surefoot::config

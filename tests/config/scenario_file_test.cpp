@@ -10,7 +10,7 @@
 #include <fstream>
 #include <iterator>
 
-namespace surefoot {
+namespace surefoot::config {
 namespace {
 
 using test::holds;
@@ -46,7 +46,8 @@ TEST_F(ScenarioFile, keeps_what_its_base_says_and_changes_what_it_names) {
 
 std::vector<std::string> criteria_of(const Scenario& scenario) {
   std::vector<std::string> metrics;
-  for (const Criterion& criterion : scenario.criteria) metrics.push_back(criterion.metric);
+  for (const evaluation::Criterion& criterion : scenario.criteria)
+    metrics.push_back(criterion.metric);
   return metrics;
 }
 
@@ -132,7 +133,7 @@ TEST_F(ScenarioFile, that_is_wrong_says_where_and_what_would_be_valid) {
 }
 
 TEST_F(ScenarioFile, has_levels_that_come_and_go) {
-  const std::vector<LevelSwitch> switches =
+  const std::vector<control::LevelSwitch> switches =
       read(
           "stack: terrain_adaptation\nstack_switches:\n"
           "  - {time: 0, remove: [torso_yaw, com_xy], duration: 0}\n"
@@ -218,7 +219,7 @@ TEST_F(ScenarioFile, takes_assignments_of_the_command_line_over_everything) {
   const Scenario scenario =
       read("duration: 3\n", 0, {"duration=4", "actuators.model=sea", "tasks.com_xy.kp=150"});
   EXPECT_EQ(scenario.duration, 4.0);
-  EXPECT_EQ(scenario.plant.actuators.model, ActuatorModel::sea);
+  EXPECT_EQ(scenario.plant.actuators.model, simulation::ActuatorModel::sea);
   EXPECT_EQ(scenario.controller.stack.levels[4].tasks[0].numbers.at("kp"), 150.0);
 }
 
@@ -436,8 +437,9 @@ TEST_F(ScenarioFile, that_is_no_yaml_file_is_not_called_unknown) {
 }
 
 TEST_F(ScenarioFile, chooses_the_solver) {
-  EXPECT_EQ(read("").controller.solver.method, SolverMethod::lexicographic);
-  EXPECT_EQ(read("solver: {method: cascade}\n").controller.solver.method, SolverMethod::cascade);
+  EXPECT_EQ(read("").controller.solver.method, control::SolverMethod::lexicographic);
+  EXPECT_EQ(read("solver: {method: cascade}\n").controller.solver.method,
+            control::SolverMethod::cascade);
   EXPECT_TRUE(read("").controller.solver.structure);
   EXPECT_FALSE(read("solver: {structure: false}\n").controller.solver.structure);
 }
@@ -448,9 +450,9 @@ TEST_F(ScenarioFile, says_which_samples_are_believed) {
       "frozen: {motion: 1}, torques: {max_force: 900}}}\n");
   EXPECT_EQ(scenario.controller.guard.max_gyro_step, 1.5);
   EXPECT_EQ(scenario.controller.guard.max_imu_delay, 0.02);
-  EXPECT_EQ(scenario.controller.guard.patience, ReadingGuardOptions{}.patience);
+  EXPECT_EQ(scenario.controller.guard.patience, estimation::ReadingGuardOptions{}.patience);
   EXPECT_EQ(scenario.controller.consistency.imu.rate_margin, 0.2);
-  EXPECT_EQ(scenario.controller.consistency.imu.window, ImuCheckOptions{}.window);
+  EXPECT_EQ(scenario.controller.consistency.imu.window, estimation::ImuCheckOptions{}.window);
   EXPECT_EQ(scenario.controller.consistency.frozen.motion, 1.0);
   EXPECT_EQ(scenario.controller.consistency.torques.max_force, 900.0);
   EXPECT_FALSE(read("guard: {consistency: {enabled: false}}\n").controller.consistency.enabled);
@@ -466,7 +468,7 @@ TEST_F(ScenarioFile, that_looks_further_ahead_than_the_com_planner_can_says_so) 
   const auto text = [](int steps) {
     return "planner: {com: {horizon_steps: " + std::to_string(steps) + "}}\n";
   };
-  const int most = ComPlanner::kMaxSteps;
+  const int most = gaits::ComPlanner::kMaxSteps;
   EXPECT_EQ(read(text(most)).controller.planner.com.horizon_steps, most);
   EXPECT_TRUE(holds(complaint(text(most + 1)), "trial.yaml:2: planner.com.horizon_steps: \"" +
                                                    std::to_string(most + 1) + "\" is more than " +
@@ -474,4 +476,4 @@ TEST_F(ScenarioFile, that_looks_further_ahead_than_the_com_planner_can_says_so) 
 }
 
 }  // namespace
-}  // namespace surefoot
+}  // namespace surefoot::config

@@ -5,7 +5,7 @@
 
 #include <functional>
 
-namespace surefoot {
+namespace surefoot::config {
 namespace {
 
 using test::holds;
@@ -160,4 +160,4 @@ TEST(NearestName, swapped_missing_and_wrong_letters_are_near) {
 }
 
 }  // namespace
-}  // namespace surefoot
+}  // namespace surefoot::config

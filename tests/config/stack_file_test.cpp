@@ -5,19 +5,19 @@
 #include "tests/config/messages.hpp"
 #include "tests/logging/temporary_folder.hpp"
 
-namespace surefoot {
+namespace surefoot::config {
 namespace {
 
 using test::holds;
 using test::message_of;
 
-std::vector<std::string> level_names(const StackOptions& stack) {
+std::vector<std::string> level_names(const control::StackOptions& stack) {
   std::vector<std::string> names;
-  for (const LevelSpec& level : stack.levels) names.push_back(level.name);
+  for (const control::LevelSpec& level : stack.levels) names.push_back(level.name);
   return names;
 }
 
-StackOptions read(const std::string& text) {
+control::StackOptions read(const std::string& text) {
   const test::TemporaryFolder folder;
   test::write_file(folder / "s.yaml", text);
   return load_stack(folder / "s.yaml");
@@ -36,25 +36,25 @@ TEST(StackFile, terrain_adaptation_is_table_one_with_a_task_a_level) {
 }
 
 TEST(StackFile, terrain_without_limits_leaves_out_only_level_seven) {
-  StackOptions full = load_stack("terrain_adaptation");
+  control::StackOptions full = load_stack("terrain_adaptation");
   full.levels.erase(full.levels.begin() + 6);
-  const StackOptions without = load_stack("terrain_without_limits");
+  const control::StackOptions without = load_stack("terrain_without_limits");
   EXPECT_EQ(level_names(without), level_names(full));
   EXPECT_EQ(without.levels[4].tasks[0].numbers, full.levels[4].tasks[0].numbers);
 }
 
 TEST(StackFile, every_task_of_every_shipped_stack_can_be_made) {
   for (const std::string& name : list_data("stacks")) {
-    for (const LevelSpec& level : load_stack(name).levels) {
-      for (const TaskSpec& task : level.tasks) {
-        EXPECT_NE(make_task(task.task, {task.numbers, task.choices}), nullptr) << name;
+    for (const control::LevelSpec& level : load_stack(name).levels) {
+      for (const control::TaskSpec& task : level.tasks) {
+        EXPECT_NE(tasks::make_task(task.task, {task.numbers, task.choices}), nullptr) << name;
       }
     }
   }
 }
 
 TEST(StackFile, a_level_can_hold_several_tasks) {
-  const StackOptions stack = read(
+  const control::StackOptions stack = read(
       "name: s\nlevels:\n"
       "  - {name: forces, tasks: [{task: torque_limits}, {task: friction_cone, pyramid: outer}]}\n"
       "  - {task: com_xy, name: balance, kp: 100}\n");
@@ -113,19 +113,19 @@ TEST(StackFile, what_is_left_out_must_be_a_list_of_levels) {
 }
 
 TEST(StackFile, levels_of_a_base_are_taken_by_name_in_any_order_with_others_between) {
-  const StackOptions stack = read(
+  const control::StackOptions stack = read(
       "name: s\nbase: terrain_adaptation\nlevels:\n  - swing_foot\n"
       "  - {task: body_height_limits, min: 0.25}\n  - com_xy\n");
   EXPECT_EQ(level_names(stack),
             (std::vector<std::string>{"swing_foot", "body_height_limits", "com_xy"}));
-  const StackOptions base = load_stack("terrain_adaptation");
+  const control::StackOptions base = load_stack("terrain_adaptation");
   EXPECT_EQ(stack.levels[0].tasks[0].numbers, base.levels[5].tasks[0].numbers);
   EXPECT_EQ(stack.levels[1].tasks[0].numbers.at("min"), 0.25);
   EXPECT_EQ(stack.levels[2].tasks[0].numbers, base.levels[4].tasks[0].numbers);
 }
 
 TEST(StackFile, tasks_of_a_level_have_weights_and_a_level_its_damping) {
-  const StackOptions stack = read(
+  const control::StackOptions stack = read(
       "name: s\nlevels:\n"
       "  - {name: both, weight: 2, damping: 0.1, tasks: [{task: com_xy, weight: 3}, {task: "
       "torso_yaw}]}\n"
@@ -146,7 +146,7 @@ TEST(StackFile, weights_and_dampings_that_are_none_are_told) {
 }
 
 TEST(StackFile, a_stack_can_be_weighted_from_a_level_on) {
-  const StackOptions stack =
+  const control::StackOptions stack =
       read("name: s\nbase: terrain_adaptation\nweights: {com_xy: 100}\nweighted_from: com_xy\n");
   EXPECT_EQ(level_names(stack),
             (std::vector<std::string>{"equations_of_motion", "no_contact_motion", "torque_limits",
@@ -158,17 +158,17 @@ TEST(StackFile, a_stack_can_be_weighted_from_a_level_on) {
 }
 
 TEST(StackFile, parameters_laid_over_a_stack_reach_every_task_of_that_name) {
-  StackOptions stack = load_stack("walk");
+  control::StackOptions stack = load_stack("walk");
   override_tasks(stack, parse_yaml("com_xy: {kp: 150}", "o.yaml"), "tasks");
   EXPECT_EQ(stack.levels[4].tasks[0].numbers.at("kp"), 150.0);
 }
 
 TEST(StackFile, parameters_for_a_task_that_the_stack_has_not_are_an_error) {
-  StackOptions stack = load_stack("walk");
+  control::StackOptions stack = load_stack("walk");
   const ConfigNode tasks = parse_yaml("limb_extension_limits: {max: 0.5}", "o.yaml");
   EXPECT_TRUE(holds(message_of([&] { override_tasks(stack, tasks, "tasks"); }),
                     "o.yaml:1: tasks.limb_extension_limits"));
 }
 
 }  // namespace
-}  // namespace surefoot
+}  // namespace surefoot::config

@@ -7,20 +7,20 @@
 
 #include <gtest/gtest.h>
 
-namespace surefoot {
+namespace surefoot::config {
 namespace {
 
-StackOptions read(const std::string& text) {
+control::StackOptions read(const std::string& text) {
   const test::TemporaryFolder folder;
   test::write_file(folder / "stack.yaml", text);
   return load_stack(folder / "stack.yaml");
 }
 
-void expect_same(const StackOptions& stack, const StackOptions& other) {
+void expect_same(const control::StackOptions& stack, const control::StackOptions& other) {
   EXPECT_EQ(stack.name, other.name);
   ASSERT_EQ(stack.levels.size(), other.levels.size());
   for (std::size_t i = 0; i < stack.levels.size(); ++i) {
-    const LevelSpec &level = stack.levels[i], &other_level = other.levels[i];
+    const control::LevelSpec &level = stack.levels[i], &other_level = other.levels[i];
     EXPECT_EQ(level.name, other_level.name);
     EXPECT_EQ(level.damping, other_level.damping);
     ASSERT_EQ(level.tasks.size(), other_level.tasks.size());
@@ -36,7 +36,7 @@ void expect_same(const StackOptions& stack, const StackOptions& other) {
 TEST(StackText, every_shipped_stack_reads_back_without_its_base) {
   for (const std::string& name : list_data("stacks")) {
     SCOPED_TRACE(name);
-    const StackOptions stack = with_defaults(load_stack(name));
+    const control::StackOptions stack = with_defaults(load_stack(name));
     const std::string text = stack_yaml(stack);
     EXPECT_EQ(text.find("base:"), std::string::npos);
     expect_same(read(text), stack);
@@ -44,7 +44,7 @@ TEST(StackText, every_shipped_stack_reads_back_without_its_base) {
 }
 
 TEST(StackText, odd_names_and_numbers_read_back_bit_by_bit) {
-  StackOptions stack{.name = "a \"b\": #c, {d}", .levels = {}};
+  control::StackOptions stack{.name = "a \"b\": #c, {d}", .levels = {}};
   stack.levels = {{.name = "no", .tasks = {{"com_xy", {{"kp", 0.1 + 0.2}, {"kd", 1e-17}}, {}}}},
                   {.name = "- two\ttasks",
                    .tasks = {{"torque_limits", {}, {}}, {"swing_foot", {{"kp", 1e300}}, {}, 0.3}},
@@ -53,14 +53,14 @@ TEST(StackText, odd_names_and_numbers_read_back_bit_by_bit) {
 }
 
 TEST(StackText, defaults_are_written_and_what_is_given_stays) {
-  StackOptions stack{.name = "s", .levels = {}};
+  control::StackOptions stack{.name = "s", .levels = {}};
   stack.levels = {{.name = "legs", .tasks = {{"limb_extension_limits", {{"max", 0.5}}, {}}}}};
-  const TaskSpec task = with_defaults(stack).levels[0].tasks[0];
-  const TaskInfo& info = task_info("limb_extension_limits");
+  const control::TaskSpec task = with_defaults(stack).levels[0].tasks[0];
+  const tasks::TaskInfo& info = tasks::task_info("limb_extension_limits");
   EXPECT_EQ(task.numbers.size(), info.parameters.size());
   EXPECT_EQ(task.choices.size(), info.choices.size());
   EXPECT_EQ(task.numbers.at("max"), 0.5);
-  for (const TaskParameter& parameter : info.parameters) {
+  for (const tasks::TaskParameter& parameter : info.parameters) {
     if (parameter.name == "min") {
       EXPECT_EQ(task.numbers.at("min"), parameter.default_value);
     }
@@ -68,4 +68,4 @@ TEST(StackText, defaults_are_written_and_what_is_given_stays) {
 }
 
 }  // namespace
-}  // namespace surefoot
+}  // namespace surefoot::config

@@ -7,15 +7,15 @@
 
 #include <cmath>
 
-namespace surefoot {
+namespace surefoot::config {
 namespace {
 
 using test::holds;
 using test::message_of;
 
-TerrainOptions read(const std::string& text) {
+simulation::TerrainOptions read(const std::string& text) {
   const ConfigNode tree = parse_yaml(text, "t.yaml");
-  TerrainOptions terrain;
+  simulation::TerrainOptions terrain;
   Section section(tree, "terrain");
   read(section, terrain_fields(terrain));
   section.finish();
@@ -23,22 +23,23 @@ TerrainOptions read(const std::string& text) {
 }
 
 /// The physics that a terrain becomes.
-Plant plant_on(const std::string& text) {
-  PlantOptions options;
+simulation::Plant plant_on(const std::string& text) {
+  simulation::PlantOptions options;
   options.terrain = read(text);
   options.initial.position.z() = 5.0;
-  return Plant(load_robot("anymal_b"), options);
+  return simulation::Plant(load_robot("anymal_b"), options);
 }
 
 TEST(Terrain, without_elements_is_the_plane) {
-  const TerrainOptions terrain = read("friction: 0.4");
+  const simulation::TerrainOptions terrain = read("friction: 0.4");
   ASSERT_EQ(terrain.elements.size(), 1u);
-  EXPECT_TRUE(std::holds_alternative<TerrainLevel>(terrain.elements[0]));
+  EXPECT_TRUE(std::holds_alternative<simulation::TerrainLevel>(terrain.elements[0]));
   EXPECT_EQ(terrain.friction, 0.4);
 }
 
 TEST(Terrain, a_step_down_is_level_up_to_the_edge_and_lower_behind_it) {
-  const Plant plant = plant_on("elements: {ground: {shape: steps, edge: 0.5, height: -0.14}}");
+  const simulation::Plant plant =
+      plant_on("elements: {ground: {shape: steps, edge: 0.5, height: -0.14}}");
   EXPECT_NEAR(plant.terrain_height(-3.0, 0.3), 0.0, 1e-9);
   EXPECT_NEAR(plant.terrain_height(0.499, -0.3), 0.0, 1e-9);
   EXPECT_NEAR(plant.terrain_height(0.501, 0.0), -0.14, 1e-9);
@@ -46,7 +47,7 @@ TEST(Terrain, a_step_down_is_level_up_to_the_edge_and_lower_behind_it) {
 }
 
 TEST(Terrain, stairs_up_rise_by_one_step_a_tread) {
-  const Plant plant = plant_on(
+  const simulation::Plant plant = plant_on(
       "elements: {ground: {shape: steps, edge: 0.5, height: 0.15, tread: 0.35, count: 3}}");
   EXPECT_NEAR(plant.terrain_height(0.4, 0.0), 0.0, 1e-9);
   EXPECT_NEAR(plant.terrain_height(0.6, 0.0), 0.15, 1e-9);
@@ -56,22 +57,25 @@ TEST(Terrain, stairs_up_rise_by_one_step_a_tread) {
 }
 
 TEST(Terrain, a_slope_rises_from_its_start_on) {
-  const Plant plant = plant_on("elements: {ground: {shape: slope, start: 0.5, pitch: 0.2}}");
+  const simulation::Plant plant =
+      plant_on("elements: {ground: {shape: slope, start: 0.5, pitch: 0.2}}");
   EXPECT_NEAR(plant.terrain_height(0.4, 0.0), 0.0, 1e-9);
   EXPECT_NEAR(plant.terrain_height(1.5, 0.7), std::tan(0.2), 1e-9);
 }
 
 TEST(Terrain, a_slope_down_falls_and_one_along_rises_to_the_left) {
-  const Plant down = plant_on("elements: {ground: {shape: slope, start: 0.5, pitch: -0.2}}");
+  const simulation::Plant down =
+      plant_on("elements: {ground: {shape: slope, start: 0.5, pitch: -0.2}}");
   EXPECT_NEAR(down.terrain_height(1.5, 0.0), -std::tan(0.2), 1e-9);
-  const Plant along = plant_on("elements: {ground: {shape: slope, start: 0.5, roll: 0.2}}");
+  const simulation::Plant along =
+      plant_on("elements: {ground: {shape: slope, start: 0.5, roll: 0.2}}");
   EXPECT_NEAR(along.terrain_height(1.5, 0.3), 0.3 * std::tan(0.2), 1e-9);
   EXPECT_NEAR(along.terrain_height(1.5, -0.3), -0.3 * std::tan(0.2), 1e-9);
 }
 
 TEST(Terrain, a_slope_rises_to_where_uphill_is) {
   for (const double uphill : {-2.5, -0.8, 0.0, 0.4, 1.6, 3.1}) {
-    const Plant plant = plant_on(
+    const simulation::Plant plant = plant_on(
         "elements: {ground: {shape: slope, start: 0.5, incline: 0.2, "
         "uphill: " +
         std::to_string(uphill) + "}}");
@@ -90,15 +94,16 @@ TEST(Terrain, friction_tiles_are_level_and_each_has_its_own_friction_from_the_se
                std::to_string(seed) + "}}")
         .elements;
   };
-  const std::vector<TerrainElement> first = tiles(4), again = tiles(4), other = tiles(5);
+  const std::vector<simulation::TerrainElement> first = tiles(4), again = tiles(4),
+                                                other = tiles(5);
   ASSERT_EQ(first.size(), 32u);
   double lowest = 1.0, highest = 0.0;
   int same = 0;
   for (std::size_t i = 0; i < first.size(); ++i) {
-    const auto& box = std::get<TerrainBox>(first[i]);
+    const auto& box = std::get<simulation::TerrainBox>(first[i]);
     EXPECT_NEAR(box.position.z() + box.size.z() / 2.0, -0.2, 1e-12);
-    EXPECT_EQ(box.friction, std::get<TerrainBox>(again[i]).friction);
-    same += box.friction == std::get<TerrainBox>(other[i]).friction ? 1 : 0;
+    EXPECT_EQ(box.friction, std::get<simulation::TerrainBox>(again[i]).friction);
+    same += box.friction == std::get<simulation::TerrainBox>(other[i]).friction ? 1 : 0;
     lowest = std::min(lowest, box.friction);
     highest = std::max(highest, box.friction);
   }
@@ -119,10 +124,10 @@ TEST(Terrain, friction_tiles_that_make_no_sense_say_why) {
 }
 
 TEST(Terrain, rough_ground_and_boxes_stay_within_their_heights) {
-  const Plant rough = plant_on(
+  const simulation::Plant rough = plant_on(
       "elements: {a: {shape: height_field, size_x: 6, size_y: 4, amplitude: 0.05, wavelength: 0.6, "
       "seed: 3}}");
-  const Plant boxes = plant_on(
+  const simulation::Plant boxes = plant_on(
       "elements: {a: {shape: random_boxes, size_x: 6, size_y: 4, cell: 0.4, max_height: 0.1, seed: "
       "3}}");
   double rough_lowest = 1.0, rough_highest = -1.0, box_lowest = 1.0, box_highest = -1.0;
@@ -162,4 +167,4 @@ TEST(Terrain, an_element_of_the_base_is_taken_away_by_naming_nothing) {
 }
 
 }  // namespace
-}  // namespace surefoot
+}  // namespace surefoot::config

@@ -14,10 +14,10 @@ namespace surefoot::test {
 /// walk_flat with some keys laid over it.
 class TrialScenario : public testing::Test {
  protected:
-  Scenario read(const std::string& text, std::uint64_t seed = 0,
-                const std::vector<std::string>& assignments = {}) {
+  config::Scenario read(const std::string& text, std::uint64_t seed = 0,
+                        const std::vector<std::string>& assignments = {}) {
     write_file(folder_ / "trial.yaml", "base: walk_flat\n" + text);
-    return load_scenario({folder_ / "trial.yaml", seed, assignments});
+    return config::load_scenario({folder_ / "trial.yaml", seed, assignments});
   }
 
   std::string complaint(const std::string& text, const std::vector<std::string>& assignments = {}) {

@@ -3,28 +3,28 @@
 #include "tests/control/statue.hpp"
 #include "tests/support/malloc_counter.hpp"
 
-namespace surefoot::test {
+namespace surefoot::control {
 namespace {
 
 /// A statue that stands, and a stack that is asked beside its controller.
 struct Beside {
   explicit Beside(const std::string& stack = "terrain_adaptation")
-      : asked(load_stack(stack), options.solver, options.safety, anymal_b()) {
+      : asked(config::load_stack(stack), options.solver, options.safety, test::anymal_b()) {
     statue.run(20);
   }
 
   const StackAnswer& ask() { return asked.ask(state(), dynamics(), plan()); }
   [[nodiscard]] const RobotState& state() const { return statue.controller.record().state; }
   [[nodiscard]] const MotionPlan& plan() const { return statue.controller.record().plan; }
-  [[nodiscard]] const Dynamics& dynamics() const { return *statue.controller.dynamics(); }
+  [[nodiscard]] const model::Dynamics& dynamics() const { return *statue.controller.dynamics(); }
   [[nodiscard]] MotionPlan plan_of_no_sense() const {
     MotionPlan plan = this->plan();
     plan.com.p.setConstant(kNaN);
     return plan;
   }
 
-  ControllerOptions options = options_of();
-  Statue statue{options};
+  ControllerOptions options = test::options_of();
+  test::Statue statue{options};
   AskedStack asked;
 };
 
@@ -41,7 +41,7 @@ TEST(AskedStack, of_the_controllers_own_levels_answers_what_the_controller_comma
 
 TEST(AskedStack, has_names_and_units_of_its_own_levels) {
   const Beside beside("regular");
-  ASSERT_EQ(beside.asked.level_names().size(), load_stack("regular").levels.size());
+  ASSERT_EQ(beside.asked.level_names().size(), config::load_stack("regular").levels.size());
   EXPECT_EQ(beside.asked.level_names().at(1), "no_contact_motion");
   EXPECT_EQ(beside.asked.level_units().at(1), "m/s²");
 }
@@ -54,7 +54,7 @@ TEST(AskedStack, answers_behind_ticks_that_would_have_stopped_its_controller) {
   for (int tick = 1; tick <= 3 * patience; ++tick) {
     const StackAnswer& answer = beside.asked.ask(beside.state(), beside.dynamics(), plan);
     ASSERT_FALSE(answer.is_usable());
-    ASSERT_EQ(answer.hierarchy.status, static_cast<int>(SolveStatus::invalid_input));
+    ASSERT_EQ(answer.hierarchy.status, static_cast<int>(solver::SolveStatus::invalid_input));
     ASSERT_EQ(answer.command.cause, tick <= patience ? StopCause::none : StopCause::failures);
   }
   EXPECT_TRUE(beside.ask().is_usable());
@@ -80,7 +80,7 @@ TEST(AskedStack, does_not_allocate) {
   Beside beside;
   const MotionPlan plan = beside.plan_of_no_sense();
   (void)beside.ask();
-  const MallocCounter counter;
+  const test::MallocCounter counter;
   for (int tick = 0; tick < 200; ++tick)
     (void)beside.asked.ask(beside.state(), beside.dynamics(), plan);
   (void)beside.ask();
@@ -99,4 +99,4 @@ TEST(Controller, has_no_model_of_a_tick_whose_state_it_refused) {
 }
 
 }  // namespace
-}  // namespace surefoot::test
+}  // namespace surefoot::control

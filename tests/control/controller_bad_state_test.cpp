@@ -8,7 +8,7 @@
 #include <functional>
 #include <vector>
 
-namespace surefoot::test {
+namespace surefoot::control {
 namespace {
 
 /// Every number of a state, one after the other.
@@ -32,7 +32,7 @@ std::vector<std::function<double&(RobotState&)>> numbers_of_a_state() {
 }
 
 TEST(Controller, EveryReadingThatIsNotANumberGivesALegalCommandAndIsForgottenAtOnce) {
-  Statue statue;
+  test::Statue statue;
   statue.user = {.walk = true, .velocity = {0.05, 0.0}};
   statue.run(20);
   for (const auto& number : numbers_of_a_state()) {
@@ -40,10 +40,10 @@ TEST(Controller, EveryReadingThatIsNotANumberGivesALegalCommandAndIsForgottenAtO
       RobotState believed = statue.state;
       number(believed) = bad;
       const JointCommand& command = statue.tick_with(believed);
-      ASSERT_NO_FATAL_FAILURE(expect_legal(command));
+      ASSERT_NO_FATAL_FAILURE(test::expect_legal(command));
       ASSERT_EQ(command.mode, CommandMode::hold);
       ASSERT_EQ(statue.tick().mode, CommandMode::optimal);
-      ASSERT_TRUE(is_sound(statue.controller.record().plan));
+      ASSERT_TRUE(test::is_sound(statue.controller.record().plan));
     }
   }
 }
@@ -51,22 +51,22 @@ TEST(Controller, EveryReadingThatIsNotANumberGivesALegalCommandAndIsForgottenAtO
 TEST(Controller, EveryAbsurdReadingGivesALegalCommandAndIsForgottenSoon) {
   for (const double absurd : {1e300, -1e300, 1e12, -1e5}) {
     for (const auto& number : numbers_of_a_state()) {
-      Statue statue;
+      test::Statue statue;
       statue.run(3);
       RobotState believed = statue.state;
       number(believed) = absurd;
-      ASSERT_NO_FATAL_FAILURE(expect_legal(statue.tick_with(believed)));
-      for (int i = 0; i < 40; ++i) ASSERT_NO_FATAL_FAILURE(expect_legal(statue.tick()));
+      ASSERT_NO_FATAL_FAILURE(test::expect_legal(statue.tick_with(believed)));
+      for (int i = 0; i < 40; ++i) ASSERT_NO_FATAL_FAILURE(test::expect_legal(statue.tick()));
       const TickRecord& record = statue.controller.record();
       ASSERT_EQ(record.command.mode, CommandMode::optimal);
-      ASSERT_TRUE(is_sound(record.plan));
+      ASSERT_TRUE(test::is_sound(record.plan));
       for (const Vec3& force : record.state.foot_force) ASSERT_LT(force.norm(), 1e3);
     }
   }
 }
 
 TEST(Controller, HoldsThroughTicksWithoutAStateAndGoesOn) {
-  Statue statue;
+  test::Statue statue;
   statue.run(20);
   const JointVector before = statue.controller.record().command.torque;
   for (int i = 0; i < 40; ++i) {
@@ -79,16 +79,16 @@ TEST(Controller, HoldsThroughTicksWithoutAStateAndGoesOn) {
 }
 
 TEST(Controller, ATickWithoutAStateRepeatsNeitherEventsNorResiduals) {
-  Statue statue;
+  test::Statue statue;
   statue.user = {.walk = true, .velocity = {0.05, 0.0}};
   const TickRecord& record = statue.controller.record();
   for (int i = 0; i < 2000 && record.plan.events.empty(); ++i) (void)statue.tick();
   ASSERT_FALSE(record.plan.events.empty()) << "nothing ever happens";
-  ASSERT_EQ(record.hierarchy.status, static_cast<int>(SolveStatus::optimal));
+  ASSERT_EQ(record.hierarchy.status, static_cast<int>(solver::SolveStatus::optimal));
   const int num_levels = record.hierarchy.num_levels;
   (void)statue.tick_with(RobotState{});
   EXPECT_TRUE(record.plan.events.empty());
-  EXPECT_EQ(record.hierarchy.status, static_cast<int>(SolveStatus::invalid_input));
+  EXPECT_EQ(record.hierarchy.status, static_cast<int>(solver::SolveStatus::invalid_input));
   EXPECT_EQ(record.hierarchy.num_levels, num_levels);
   EXPECT_EQ(record.hierarchy.num_active, 0);
   for (const LevelReport& level : record.hierarchy.levels) {
@@ -98,11 +98,11 @@ TEST(Controller, ATickWithoutAStateRepeatsNeitherEventsNorResiduals) {
   EXPECT_TRUE(record.model.p_WCom.array().isNaN().all());
   for (const Vec3& force : record.model.force) EXPECT_TRUE(force.array().isNaN().all());
   (void)statue.tick();
-  EXPECT_EQ(record.hierarchy.status, static_cast<int>(SolveStatus::optimal));
+  EXPECT_EQ(record.hierarchy.status, static_cast<int>(solver::SolveStatus::optimal));
 }
 
 TEST(Controller, TheSameReadingOverAndOverIsNoNews) {
-  Statue statue;
+  test::Statue statue;
   statue.run(20);
   EXPECT_EQ(statue.controller.step(statue.reading, statue.user).mode, CommandMode::hold);
   EXPECT_EQ(statue.tick().mode, CommandMode::optimal);
@@ -120,7 +120,7 @@ TEST(Controller, TheSameReadingOverAndOverIsNoNews) {
 }
 
 TEST(Controller, AnEmptyReadingLeavesNoTrace) {
-  Statue statue, other;
+  test::Statue statue, other;
   statue.run(60);  // longer than the first readings can be contradicted
   other.run(61);
   JointVector before = statue.controller.record().command.torque;
@@ -148,7 +148,7 @@ TEST(Controller, AnEmptyReadingLeavesNoTrace) {
 }
 
 TEST(Controller, AfterAPauseAJointIsAsFastAsItWas) {
-  Statue statue;
+  test::Statue statue;
   const auto move = [&](double time) {
     statue.state.q[2] += 0.5 * time;
     statue.state.qd[2] = 0.5;
@@ -171,7 +171,7 @@ TEST(Controller, AfterAPauseAJointIsAsFastAsItWas) {
 }
 
 TEST(Controller, WithoutAClockItSitsDownByTheAnglesThatComeAndThenDamps) {
-  Statue statue;
+  test::Statue statue;
   const auto swing = [&](double velocity, int ticks) {
     for (int i = 0; i < ticks; ++i) {
       statue.state.q[2] += velocity * statue.period;
@@ -181,7 +181,7 @@ TEST(Controller, WithoutAClockItSitsDownByTheAnglesThatComeAndThenDamps) {
         (void)statue.tick();
       } else {
         statue.reading.time = kNaN;
-        ASSERT_NO_FATAL_FAILURE(expect_legal(statue.controller.step(statue.reading, {})));
+        ASSERT_NO_FATAL_FAILURE(test::expect_legal(statue.controller.step(statue.reading, {})));
       }
     }
   };
@@ -198,9 +198,9 @@ TEST(Controller, WithoutAClockItSitsDownByTheAnglesThatComeAndThenDamps) {
 }
 
 TEST(Controller, StartsSafelyWithoutAState) {
-  Statue statue;
+  test::Statue statue;
   for (int i = 0; i < 5; ++i) {
-    ASSERT_NO_FATAL_FAILURE(expect_legal(statue.tick_with(RobotState{})));
+    ASSERT_NO_FATAL_FAILURE(test::expect_legal(statue.tick_with(RobotState{})));
   }
   EXPECT_EQ(statue.tick().mode, CommandMode::optimal);
 }
@@ -208,12 +208,12 @@ TEST(Controller, StartsSafelyWithoutAState) {
 TEST(Controller, AnyGarbageGivesALegalCommand) {
   const std::array<double, 10> odd{kNaN, kInfinity, -kInfinity, 1e308, -1e308,
                                    1e30, -1e9,      1e-308,     0.0,   7.0};
-  RandomMatrices random(1);
+  test::RandomMatrices random(1);
   const auto odd_one = [&] { return odd[static_cast<std::size_t>(random.integer(0, 9))]; };
   const auto numbers = numbers_of_a_state();
-  ControllerOptions options = options_of();
+  ControllerOptions options = test::options_of();
   options.safety = {.damp_after_failures = 1000000, .max_tilt = 4.0};  // never stop trying
-  Statue statue(options);
+  test::Statue statue(options);
   for (int tick = 0; tick < 1000; ++tick) {
     RobotState believed = statue.state;
     for (const auto& number : numbers) {
@@ -226,10 +226,10 @@ TEST(Controller, AnyGarbageGivesALegalCommand) {
     statue.user.velocity = {odd_one(), random.normal()};
     statue.user.yaw_rate = random.chance(0.1) ? odd_one() : random.normal();
     statue.user.height = random.chance(0.1) ? odd_one() : 0.1 * random.normal();
-    ASSERT_NO_FATAL_FAILURE(expect_legal(statue.tick_with(believed))) << tick;
-    ASSERT_NO_FATAL_FAILURE(expect_legal(statue.tick())) << tick;
+    ASSERT_NO_FATAL_FAILURE(test::expect_legal(statue.tick_with(believed))) << tick;
+    ASSERT_NO_FATAL_FAILURE(test::expect_legal(statue.tick())) << tick;
   }
 }
 
 }  // namespace
-}  // namespace surefoot::test
+}  // namespace surefoot::control

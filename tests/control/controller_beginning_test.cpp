@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace surefoot {
+namespace surefoot::control {
 namespace {
 
 using test::Statue;
@@ -77,4 +77,4 @@ TEST(ControllerBeginning, ADriverThatIsDeadBehindItIsLost) {
 }
 
 }  // namespace
-}  // namespace surefoot
+}  // namespace surefoot::control

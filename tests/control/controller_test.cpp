@@ -11,19 +11,19 @@
 #include <string>
 #include <vector>
 
-namespace surefoot::test {
+namespace surefoot::control {
 namespace {
 
 TEST(Controller, CarriesAStandingRobotOnItsFeet) {
-  Statue statue;
+  test::Statue statue;
   statue.run(200);
   const TickRecord& record = statue.controller.record();
   EXPECT_EQ(record.command.mode, CommandMode::optimal);
-  EXPECT_EQ(record.hierarchy.status, static_cast<int>(SolveStatus::optimal));
+  EXPECT_EQ(record.hierarchy.status, static_cast<int>(solver::SolveStatus::optimal));
   EXPECT_EQ(record.plan.num_contacts(), 4);
   Vec3 force = Vec3::Zero();
   for (const Vec3& f : record.model.force) force += f;
-  const double weight = RobotModel(anymal_b()).mass() * kGravity;
+  const double weight = model::RobotModel(test::anymal_b()).mass() * kGravity;
   EXPECT_NEAR(force.z(), weight, 0.02 * weight);
   EXPECT_LT(force.head<2>().norm(), 0.05 * weight) << "it only draws the COM to the middle";
   EXPECT_EQ(record.command.time, statue.state.time);
@@ -37,21 +37,21 @@ TEST(Controller, CarriesAStandingRobotOnItsFeet) {
 TEST(Controller, AbsurdCommandsOfTheOperatorAreLimited) {
   const std::array<double, 6> absurd{kNaN, kInfinity, -kInfinity, 1e300, -1e9, 50.0};
   for (const double value : absurd) {
-    Statue statue;
+    test::Statue statue;
     statue.user = {.walk = true, .velocity = {value, -value}, .yaw_rate = value, .height = value};
     statue.run(400);
     const TickRecord& record = statue.controller.record();
-    ASSERT_NO_FATAL_FAILURE(expect_legal(record.command));
+    ASSERT_NO_FATAL_FAILURE(test::expect_legal(record.command));
     EXPECT_LE(record.user.velocity.cwiseAbs().maxCoeff(), 1.0);
     EXPECT_LE(std::abs(record.user.yaw_rate), 1.0);
     EXPECT_LE(std::abs(record.user.height), 0.3);
     EXPECT_TRUE(record.user.walk);
-    EXPECT_TRUE(is_sound(record.plan)) << value;
+    EXPECT_TRUE(test::is_sound(record.plan)) << value;
   }
 }
 
 TEST(Controller, SensibleCommandsReachThePlanAsTheyAre) {
-  Statue statue;
+  test::Statue statue;
   statue.user = {.walk = true, .velocity = {0.2, -0.1}, .yaw_rate = 0.3, .height = -0.02};
   statue.run(1);
   const UserCommand& user = statue.controller.record().user;
@@ -61,8 +61,8 @@ TEST(Controller, SensibleCommandsReachThePlanAsTheyAre) {
 }
 
 TEST(Controller, TheSameInputsGiveTheSameBits) {
-  Statue first, second;
-  RandomMatrices random(2);
+  test::Statue first, second;
+  test::RandomMatrices random(2);
   const RobotState nominal = first.state;
   for (int tick = 0; tick < 600; ++tick) {
     RobotState believed = nominal;
@@ -85,7 +85,7 @@ TEST(Controller, TheSameInputsGiveTheSameBits) {
 }
 
 /// As before the estimate begins.
-RobotState known_by_its_joints(const Statue& statue) {
+RobotState known_by_its_joints(const test::Statue& statue) {
   RobotState state;
   state.time = statue.state.time;
   state.q = statue.state.q;
@@ -94,8 +94,8 @@ RobotState known_by_its_joints(const Statue& statue) {
 }
 
 TEST(Controller, BearsTheRobotUntilItsBaseIsKnown) {
-  Statue statue;
-  RobotModel model(anymal_b());
+  test::Statue statue;
+  model::RobotModel model(test::anymal_b());
   const JointVector bearing = standing_torque(model, statue.state.q);
   ASSERT_GT(bearing.cwiseAbs().maxCoeff(), 10.0);
   JointCommand command;
@@ -106,13 +106,13 @@ TEST(Controller, BearsTheRobotUntilItsBaseIsKnown) {
 }
 
 TEST(Controller, AllocatesNothingAfterTheFirstTickWhateverHappens) {
-  Statue statue;
+  test::Statue statue;
   statue.run(1);
   const RobotState unknown;
   RobotState absurd = statue.state;
   absurd.qd.setConstant(1e300);
-  Statue held;
-  const MallocCounter counter;
+  test::Statue held;
+  const test::MallocCounter counter;
   (void)held.tick_with(known_by_its_joints(held));
   statue.run(50);
   (void)statue.tick_with(unknown);
@@ -131,7 +131,7 @@ class Stages final : public StageObserver {
 
 TEST(Controller, TellsItsObserverWhenEachStageEnds) {
   Stages stages;
-  Statue statue;
+  test::Statue statue;
   statue.controller.set_stage_observer(&stages);
   statue.run(1);
   EXPECT_EQ(stages.seen, (std::vector<Stage>{Stage::estimate, Stage::model, Stage::plan,
@@ -146,7 +146,7 @@ TEST(Controller, TellsItsObserverWhenEachStageEnds) {
 }
 
 TEST(Controller, NamesItsLevelsAndTheirRows) {
-  Statue statue;
+  test::Statue statue;
   const std::vector<std::string> names = statue.controller.level_names();
   ASSERT_EQ(names.size(), 11u) << "Table I";
   statue.run(10);
@@ -160,14 +160,15 @@ TEST(Controller, NamesItsLevelsAndTheirRows) {
 }
 
 TEST(Controller, TellsWhatItsModelLeftOut) {
-  const Statue statue;
+  const test::Statue statue;
   EXPECT_FALSE(statue.controller.notes().empty()) << "the URDF's placeholder inertia";
 }
 
 std::string error_of(const ControllerOptions& options) {
   const RobotState state;
   try {
-    const Controller controller(anymal_b(), options, std::make_unique<ScriptedEstimator>(state));
+    const Controller controller(test::anymal_b(), options,
+                                std::make_unique<test::ScriptedEstimator>(state));
   } catch (const Error& error) {
     return error.what();
   }
@@ -176,17 +177,19 @@ std::string error_of(const ControllerOptions& options) {
 
 TEST(Controller, OptionsThatMakeNoSenseAreErrors) {
   for (const double period : {0.0, -0.1, kNaN, kInfinity}) {
-    ControllerOptions options = options_of();
+    ControllerOptions options = test::options_of();
     options.period = period;
     EXPECT_NE(error_of(options).find("period"), std::string::npos) << period;
   }
   EXPECT_NE(error_of(ControllerOptions{}).find("levels"), std::string::npos) << "no stack";
-  EXPECT_THROW(Controller(anymal_b(), options_of(), nullptr), Error);
-  RobotDescription robot = anymal_b();
+  EXPECT_THROW(Controller(test::anymal_b(), test::options_of(), nullptr), Error);
+  model::RobotDescription robot = test::anymal_b();
   robot.base_link = "bse";
   const RobotState state;
-  EXPECT_THROW(Controller(robot, options_of(), std::make_unique<ScriptedEstimator>(state)), Error);
+  EXPECT_THROW(
+      Controller(robot, test::options_of(), std::make_unique<test::ScriptedEstimator>(state)),
+      Error);
 }
 
 }  // namespace
-}  // namespace surefoot::test
+}  // namespace surefoot::control

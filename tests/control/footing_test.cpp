@@ -10,19 +10,19 @@
 #include <algorithm>
 #include <vector>
 
-namespace surefoot {
+namespace surefoot::control {
 namespace {
 
 using test::anymal_b;
 
 constexpr double kPeriod = 0.0025;  // [s]
 constexpr double kWeight = 300.0;   // [N]
-const StanceOptions kStance{.half_length = 0.33, .half_width = 0.22, .height = 0.46};
+const gaits::StanceOptions kStance{.half_length = 0.33, .half_width = 0.22, .height = 0.46};
 
-JointVector stance(KneeConfiguration knees = KneeConfiguration::x) {
-  StanceOptions options = kStance;
+JointVector stance(gaits::KneeConfiguration knees = gaits::KneeConfiguration::x) {
+  gaits::StanceOptions options = kStance;
   options.knees = knees;
-  return stance_posture(RobotModel(anymal_b()), options);
+  return config::stance_posture(model::RobotModel(anymal_b()), options);
 }
 
 /// On its belly, knees where the nominal posture has them or on the other side.
@@ -62,9 +62,9 @@ struct Robot {
     return result;
   }
 
-  RobotModel model{anymal_b()};
+  model::RobotModel model{anymal_b()};
   Footing footing{kStance, kPeriod};
-  LiftDetector lift{kPeriod};
+  estimation::LiftDetector lift{kPeriod};
   JointVector q;
   PerLeg<Vec3> forces{};
   bool follows = true;
@@ -183,4 +183,4 @@ TEST(Footing, OneWhoseLegIsHeldFastCanNotStand) {
 }
 
 }  // namespace
-}  // namespace surefoot
+}  // namespace surefoot::control

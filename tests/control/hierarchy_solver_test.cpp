@@ -4,20 +4,20 @@
 
 #include <limits>
 
-namespace surefoot {
+namespace surefoot::control {
 namespace {
 
 constexpr double kInf = std::numeric_limits<double>::infinity();
 const LevelTransition kNone;
 
 /// x₀ ≤ 1 above x = (2, 3).
-Hierarchy limit_above_wish() {
-  Hierarchy hierarchy(2);
-  Rows limit = hierarchy.level(hierarchy.add_level("limit", 1)).add(1, 0);
+solver::Hierarchy limit_above_wish() {
+  solver::Hierarchy hierarchy(2);
+  solver::Rows limit = hierarchy.level(hierarchy.add_level("limit", 1)).add(1, 0);
   limit.A << 1.0, 0.0;
   limit.lower << -kInf;
   limit.upper << 1.0;
-  Rows wish = hierarchy.level(hierarchy.add_level("wish", 2)).add(2, 0);
+  solver::Rows wish = hierarchy.level(hierarchy.add_level("wish", 2)).add(2, 0);
   wish.A.setIdentity();
   wish.set_equal(0, 2.0);
   wish.set_equal(1, 3.0);
@@ -41,12 +41,12 @@ SolverOptions options_of(SolverMethod method) {
 }
 
 TEST(HierarchySolver, EitherMethodFindsTheOptimum) {
-  const Hierarchy hierarchy = limit_above_wish();
+  const solver::Hierarchy hierarchy = limit_above_wish();
   for (const SolverMethod method : kSolverMethods) {
     HierarchySolver solver(hierarchy, options_of(method));
     for (int tick = 0; tick < 3; ++tick) {
-      const Solution& solution = solver.solve(hierarchy, nullptr, kNone);
-      ASSERT_EQ(solution.status, SolveStatus::optimal) << name(method);
+      const solver::Solution& solution = solver.solve(hierarchy, nullptr, kNone);
+      ASSERT_EQ(solution.status, solver::SolveStatus::optimal) << name(method);
       EXPECT_TRUE(solution.x.isApprox(Eigen::Vector2d(1.0, 3.0), 1e-12)) << name(method);
     }
   }
@@ -60,32 +60,32 @@ TEST(HierarchySolver, ASubstitutionIsUsedByTheLexicographicMethodAlone) {
   EXPECT_FALSE(
       HierarchySolver(limit_above_wish(), options_of(SolverMethod::cascade)).wants_substitution());
 
-  Hierarchy hierarchy(2);  // x₀ + x₁ = 2, in closed form, above x = (2, 3)
-  Rows sum = hierarchy.level(hierarchy.add_level("sum", 1)).add(1, 0);
+  solver::Hierarchy hierarchy(2);  // x₀ + x₁ = 2, in closed form, above x = (2, 3)
+  solver::Rows sum = hierarchy.level(hierarchy.add_level("sum", 1)).add(1, 0);
   sum.A << 1.0, 1.0;
   sum.set_equal(0, 2.0);
-  Rows wish = hierarchy.level(hierarchy.add_level("wish", 2)).add(2, 0);
+  solver::Rows wish = hierarchy.level(hierarchy.add_level("wish", 2)).add(2, 0);
   wish.A.setIdentity();
   wish.set_equal(0, 2.0);
   wish.set_equal(1, 3.0);
-  Substitution substitution;
+  solver::Substitution substitution;
   substitution.num_levels = 1;
   substitution.basis.resize(2, 1);
   substitution.basis << 1.0, -1.0;
   substitution.offset = Eigen::Vector2d(1.0, 1.0);
   for (const SolverMethod method : kSolverMethods) {
     HierarchySolver solver(hierarchy, options_of(method));
-    const Solution& solution = solver.solve(hierarchy, &substitution, kNone);
+    const solver::Solution& solution = solver.solve(hierarchy, &substitution, kNone);
     EXPECT_TRUE(solution.x.isApprox(Eigen::Vector2d(0.5, 1.5), 1e-12)) << name(method);
   }
 }
 
 TEST(HierarchySolver, DuringATransitionXLiesBetweenTheTwoOptima) {
-  const Hierarchy hierarchy = limit_above_wish();
+  const solver::Hierarchy hierarchy = limit_above_wish();
   for (const SolverMethod method : kSolverMethods) {
     HierarchySolver solver(hierarchy, options_of(method));
     for (const double share : {0.0, 0.25, 1.0}) {
-      const Solution& solution = solver.solve(hierarchy, nullptr, limit_goes(share));
+      const solver::Solution& solution = solver.solve(hierarchy, nullptr, limit_goes(share));
       EXPECT_NEAR(solution.x[0], 1.0 + share, 1e-12) << name(method);
       EXPECT_NEAR(solution.x[1], 3.0, 1e-12) << name(method);
     }
@@ -94,7 +94,7 @@ TEST(HierarchySolver, DuringATransitionXLiesBetweenTheTwoOptima) {
 }
 
 TEST(HierarchySolver, TellsWhatHoldsALevelBackOfAnOptimumThatTheLexicographicMethodFound) {
-  const Hierarchy hierarchy = limit_above_wish();
+  const solver::Hierarchy hierarchy = limit_above_wish();
   HierarchySolver solver(hierarchy, {});
   EXPECT_TRUE(solver.blockers().empty()) << "nothing is solved yet";
   solver.solve(hierarchy, nullptr, kNone);
@@ -114,14 +114,14 @@ TEST(HierarchySolver, TellsWhatHoldsALevelBackOfAnOptimumThatTheLexicographicMet
 }
 
 TEST(HierarchySolver, ABudgetOfFlopsEndsTheSearch) {
-  const Hierarchy hierarchy = limit_above_wish();
+  const solver::Hierarchy hierarchy = limit_above_wish();
   SolverOptions options;
   options.budget.flops = 0.0;
   HierarchySolver solver(hierarchy, options);
-  const Solution& solution = solver.solve(hierarchy, nullptr, kNone);
-  EXPECT_NE(solution.status, SolveStatus::optimal);
+  const solver::Solution& solution = solver.solve(hierarchy, nullptr, kNone);
+  EXPECT_NE(solution.status, solver::SolveStatus::optimal);
   EXPECT_TRUE(solution.x.allFinite());
 }
 
 }  // namespace
-}  // namespace surefoot
+}  // namespace surefoot::control

@@ -11,7 +11,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace surefoot {
+namespace surefoot::control {
 namespace {
 
 /// x in the plane: x = 1, then x ≤ 0.25 (violated) and y ≤ 5, then y → 7, held at 5 by the level
@@ -26,17 +26,17 @@ struct Example {
     add(1, 31, {0.0, 1.0}, -kInfinity, 5.0);
     add(1, 42, {0.0, 1.0}, -100.0, kInfinity);
     add(2, 50, {0.0, 1.0}, 7.0, 7.0);
-    CascadeSolver solver(hierarchy);
+    solver::CascadeSolver solver(hierarchy);
     solution = solver.solve(hierarchy);
   }
   void add(std::size_t level, int id, const Eigen::Vector2d& a, double lower, double upper) {
-    Rows rows = hierarchy.level(level).add(1, id);
+    solver::Rows rows = hierarchy.level(level).add(1, id);
     rows.A.row(0) = a.transpose();
     rows.lower[0] = lower;
     rows.upper[0] = upper;
   }
-  Hierarchy hierarchy;
-  Solution solution;
+  solver::Hierarchy hierarchy;
+  solver::Solution solution;
 };
 
 HierarchyReport stale_report() {
@@ -54,7 +54,7 @@ TEST(HierarchySummary, TellsHowEveryLevelCameOut) {
   const Example example;
   HierarchyReport report = stale_report();
   summarise(example.solution, example.hierarchy, report);
-  EXPECT_EQ(report.status, static_cast<int>(SolveStatus::optimal));
+  EXPECT_EQ(report.status, static_cast<int>(solver::SolveStatus::optimal));
   ASSERT_EQ(report.num_levels, 3);
   EXPECT_NEAR(report.levels[0].residual, 0.0, 1e-9);
   EXPECT_NEAR(report.levels[1].residual, 0.75, 1e-9);
@@ -82,14 +82,14 @@ TEST(HierarchySummary, NamesTheActiveInequalitiesByTheirIds) {
   const auto state_of = [&](int level, int id) {
     for (int i = 0; i < report.num_active; ++i) {
       const ActiveRow& row = report.active[static_cast<std::size_t>(i)];
-      if (row.level == level && row.id == id) return static_cast<RowState>(row.state);
+      if (row.level == level && row.id == id) return static_cast<solver::RowState>(row.state);
     }
-    return RowState::inactive;
+    return solver::RowState::inactive;
   };
-  EXPECT_EQ(state_of(1, 20), RowState::above_upper);
-  EXPECT_EQ(state_of(1, 31), RowState::at_upper);
-  EXPECT_EQ(state_of(1, 42), RowState::inactive);
-  EXPECT_EQ(state_of(0, 10), RowState::inactive) << "an equality is not listed";
+  EXPECT_EQ(state_of(1, 20), solver::RowState::above_upper);
+  EXPECT_EQ(state_of(1, 31), solver::RowState::at_upper);
+  EXPECT_EQ(state_of(1, 42), solver::RowState::inactive);
+  EXPECT_EQ(state_of(0, 10), solver::RowState::inactive) << "an equality is not listed";
   EXPECT_EQ(report.num_active, report.levels[1].num_active);
   EXPECT_EQ(report.num_active, 2);
 }
@@ -109,34 +109,34 @@ TEST(HierarchySummary, SaysByHowMuchARowIsBeyondItsBoundAndAnEqualityWasMissed) 
 }
 
 TEST(HierarchySummary, ARowBelowItsLowerBoundIsBeyondItByLessThanNothing) {
-  Hierarchy hierarchy(1);
+  solver::Hierarchy hierarchy(1);
   hierarchy.add_level("most", 1);
   hierarchy.add_level("least", 1);
   for (const std::size_t level : {0u, 1u}) {
-    Rows rows = hierarchy.level(level).add(1, 0);
+    solver::Rows rows = hierarchy.level(level).add(1, 0);
     rows.A(0, 0) = 1.0;
     rows.lower[0] = level == 0 ? -kInfinity : 5.0;
     rows.upper[0] = level == 0 ? 3.0 : kInfinity;
   }
-  CascadeSolver solver(hierarchy);
+  solver::CascadeSolver solver(hierarchy);
   HierarchyReport report;
   summarise(solver.solve(hierarchy), hierarchy, report);
   ASSERT_EQ(report.num_active, 2);
-  EXPECT_EQ(report.active[1].state, static_cast<int>(RowState::below_lower));
+  EXPECT_EQ(report.active[1].state, static_cast<int>(solver::RowState::below_lower));
   EXPECT_NEAR(report.active[1].by, -2.0, 1e-9);
 }
 
 TEST(HierarchySummary, OfTheEqualitiesThatALevelMissedListsTheWorstThree) {
-  Hierarchy hierarchy(5);
+  solver::Hierarchy hierarchy(5);
   hierarchy.add_level("zero", 5);
   hierarchy.add_level("wish", 5);
   const Eigen::VectorXd wishes = Eigen::VectorXd{{1.0, -40.0, 0.1, 30.0, 20.0}};
   for (const std::size_t level : {0u, 1u}) {
-    Rows rows = hierarchy.level(level).add(5, 10);
+    solver::Rows rows = hierarchy.level(level).add(5, 10);
     rows.A.setIdentity();
     for (int i = 0; i < 5; ++i) rows.set_equal(i, level == 0 ? 0.0 : wishes[i]);
   }
-  CascadeSolver solver(hierarchy);
+  solver::CascadeSolver solver(hierarchy);
   HierarchyReport report;
   summarise(solver.solve(hierarchy), hierarchy, report);
   ASSERT_EQ(report.num_missed, 3);
@@ -152,17 +152,17 @@ TEST(HierarchySummary, OfTheEqualitiesThatALevelMissedListsTheWorstThree) {
 
 TEST(HierarchySummary, ListsNoMoreRowsThanItHasPlaceFor) {
   constexpr int kRows = static_cast<int>(kMaxReportedRows) + 20;
-  Hierarchy hierarchy(1);
+  solver::Hierarchy hierarchy(1);
   hierarchy.add_level("many", kRows);
-  Rows rows = hierarchy.level(0).add(kRows, 0);
+  solver::Rows rows = hierarchy.level(0).add(kRows, 0);
   rows.A.setOnes();
   rows.lower.setConstant(-kInfinity);
   rows.upper.setConstant(-1.0);
-  Solution solution;
-  solution.status = SolveStatus::optimal;
+  solver::Solution solution;
+  solution.status = solver::SolveStatus::optimal;
   solution.levels.resize(1);
   solution.levels[0].num_rows = kRows;
-  solution.levels[0].rows.assign(kRows, RowState::at_upper);
+  solution.levels[0].rows.assign(kRows, solver::RowState::at_upper);
   HierarchyReport report = stale_report();
   summarise(solution, hierarchy, report);
   EXPECT_EQ(report.num_active, static_cast<int>(kMaxReportedRows));
@@ -172,7 +172,7 @@ TEST(HierarchySummary, ListsNoMoreRowsThanItHasPlaceFor) {
 
 TEST(HierarchySummary, NamesTheRowsThatHoldALevelBackByTheirIds) {
   const Example example;
-  LexicographicSolver solver(example.hierarchy);
+  solver::LexicographicSolver solver(example.hierarchy);
   HierarchyReport report = stale_report();
   summarise(solver.solve(example.hierarchy), example.hierarchy, report);
   EXPECT_EQ(report.failed_level, -1);
@@ -190,7 +190,7 @@ TEST(HierarchySummary, NamesTheRowsThatHoldALevelBackByTheirIds) {
 
 TEST(HierarchySummary, ListsOnlyTheDearestRowsThatHoldALevelBack) {
   const Example example;
-  std::vector<LevelBlockers> blockers(3);
+  std::vector<solver::LevelBlockers> blockers(3);
   blockers[2] = {.is_known = true, .count = 5, .dearest = {}};
   for (std::size_t i = 0; i < 5; ++i) {
     blockers[2].dearest[i] = {{1, 1}, 1.0, i < 2 ? 2.0 : 0.1};
@@ -207,7 +207,7 @@ TEST(HierarchySummary, ListsOnlyTheDearestRowsThatHoldALevelBack) {
 
 TEST(HierarchySummary, OfRowsThatCostNothingAloneNamesAsManyAsOfDearOnes) {
   const Example example;
-  std::vector<LevelBlockers> blockers(3);
+  std::vector<solver::LevelBlockers> blockers(3);
   blockers[2] = {.is_known = true, .count = 5, .dearest = {}};
   for (std::size_t i = 0; i < 5; ++i) blockers[2].dearest[i] = {{1, 1}, 1.0, 0.0};
   HierarchyReport report;
@@ -225,4 +225,4 @@ TEST(HierarchySummary, AllocatesNothing) {
 }
 
 }  // namespace
-}  // namespace surefoot
+}  // namespace surefoot::control

@@ -11,12 +11,12 @@
 #include <string>
 #include <vector>
 
-namespace surefoot::test {
+namespace surefoot::control {
 namespace {
 
 constexpr std::size_t kComXy = 4, kTorsoYaw = 7, kTorsoHeight = 8;
 
-StackOptions table_one() { return load_stack("terrain_adaptation"); }
+StackOptions table_one() { return config::load_stack("terrain_adaptation"); }
 
 TEST(LevelSwitcher, RaisesTheShareFrom0To1OverTheDuration) {
   LevelSwitcher switcher(table_one(), {{.time = 1.0, .remove = {"com_xy"}, .duration = 0.5}});
@@ -116,9 +116,9 @@ TEST(LevelSwitcher, SwitchesThatMakeNoSenseAreErrors) {
 /// Largest change of a torque from one tick to the next while a level goes [N·m], of a robot that
 /// stays where it is.
 double largest_step(const std::string& level, double duration) {
-  ControllerOptions options = options_of();
+  ControllerOptions options = test::options_of();
   options.external_force.enabled = false;  // it would believe that someone holds the statue
-  Statue statue(options);
+  test::Statue statue(options);
   statue.state.q_WB = Quat(Eigen::AngleAxisd(0.05, Vec3(1.0, 1.0, 0.5).normalized()));
   statue.user.height = -0.05;
   statue.run(1200);  // until the plan rests
@@ -143,10 +143,10 @@ TEST(Controller, SwitchesALevelFarFromItsReferenceInEqualSharesOfTheWholeChange)
 }
 
 TEST(Controller, SwitchesLevelsWithoutAllocating) {
-  Statue statue;
+  test::Statue statue;
   statue.run(10);
   const LevelSwitch change{.remove = {"torso_yaw", "torso_height"}, .duration = 0.1};
-  const MallocCounter counter;
+  const test::MallocCounter counter;
   EXPECT_TRUE(statue.controller.switch_levels(change));
   statue.run(60);
   EXPECT_EQ(counter.count(), 0u);
@@ -155,16 +155,16 @@ TEST(Controller, SwitchesLevelsWithoutAllocating) {
 }
 
 TEST(Controller, SaysWhatHoldsALevelBackOnlyWhereItIsAskedAndAtAnOptimum) {
-  Statue silent, explained;
+  test::Statue silent, explained;
   explained.controller.explain_levels(true);
-  for (Statue* statue : {&silent, &explained})
+  for (test::Statue* statue : {&silent, &explained})
     statue->state.q_WB = Quat(Eigen::AngleAxisd(0.05, Vec3::UnitX()));
   const auto expect_same_torques = [&] {
     EXPECT_EQ(silent.controller.record().command.torque,
               explained.controller.record().command.torque);
   };
   for (int tick = 0; tick < 100; ++tick) {
-    const MallocCounter counter;
+    const test::MallocCounter counter;
     (void)silent.tick();
     (void)explained.tick();
     EXPECT_EQ(counter.count(), 0u);
@@ -174,7 +174,7 @@ TEST(Controller, SaysWhatHoldsALevelBackOnlyWhereItIsAskedAndAtAnOptimum) {
   EXPECT_EQ(silent.controller.record().hierarchy.num_blocking, 0);
   EXPECT_TRUE(explained.controller.record().hierarchy.blocking_is_known);
   EXPECT_GT(explained.controller.record().hierarchy.num_blocking, 0);
-  for (Statue* statue : {&silent, &explained})
+  for (test::Statue* statue : {&silent, &explained})
     EXPECT_TRUE(statue->controller.switch_levels({.remove = {"torso_yaw"}, .duration = 0.1}));
   for (int tick = 0; tick < 100; ++tick) {
     (void)silent.tick();
@@ -188,4 +188,4 @@ TEST(Controller, SaysWhatHoldsALevelBackOnlyWhereItIsAskedAndAtAnOptimum) {
 }
 
 }  // namespace
-}  // namespace surefoot::test
+}  // namespace surefoot::control

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <limits>
 
-namespace surefoot {
+namespace surefoot::control {
 namespace {
 
 using test::anymal_b;
@@ -34,7 +34,7 @@ struct Stage {
     state.q_WB = Quat::Identity();
     state.q = anymal_b().q_nominal;
     state.qd.setZero();
-    solution.status = SolveStatus::optimal;
+    solution.status = solver::SolveStatus::optimal;
     solution.x = VecX::Zero(kNumUnknowns);
     solve(JointVector::Constant(10.0));
   }
@@ -50,7 +50,7 @@ struct Stage {
 
   Safety safety{{}, anymal_b(), 4, lying(), kPeriod};
   RobotState state;
-  Solution solution;
+  solver::Solution solution;
   int ticks = 0;
 };
 
@@ -397,4 +397,4 @@ TEST(SafetyOfSensors, WhateverFailsTorquesAreFiniteInTheirLimitsAndDoNotJump) {
 }
 
 }  // namespace
-}  // namespace surefoot
+}  // namespace surefoot::control

@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace surefoot {
+namespace surefoot::control {
 namespace {
 
 using test::anymal_b;
@@ -43,9 +43,10 @@ JointVector torques(double first = 1.0) {
   return first * JointVector::LinSpaced(kNumJoints, 1.0, 2.1);
 }
 
-Solution solved(const JointVector& torque, SolveStatus status = SolveStatus::optimal,
-                int failed_level = -1) {
-  Solution solution;
+solver::Solution solved(const JointVector& torque,
+                        solver::SolveStatus status = solver::SolveStatus::optimal,
+                        int failed_level = -1) {
+  solver::Solution solution;
   solution.status = status;
   solution.failed_level = failed_level;
   solution.x = VecX::Constant(kNumUnknowns, 99.0);
@@ -69,7 +70,7 @@ void expect_legal(const JointCommand& command) {
 // Off its feet nothing is solved: that is no failure, however long it lasts.
 TEST(Safety, TakesThePostureOfARobotThatIsNotOnItsFeet) {
   Safety safety = make_safety();
-  const Solution solution = solved(torques());
+  const solver::Solution solution = solved(torques());
   (void)safety.command(standing(), &solution);
   const LegPosture posture{.q = anymal_b().q_nominal + JointVector::Constant(0.1),
                            .qd = JointVector::Zero(),
@@ -114,7 +115,7 @@ TEST(Safety, EncodersThatFailAsItTipsOverAreNotTheCause) {
   for (const double rate : {3.0, 0.0, -3.0}) {
     SCOPED_TRACE(rate);
     Safety safety = make_safety();
-    const Solution solution = solved(torques());
+    const solver::Solution solution = solved(torques());
     (void)safety.command(standing(), &solution);
     RobotState state = tilted(0.6);
     state.w_WB_B = Vec3(rate, 0.0, 0.0);
@@ -129,7 +130,7 @@ TEST(Safety, EncodersThatFailAsItTipsOverAreNotTheCause) {
 
 TEST(Safety, PassesTheOptimumOn) {
   Safety safety = make_safety();
-  const Solution solution = solved(torques());
+  const solver::Solution solution = solved(torques());
   const JointCommand command = safety.command(standing(2.5), &solution);
   EXPECT_EQ(command.mode, CommandMode::optimal);
   EXPECT_EQ(command.torque, torques());
@@ -139,7 +140,7 @@ TEST(Safety, PassesTheOptimumOn) {
 TEST(Safety, UsesASolveThatEndedAfterTheLevelsThatKeepThePhysics) {
   Safety safety = make_safety();
   for (const int level : {kFirstFreeLevel, kFirstFreeLevel + 3}) {
-    const Solution solution = solved(torques(), SolveStatus::iteration_cap, level);
+    const solver::Solution solution = solved(torques(), solver::SolveStatus::iteration_cap, level);
     const JointCommand command = safety.command(standing(), &solution);
     EXPECT_EQ(command.mode, CommandMode::degraded);
     EXPECT_EQ(command.torque, torques());
@@ -148,14 +149,14 @@ TEST(Safety, UsesASolveThatEndedAfterTheLevelsThatKeepThePhysics) {
 
 TEST(Safety, HoldsTheJointsWhereTheSolveIsOfNoUse) {
   const JointVector not_a_number = JointVector::Constant(kNaN);
-  Solution too_short = solved(torques());
+  solver::Solution too_short = solved(torques());
   too_short.x.conservativeResize(12);
-  for (const Solution& useless :
-       {solved(torques(), SolveStatus::iteration_cap, kFirstFreeLevel - 1),
-        solved(torques(), SolveStatus::invalid_input), too_short, solved(not_a_number),
+  for (const solver::Solution& useless :
+       {solved(torques(), solver::SolveStatus::iteration_cap, kFirstFreeLevel - 1),
+        solved(torques(), solver::SolveStatus::invalid_input), too_short, solved(not_a_number),
         solved(torques(kInfinity))}) {
     Safety safety = make_safety();
-    const Solution good = solved(torques(2.0));
+    const solver::Solution good = solved(torques(2.0));
     (void)safety.command(standing(), &good);
     const JointCommand command = safety.command(standing(), &useless);
     EXPECT_EQ(command.mode, CommandMode::hold);
@@ -164,9 +165,9 @@ TEST(Safety, HoldsTheJointsWhereTheSolveIsOfNoUse) {
 }
 
 TEST(Safety, HoldIsASpringAndDamperAboutTheLastGoodPosture) {
-  const RobotDescription robot = anymal_b();
+  const model::RobotDescription robot = anymal_b();
   Safety safety = make_safety();
-  const Solution good = solved(torques());
+  const solver::Solution good = solved(torques());
   (void)safety.command(standing(), &good);
   RobotState moved = standing();
   moved.q += JointVector::LinSpaced(kNumJoints, -0.05, 0.05);
@@ -177,7 +178,7 @@ TEST(Safety, HoldIsASpringAndDamperAboutTheLastGoodPosture) {
 }
 
 TEST(Safety, HoldsTheFirstPostureIfThereNeverWasAGoodTick) {
-  const RobotDescription robot = anymal_b();
+  const model::RobotDescription robot = anymal_b();
   RobotState absurd = standing();
   absurd.q[3] = 1e12;
   Safety safety = make_safety();
@@ -204,7 +205,7 @@ TEST(Safety, UntilAGoodTickItHoldsTheFirstPostureOnTopOfWhatBearsTheRobot) {
   }
   EXPECT_EQ(command.mode, CommandMode::hold);
   EXPECT_LT((command.torque - torques(10.0)).norm(), 1e-12);
-  const Solution good = solved(torques());
+  const solver::Solution good = solved(torques());
   for (int tick = 0; tick < 100; ++tick) command = safety.command(standing(), &good);
   EXPECT_EQ(command.torque, torques());
   EXPECT_TRUE(safety.has_begun());
@@ -216,13 +217,15 @@ TEST(Safety, UntilAGoodTickItHoldsTheFirstPostureOnTopOfWhatBearsTheRobot) {
 // What is believed of a robot that begins late is uncertain for a while: torques come slowly.
 TEST(Safety, TorquesOfARobotThatBeginsLateChangeSlowlyForHalfASecond) {
   constexpr int kHeld = 10, kSlow = 200;  // [ticks]
-  const Solution one = solved(torques(10.0)), other = solved(torques(-10.0));
+  const solver::Solution one = solved(torques(10.0)), other = solved(torques(-10.0));
   for (const int steady : {1, 20, kSlow - 1, kSlow, 2 * kSlow}) {
     Safety safety = make_safety();
     JointVector before = JointVector::Zero();
     double largest = 0.0;
     for (int tick = 0; tick <= kHeld + steady; ++tick) {
-      const Solution* solution = tick < kHeld ? nullptr : tick < kHeld + steady ? &one : &other;
+      const solver::Solution* solution = tick < kHeld            ? nullptr
+                                         : tick < kHeld + steady ? &one
+                                                                 : &other;
       const JointVector torque = safety.command(standing(kPeriod * tick), solution).torque;
       largest = std::max(largest, (torque - before).cwiseAbs().maxCoeff());
       before = torque;
@@ -232,9 +235,9 @@ TEST(Safety, TorquesOfARobotThatBeginsLateChangeSlowlyForHalfASecond) {
 }
 
 TEST(Safety, HoldDampsWhereThePositionIsNotKnownAndSpringsWhereTheVelocityIsNot) {
-  const RobotDescription robot = anymal_b();
+  const model::RobotDescription robot = anymal_b();
   Safety safety = make_safety();
-  const Solution good = solved(torques());
+  const solver::Solution good = solved(torques());
   (void)safety.command(standing(), &good);
   RobotState no_position = standing();
   no_position.q.setConstant(kNaN);
@@ -250,7 +253,7 @@ TEST(Safety, HoldDampsWhereThePositionIsNotKnownAndSpringsWhereTheVelocityIsNot)
 
 TEST(Safety, ComesBackFromAFewBadTicks) {
   Safety safety = make_safety({.damp_after_failures = 10});
-  const Solution good = solved(torques());
+  const solver::Solution good = solved(torques());
   for (int round = 0; round < 5; ++round) {
     EXPECT_EQ(safety.command(standing(), &good).mode, CommandMode::optimal);
     for (int i = 0; i < 10; ++i) {
@@ -261,7 +264,7 @@ TEST(Safety, ComesBackFromAFewBadTicks) {
 
 TEST(Safety, DampsForGoodAfterTooManyBadTicks) {
   Safety safety = make_safety({.damp_after_failures = 10});
-  const Solution good = solved(torques());
+  const solver::Solution good = solved(torques());
   (void)safety.command(standing(), &good);
   for (int i = 0; i < 10; ++i) (void)safety.command(standing(), nullptr);
   EXPECT_EQ(safety.command(standing(), nullptr).mode, CommandMode::damping);
@@ -270,7 +273,7 @@ TEST(Safety, DampsForGoodAfterTooManyBadTicks) {
 
 TEST(Safety, DampsForGoodWhenTheTorsoIsTiltedTooFar) {
   const SafetyOptions options{.max_tilt = 1.0};
-  const Solution good = solved(torques());
+  const solver::Solution good = solved(torques());
   Safety safety = make_safety(options);
   EXPECT_EQ(safety.command(tilted(0.99), &good).mode, CommandMode::optimal);
   EXPECT_EQ(safety.command(tilted(-1.01), &good).mode, CommandMode::damping);
@@ -279,7 +282,7 @@ TEST(Safety, DampsForGoodWhenTheTorsoIsTiltedTooFar) {
 
 // Its first reading may be wrong.
 TEST(Safety, OfARobotThatHasNotBegunATiltIsBelievedAfter30Ms) {
-  const Solution good = solved(torques());
+  const solver::Solution good = solved(torques());
   Safety upside_down = make_safety(), righted = make_safety();
   for (int tick = 0; tick < 12; ++tick) {
     EXPECT_EQ(upside_down.command(tilted(kPi), &good).mode, CommandMode::hold);
@@ -290,7 +293,7 @@ TEST(Safety, OfARobotThatHasNotBegunATiltIsBelievedAfter30Ms) {
 }
 
 TEST(Safety, ThatBeginsAnewForgetsItsPostureButNotItsTorques) {
-  const Solution good = solved(torques(10.0));
+  const solver::Solution good = solved(torques(10.0));
   Safety safety = make_safety();
   RobotState elsewhere = standing();
   elsewhere.q.setConstant(0.3);
@@ -309,7 +312,7 @@ TEST(Safety, ThatBeginsAnewForgetsItsPostureButNotItsTorques) {
 }
 
 TEST(Safety, WhereItIsToBeCarefulTorquesChangeSlowlyUntilTheyHaveCaughtUp) {
-  const Solution one = solved(torques(10.0)), other = solved(torques(-10.0));
+  const solver::Solution one = solved(torques(10.0)), other = solved(torques(-10.0));
   Safety safety = make_safety();
   JointVector before = safety.command(standing(), &one).torque;
   safety.be_careful();
@@ -334,7 +337,7 @@ TEST(Safety, ThatBeginsAnewAgainAndAgainDampsInTheEnd) {
 }
 
 TEST(Safety, DoesNotTakeABrokenOrientationForATilt) {
-  const Solution good = solved(torques());
+  const solver::Solution good = solved(torques());
   for (const double scale : {0.0, -3.0, 1e5, 1e300, kInfinity}) {
     Safety safety = make_safety();
     RobotState state = tilted(0.5);
@@ -349,7 +352,7 @@ TEST(Safety, DampingBrakesEveryJointAtLastAsSoftlyAsALegNeedsThatBearsNothing) {
   Safety safety = make_safety();
   RobotState state = tilted(2.0);
   state.qd = JointVector::LinSpaced(kNumJoints, -3.0, 3.0);
-  const Solution good = solved(torques());
+  const solver::Solution good = solved(torques());
   (void)safety.command(standing(), &good);
   JointVector torque;
   for (int tick = 0; tick <= 1000; ++tick) {
@@ -363,7 +366,7 @@ TEST(Safety, DampingBrakesEveryJointAtLastAsSoftlyAsALegNeedsThatBearsNothing) {
 // Velocities believed wrong change their sign from tick to tick.
 TEST(Safety, NoDampingLetsTorquesJump) {
   Safety safety = make_safety();
-  const Solution good = solved(torques(30.0));
+  const solver::Solution good = solved(torques(30.0));
   JointVector before = safety.command(standing(), &good).torque;
   for (int tick = 0; tick < 40; ++tick) {
     RobotState state = tilted(2.0);
@@ -377,7 +380,7 @@ TEST(Safety, NoDampingLetsTorquesJump) {
 }
 
 TEST(Safety, ClipsEveryRungToTheTorqueLimits) {
-  const Solution strong = solved(torques(1e3));
+  const solver::Solution strong = solved(torques(1e3));
   Safety safety = make_safety();
   EXPECT_EQ(safety.command(standing(), &strong).torque, JointVector::Constant(kLimit));
   RobotState away = standing();
@@ -390,16 +393,16 @@ TEST(Safety, ClipsEveryRungToTheTorqueLimits) {
 }
 
 TEST(Safety, ClipsEveryJointToItsOwnLimit) {
-  RobotDescription robot = anymal_b();
+  model::RobotDescription robot = anymal_b();
   robot.torque_limit = JointVector::LinSpaced(kNumJoints, 1.0, 12.0);
   Safety safety({}, robot, kFirstFreeLevel, lying(), kPeriod);
-  const Solution strong = solved(JointVector::Constant(-1e3));
+  const solver::Solution strong = solved(JointVector::Constant(-1e3));
   EXPECT_EQ(safety.command(standing(), &strong).torque, -robot.torque_limit);
 }
 
 TEST(Safety, AStateOfNaNGivesAFiniteCommandOneTickLater) {
   Safety safety = make_safety();
-  const Solution good = solved(torques());
+  const solver::Solution good = solved(torques());
   (void)safety.command(standing(3.5), &good);
   const JointCommand command = safety.command(RobotState{}, nullptr);
   expect_legal(command);
@@ -421,9 +424,9 @@ TEST(Safety, WhateverComesTheCommandIsFiniteAndInsideTheLimits) {
     for (double& value : state.q) value = garbage(value);
     for (double& value : state.qd) value = garbage(0.1);
     for (double& value : state.q_WB.coeffs()) value = tick % 3 == 0 ? garbage(value) : value;
-    Solution solution =
-        solved(100.0 * random.vector(kNumJoints), static_cast<SolveStatus>(random.integer(0, 2)),
-               random.integer(-1, 8));
+    solver::Solution solution =
+        solved(100.0 * random.vector(kNumJoints),
+               static_cast<solver::SolveStatus>(random.integer(0, 2)), random.integer(-1, 8));
     for (double& value : solution.x) value = tick % 2 == 0 ? garbage(value) : value;
     ASSERT_NO_FATAL_FAILURE(
         expect_legal(safety.command(state, random.chance(0.8) ? &solution : nullptr)))
@@ -432,4 +435,4 @@ TEST(Safety, WhateverComesTheCommandIsFiniteAndInsideTheLimits) {
 }
 
 }  // namespace
-}  // namespace surefoot
+}  // namespace surefoot::control

@@ -7,7 +7,7 @@
 
 #include <algorithm>
 
-namespace surefoot::test {
+namespace surefoot::control {
 namespace {
 
 LevelSpec& level(StackOptions& stack, const std::string& name) {
@@ -22,11 +22,11 @@ StackOptions changed(StackOptions stack) {
 }
 
 TEST(StackChange, ends_at_the_torques_of_the_new_stack_and_begins_at_those_of_the_old) {
-  ControllerOptions options = options_of();
-  Statue before(options), going(options);
+  ControllerOptions options = test::options_of();
+  test::Statue before(options), going(options);
   options.stack = changed(options.stack);
-  Statue after(options);
-  for (Statue* statue : {&before, &going, &after}) {
+  test::Statue after(options);
+  for (test::Statue* statue : {&before, &going, &after}) {
     statue->state.p_WB.z() -= 0.02;
     statue->run(40);
   }
@@ -34,13 +34,13 @@ TEST(StackChange, ends_at_the_torques_of_the_new_stack_and_begins_at_those_of_th
       (before.controller.record().command.torque - after.controller.record().command.torque).norm(),
       0.5);
   EXPECT_TRUE(going.controller.set_stack(options.stack, 0.1));
-  for (Statue* statue : {&before, &going}) statue->run(1);
+  for (test::Statue* statue : {&before, &going}) statue->run(1);
   EXPECT_LT(
       (before.controller.record().command.torque - going.controller.record().command.torque).norm(),
       1e-9);
   EXPECT_EQ(going.controller.record().hierarchy.transition_share, 0.0);
   EXPECT_FALSE(going.controller.record().hierarchy.blocking_is_known);
-  for (Statue* statue : {&going, &after}) statue->run(60);
+  for (test::Statue* statue : {&going, &after}) statue->run(60);
   EXPECT_EQ(going.controller.record().hierarchy.transition_share, 1.0);
   after.run(1);
   EXPECT_LT(
@@ -50,8 +50,8 @@ TEST(StackChange, ends_at_the_torques_of_the_new_stack_and_begins_at_those_of_th
 }
 
 TEST(StackChange, the_controllers_names_are_those_of_the_new_stack) {
-  const ControllerOptions options = options_of();
-  Statue statue(options);
+  const ControllerOptions options = test::options_of();
+  test::Statue statue(options);
   const std::vector<std::string> before = statue.controller.level_names();
   EXPECT_TRUE(statue.controller.set_stack(changed(options.stack)));
   const std::vector<std::string> after = statue.controller.level_names();
@@ -66,8 +66,8 @@ TEST(StackChange, the_controllers_names_are_those_of_the_new_stack) {
 }
 
 TEST(StackChange, one_at_a_time) {
-  const ControllerOptions options = options_of();
-  Statue statue(options);
+  const ControllerOptions options = test::options_of();
+  test::Statue statue(options);
   statue.run(10);
   EXPECT_TRUE(statue.controller.set_stack(changed(options.stack), 0.05));
   EXPECT_FALSE(statue.controller.set_stack(options.stack, 0.05));
@@ -80,8 +80,8 @@ TEST(StackChange, one_at_a_time) {
 }
 
 TEST(StackChange, levels_that_are_out_stay_out) {
-  const ControllerOptions options = options_of();
-  Statue statue(options);
+  const ControllerOptions options = test::options_of();
+  test::Statue statue(options);
   EXPECT_TRUE(statue.controller.switch_levels({.remove = {"torso_yaw"}, .duration = 0.0}));
   statue.run(5);
   StackOptions stack = options.stack;
@@ -94,22 +94,22 @@ TEST(StackChange, levels_that_are_out_stay_out) {
 }
 
 TEST(StackChange, a_tick_allocates_nothing_on_the_way) {
-  const ControllerOptions options = options_of();
-  Statue statue(options);
+  const ControllerOptions options = test::options_of();
+  test::Statue statue(options);
   statue.run(10);
   EXPECT_TRUE(statue.controller.set_stack(changed(options.stack), 0.05));
-  const MallocCounter counter;
+  const test::MallocCounter counter;
   statue.run(40);
   EXPECT_EQ(counter.count(), 0u);
 }
 
 TEST(StackChange, a_stack_with_other_levels_or_a_time_that_is_none_is_refused) {
-  const ControllerOptions options = options_of();
-  Statue statue(options);
+  const ControllerOptions options = test::options_of();
+  test::Statue statue(options);
   StackOptions stack = options.stack;
   stack.levels.pop_back();
-  const std::string text = message_of([&] { (void)statue.controller.set_stack(stack); });
-  EXPECT_TRUE(holds(text, "valid are those of the present one")) << text;
+  const std::string text = test::message_of([&] { (void)statue.controller.set_stack(stack); });
+  EXPECT_TRUE(test::holds(text, "valid are those of the present one")) << text;
   EXPECT_THROW((void)statue.controller.set_stack(options.stack, -1.0), Error);
   stack = options.stack;
   level(stack, "com_xy").tasks.at(0).numbers["kp"] = -1.0;
@@ -119,7 +119,7 @@ TEST(StackChange, a_stack_with_other_levels_or_a_time_that_is_none_is_refused) {
 }
 
 TEST(StackChange, friction_reaches_the_contact_forces_limits) {
-  Statue statue;
+  test::Statue statue;
   statue.run(10);
   statue.controller.set_friction(0.23);
   statue.run(1);
@@ -127,9 +127,10 @@ TEST(StackChange, friction_reaches_the_contact_forces_limits) {
     EXPECT_EQ(foot.friction, 0.23);
   }
   for (const double bad : {0.0, -0.5, kNaN, kInfinity}) {
-    EXPECT_TRUE(holds(message_of([&] { statue.controller.set_friction(bad); }), "above 0"));
+    EXPECT_TRUE(
+        test::holds(test::message_of([&] { statue.controller.set_friction(bad); }), "above 0"));
   }
 }
 
 }  // namespace
-}  // namespace surefoot::test
+}  // namespace surefoot::control

@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-namespace surefoot {
+namespace surefoot::control {
 namespace {
 
 StackOptions stack_of(const std::string& task, const std::string& number, double value) {
@@ -21,7 +21,7 @@ StackOptions stack_of(const std::string& task, const std::string& number, double
 }
 
 TEST(StackReach, no_posture_reaches_further_and_a_leg_can_be_so_long) {
-  const RobotModel model(test::anymal_b());
+  const model::RobotModel model(test::anymal_b());
   const StackReach reach = reach_of(model);
   test::Random random(3);
   double longest = 0.0, furthest = 0.0;
@@ -56,7 +56,7 @@ TEST(StackReach, bounds_beyond_it_are_refused_with_what_is_valid) {
 }
 
 TEST(StackReach, a_bound_that_is_not_given_counts_by_its_default) {
-  const double usual = LimbExtensionLimits::Options().max;
+  const double usual = tasks::LimbExtensionLimits::Options().max;
   const StackOptions stack = stack_of("limb_extension_limits", "min", 0.1);
   EXPECT_NO_THROW(check_reach(stack, {.leg = usual, .base = 1.0}));
   try {
@@ -69,13 +69,13 @@ TEST(StackReach, a_bound_that_is_not_given_counts_by_its_default) {
 }
 
 TEST(StackReach, all_stacks_here_are_within_it) {
-  const StackReach reach = reach_of(RobotModel(test::anymal_b()));
-  const std::vector<std::string> names = list_data("stacks");
+  const StackReach reach = reach_of(model::RobotModel(test::anymal_b()));
+  const std::vector<std::string> names = config::list_data("stacks");
   ASSERT_GE(names.size(), 7u);
   for (const std::string& name : names) {
-    EXPECT_NO_THROW(check_reach(load_stack(name), reach)) << name;
+    EXPECT_NO_THROW(check_reach(config::load_stack(name), reach)) << name;
   }
 }
 
 }  // namespace
-}  // namespace surefoot
+}  // namespace surefoot::control

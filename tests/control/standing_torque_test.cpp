@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace surefoot {
+namespace surefoot::control {
 namespace {
 
 using test::anymal_b;
@@ -14,12 +14,12 @@ using test::Random;
 
 // h − Sᵀτ is what the ground must bear: Σ J_kᵀ f_k of vertical forces that push, for all 18 rows.
 TEST(StandingTorque, LeavesToTheGroundVerticalForcesThatBearTheRobot) {
-  RobotModel model(anymal_b());
+  model::RobotModel model(anymal_b());
   Random random(1);
   for (int i = 0; i < 50; ++i) {
     const JointVector q = random.standing_state(anymal_b().q_nominal).q;
     const JointVector torque = standing_torque(model, q);
-    const Dynamics& dynamics = model.update(level_at_rest(q), Vec3::UnitZ());
+    const model::Dynamics& dynamics = model.update(level_at_rest(q), Vec3::UnitZ());
     GeneralizedVector borne = dynamics.h;
     borne.tail<kNumJoints>() -= torque;
     Eigen::Matrix<double, kNumVelocities, kNumLegs> lifts;
@@ -36,24 +36,24 @@ TEST(StandingTorque, LeavesToTheGroundVerticalForcesThatBearTheRobot) {
 
 // Its centre of mass behind all feet: the hind ones alone push, and it tips over.
 TEST(StandingTorque, NoFootPulls) {
-  RobotModel model(anymal_b());
+  model::RobotModel model(anymal_b());
   JointVector q = anymal_b().q_nominal;
   for (const Leg leg : kLegs) q[first_joint(leg) + 1] -= 1.2;
-  const Dynamics& dynamics = model.update(level_at_rest(q), Vec3::UnitZ());
-  for (const PointKinematics& contact : dynamics.contact) {
+  const model::Dynamics& dynamics = model.update(level_at_rest(q), Vec3::UnitZ());
+  for (const model::PointKinematics& contact : dynamics.contact) {
     ASSERT_GT(contact.p.x(), dynamics.com.p.x());
   }
   const JointVector gravity = dynamics.h.tail<kNumJoints>();
   const JointVector torque = standing_torque(model, q);
   for (const Leg leg : kLegs) {
-    const PointKinematics& contact = dynamics.contact[index(leg)];
+    const model::PointKinematics& contact = dynamics.contact[index(leg)];
     const JointVector lift = contact.J.row(2).tail<kNumJoints>().transpose();
     EXPECT_GE(lift.dot(gravity - torque), -1e-9);
   }
 }
 
 TEST(BorneForce, IsTheWeightUnderTorquesThatBearTheRobot) {
-  RobotModel model(anymal_b());
+  model::RobotModel model(anymal_b());
   Random random(2);
   for (int i = 0; i < 50; ++i) {
     const JointVector q = random.standing_state(anymal_b().q_nominal).q;
@@ -66,14 +66,14 @@ TEST(BorneForce, IsTheWeightUnderTorquesThatBearTheRobot) {
 }
 
 TEST(StandingTorque, IsNotFiniteWhereAngleIsNot) {
-  RobotModel model(anymal_b());
+  model::RobotModel model(anymal_b());
   JointVector q = anymal_b().q_nominal;
   q[4] = kNaN;
   EXPECT_FALSE(standing_torque(model, q).allFinite());
 }
 
 TEST(StandingTorque, AllocatesNothing) {
-  RobotModel model(anymal_b());
+  model::RobotModel model(anymal_b());
   const JointVector q = anymal_b().q_nominal;
   const test::MallocCounter counter;
   (void)standing_torque(model, q);
@@ -81,4 +81,4 @@ TEST(StandingTorque, AllocatesNothing) {
 }
 
 }  // namespace
-}  // namespace surefoot
+}  // namespace surefoot::control

@@ -18,7 +18,7 @@ namespace surefoot::test {
 inline constexpr double kLimit = 40.0;  // of every joint of the robot [N·m]
 
 /// Believes what the test says.
-class ScriptedEstimator final : public StateEstimator {
+class ScriptedEstimator final : public estimation::StateEstimator {
  public:
   explicit ScriptedEstimator(const RobotState& state) : state_(state) {}
   const RobotState& update(const SensorReading&, const TickContext&) noexcept override {
@@ -30,21 +30,21 @@ class ScriptedEstimator final : public StateEstimator {
   const RobotState& state_;
 };
 
-inline ControllerOptions options_of(const std::string& stack = "terrain_adaptation") {
-  ControllerOptions options;
-  options.stack = load_stack(stack);
+inline control::ControllerOptions options_of(const std::string& stack = "terrain_adaptation") {
+  control::ControllerOptions options;
+  options.stack = config::load_stack(stack);
   options.consistency.enabled = false;  // a statue's sensors do not fit each other
   return options;
 }
 
-inline RobotState standing(const StanceOptions& stance) {
+inline RobotState standing(const gaits::StanceOptions& stance) {
   RobotState state;
   state.time = 0.0;
   state.p_WB = Vec3(0.0, 0.0, stance.height);
   state.q_WB = Quat::Identity();
   state.v_WB.setZero();
   state.w_WB_B.setZero();
-  state.q = stance_posture(RobotModel(anymal_b()), stance);
+  state.q = config::stance_posture(model::RobotModel(anymal_b()), stance);
   state.qd.setZero();
   state.torque.setZero();
   return state;
@@ -53,7 +53,7 @@ inline RobotState standing(const StanceOptions& stance) {
 /// A robot that stands like a statue, and its controller. Its measured torques are the commanded
 /// ones.
 struct Statue {
-  explicit Statue(const ControllerOptions& options = options_of())
+  explicit Statue(const control::ControllerOptions& options = options_of())
       : period(options.period),
         state(standing(options.planner.stance)),
         controller(anymal_b(), options, std::make_unique<ScriptedEstimator>(state)) {}
@@ -85,7 +85,7 @@ struct Statue {
   RobotState state;
   SensorReading reading;
   UserCommand user;
-  Controller controller;
+  control::Controller controller;
 };
 
 inline void expect_legal(const JointCommand& command) {

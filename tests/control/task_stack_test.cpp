@@ -17,7 +17,7 @@
 #include <tuple>
 #include <utility>
 
-namespace surefoot {
+namespace surefoot::control {
 namespace {
 
 using test::anymal_b;
@@ -47,7 +47,7 @@ const std::vector<std::string> kStacks{"walk",    "terrain_adaptation",     "man
 
 TEST(TaskStack, HasOneLevelForEachOfTheFileInItsOrder) {
   for (const std::string& name : kStacks) {
-    const StackOptions options = load_stack(name);
+    const StackOptions options = config::load_stack(name);
     const TaskStack stack(options, anymal_b());
     ASSERT_EQ(stack.hierarchy().num_levels(), options.levels.size()) << name;
     EXPECT_EQ(stack.hierarchy().unknowns(), kNumUnknowns);
@@ -59,7 +59,7 @@ TEST(TaskStack, HasOneLevelForEachOfTheFileInItsOrder) {
 
 TEST(TaskStack, TheFirstFreeLevelComesAfterAllThatKeepThePhysics) {
   for (const std::string& name : kStacks) {
-    EXPECT_EQ(TaskStack(load_stack(name), anymal_b()).first_free_level(), 4) << name;
+    EXPECT_EQ(TaskStack(config::load_stack(name), anymal_b()).first_free_level(), 4) << name;
   }
   const auto first_free = [](const std::vector<LevelSpec>& levels) {
     return TaskStack(stack_of(levels), anymal_b()).first_free_level();
@@ -72,20 +72,22 @@ TEST(TaskStack, TheFirstFreeLevelComesAfterAllThatKeepThePhysics) {
 }
 
 TEST(TaskStack, TellsWhatASolutionLacksOfTheTorsosTilt) {
-  const auto shortfall = [](const StackOptions& options, double residual,
-                            std::pair<SolveStatus, int> ended = {SolveStatus::optimal, -1}) {
-    Solution solution;
-    std::tie(solution.status, solution.failed_level) = ended;
-    solution.levels.resize(options.levels.size());
-    solution.levels.back().residual = residual;
-    return TaskStack(options, anymal_b()).tilt_shortfall(solution);
-  };
+  const auto shortfall =
+      [](const StackOptions& options, double residual,
+         std::pair<solver::SolveStatus, int> ended = {solver::SolveStatus::optimal, -1}) {
+        solver::Solution solution;
+        std::tie(solution.status, solution.failed_level) = ended;
+        solution.levels.resize(options.levels.size());
+        solution.levels.back().residual = residual;
+        return TaskStack(options, anymal_b()).tilt_shortfall(solution);
+      };
   const StackOptions stack = stack_of({level("com_xy"), level("torso_roll_pitch")});
   EXPECT_EQ(shortfall(stack, 2.5), 2.5);
-  EXPECT_EQ(shortfall(stack, 2.5, {SolveStatus::iteration_cap, 2}), 2.5) << "all are optimal";
-  for (const auto& ended :
-       {std::pair(SolveStatus::iteration_cap, 0), std::pair(SolveStatus::iteration_cap, 1),
-        std::pair(SolveStatus::invalid_input, -1)})
+  EXPECT_EQ(shortfall(stack, 2.5, {solver::SolveStatus::iteration_cap, 2}), 2.5)
+      << "all are optimal";
+  for (const auto& ended : {std::pair(solver::SolveStatus::iteration_cap, 0),
+                            std::pair(solver::SolveStatus::iteration_cap, 1),
+                            std::pair(solver::SolveStatus::invalid_input, -1)})
     EXPECT_TRUE(std::isnan(shortfall(stack, 2.5, ended))) << ended.second;
   const LevelSpec both{"both", {{"torso_roll_pitch", {}, {}}, {"torso_height", {}, {}}}};
   EXPECT_EQ(shortfall(stack_of({level("com_xy"), both}), 2.5), 0.0) << "of both together";
@@ -107,19 +109,19 @@ TEST(TaskStack, TellsTheNormalsOfItsFrictionPyramids) {
 }
 
 TEST(TaskStack, WritesTheRowsOfAllTasksWithinItsCapacityEachWithItsOwnIdAndAName) {
-  RobotModel model(anymal_b());
+  model::RobotModel model(anymal_b());
   Random random(1);
   for (const std::string& name : kStacks) {
-    TaskStack stack(load_stack(name), anymal_b());
+    TaskStack stack(config::load_stack(name), anymal_b());
     for (const PerLeg<bool>& contacts : test::all_contact_sets()) {
       const RobotState state = random.standing_state(model.description().q_nominal);
       const MotionPlan plan = test::plan_with_contacts(contacts);
-      const Dynamics& dynamics = model.update(state, Vec3::UnitZ());
+      const model::Dynamics& dynamics = model.update(state, Vec3::UnitZ());
       const test::MallocCounter counter;
-      const Hierarchy& hierarchy = stack.update(dynamics, plan);
+      const solver::Hierarchy& hierarchy = stack.update(dynamics, plan);
       EXPECT_EQ(counter.count(), 0u) << name;
       for (std::size_t i = 0; i < hierarchy.num_levels(); ++i) {
-        const Level& rows = hierarchy.level(i);
+        const solver::Level& rows = hierarchy.level(i);
         ASSERT_LE(rows.num_rows(), rows.max_rows());
         ASSERT_TRUE(rows.A().allFinite()) << rows.name();
         ASSERT_TRUE((rows.lower().array() <= rows.upper().array()).all()) << rows.name();
@@ -138,17 +140,17 @@ TEST(TaskStack, WritesTheRowsOfAllTasksWithinItsCapacityEachWithItsOwnIdAndAName
 }
 
 TEST(TaskStack, EveryUpdateBeginsAnew) {
-  RobotModel model(anymal_b());
+  model::RobotModel model(anymal_b());
   Random random(2);
   const RobotState state = random.standing_state(model.description().q_nominal);
-  const Dynamics& dynamics = model.update(state, Vec3::UnitZ());
+  const model::Dynamics& dynamics = model.update(state, Vec3::UnitZ());
   const MotionPlan four = test::plan_with_contacts({true, true, true, true});
   const MotionPlan three = test::plan_with_contacts({true, false, true, true});
-  TaskStack used(load_stack("terrain_adaptation"), anymal_b());
-  TaskStack fresh(load_stack("terrain_adaptation"), anymal_b());
+  TaskStack used(config::load_stack("terrain_adaptation"), anymal_b());
+  TaskStack fresh(config::load_stack("terrain_adaptation"), anymal_b());
   (void)used.update(dynamics, four);
-  const Hierarchy& again = used.update(dynamics, three);
-  const Hierarchy& once = fresh.update(dynamics, three);
+  const solver::Hierarchy& again = used.update(dynamics, three);
+  const solver::Hierarchy& once = fresh.update(dynamics, three);
   for (std::size_t i = 0; i < once.num_levels(); ++i) {
     ASSERT_EQ(again.level(i).num_rows(), once.level(i).num_rows());
     EXPECT_EQ(again.level(i).A(), once.level(i).A());
@@ -160,24 +162,24 @@ TEST(TaskStack, EveryUpdateBeginsAnew) {
 TEST(TaskStack, TasksThatShareALevelKeepTheirRowsApart) {
   const LevelSpec shared{"both", {{"torque_limits", {}, {}}, {"torque_minimisation", {}, {}}}};
   TaskStack stack(stack_of({shared}), anymal_b());
-  RobotModel model(anymal_b());
+  model::RobotModel model(anymal_b());
   Random random(4);
   const RobotState state = random.standing_state(model.description().q_nominal);
-  const Hierarchy& hierarchy = stack.update(model.update(state, Vec3::UnitZ()),
-                                            test::plan_with_contacts({true, true, true, true}));
-  const Level& both = hierarchy.level(0);
+  const solver::Hierarchy& hierarchy = stack.update(
+      model.update(state, Vec3::UnitZ()), test::plan_with_contacts({true, true, true, true}));
+  const solver::Level& both = hierarchy.level(0);
   ASSERT_EQ(both.num_rows(), 2 * kNumJoints);
   EXPECT_LT(both.lower()[0], both.upper()[0]);
   EXPECT_EQ(both.lower()[kNumJoints], both.upper()[kNumJoints]);
   EXPECT_NE(both.id(0), both.id(kNumJoints));
-  const auto limits = make_task("torque_limits");
-  const auto minimisation = make_task("torque_minimisation");
+  const auto limits = tasks::make_task("torque_limits");
+  const auto minimisation = tasks::make_task("torque_minimisation");
   EXPECT_EQ(stack.row_name(0, both.id(0)), limits->row_name(0));
   EXPECT_EQ(stack.row_name(0, both.id(kNumJoints)), minimisation->row_name(0));
 }
 
 TEST(TaskStack, ARowThatThereIsNotHasNoName) {
-  const TaskStack stack(load_stack("walk"), anymal_b());
+  const TaskStack stack(config::load_stack("walk"), anymal_b());
   EXPECT_EQ(stack.row_name(-1, 0), "?");
   EXPECT_EQ(stack.row_name(99, 0), "?");
   EXPECT_EQ(stack.row_name(0, -1), "?");
@@ -188,10 +190,10 @@ TEST(TaskStack, ParametersReachTheTask) {
   const auto com_rows = [](double kp) {
     const LevelSpec com{"com", {{"com_xy", {{"kp", kp}, {"kd", 0.0}}, {}}}};
     TaskStack stack(stack_of({com}), anymal_b());
-    RobotModel model(anymal_b());
+    model::RobotModel model(anymal_b());
     RobotState state = test::straight_legged_state();
     MotionPlan plan = test::plan_with_contacts({true, true, true, true});
-    const Dynamics& dynamics = model.update(state, Vec3::UnitZ());
+    const model::Dynamics& dynamics = model.update(state, Vec3::UnitZ());
     plan.com.p = dynamics.com.p.head<2>() + Vec2(0.01, 0.0);
     return Vec2(stack.update(dynamics, plan).level(0).lower().head<2>());
   };
@@ -231,18 +233,18 @@ TEST(TaskStack, AStackWithoutLevelsOrWithTooManyIsAnError) {
 }
 
 TEST(TaskStack, WeightsAreOnTheRowsOfTheirTaskAndDampingFollowsThem) {
-  RobotModel model(anymal_b());
+  model::RobotModel model(anymal_b());
   Random random(2);
   const RobotState state = random.standing_state(model.description().q_nominal);
   const MotionPlan plan = test::plan_with_contacts({true, true, true, true});
-  const Dynamics& dynamics = model.update(state, Vec3::UnitZ());
+  const model::Dynamics& dynamics = model.update(state, Vec3::UnitZ());
   StackOptions options = stack_of({{"both", {{"com_xy", {}, {}}, {"torso_yaw", {}, {}}}}});
   TaskStack plain(options, anymal_b());
   options.levels[0].tasks[1].weight = 3.0;
   options.levels[0].damping = 0.1;
   TaskStack weighted(options, anymal_b());
-  const Level& before = plain.update(dynamics, plan).level(0);
-  const Level& after = weighted.update(dynamics, plan).level(0);
+  const solver::Level& before = plain.update(dynamics, plan).level(0);
+  const solver::Level& after = weighted.update(dynamics, plan).level(0);
   ASSERT_EQ(before.num_rows(), 3);
   ASSERT_EQ(after.num_rows(), 6);
   EXPECT_EQ(after.A().topRows(2), before.A().topRows(2));
@@ -265,15 +267,15 @@ TEST(TaskStack, ALevelHasTheUnitsOfItsRowsUnlessTheyHaveWeights) {
 }
 
 TEST(TaskStack, AWeightedStackHasTheSameRowsInFewerLevels) {
-  RobotModel model(anymal_b());
+  model::RobotModel model(anymal_b());
   Random random(3);
   const RobotState state = random.standing_state(model.description().q_nominal);
   const MotionPlan plan = test::plan_with_contacts({true, false, true, true});
-  const Dynamics& dynamics = model.update(state, Vec3::UnitZ());
-  TaskStack strict(load_stack("terrain_adaptation"), anymal_b());
-  TaskStack weighted(weighted_from(load_stack("terrain_adaptation"), 4), anymal_b());
-  const Hierarchy& levels = strict.update(dynamics, plan);
-  const Level& last = weighted.update(dynamics, plan).level(4);
+  const model::Dynamics& dynamics = model.update(state, Vec3::UnitZ());
+  TaskStack strict(config::load_stack("terrain_adaptation"), anymal_b());
+  TaskStack weighted(weighted_from(config::load_stack("terrain_adaptation"), 4), anymal_b());
+  const solver::Hierarchy& levels = strict.update(dynamics, plan);
+  const solver::Level& last = weighted.update(dynamics, plan).level(4);
   EXPECT_EQ(weighted.first_free_level(), 4);
   Eigen::Index row = 0;
   for (std::size_t k = 4; k < levels.num_levels(); ++k) {
@@ -285,4 +287,4 @@ TEST(TaskStack, AWeightedStackHasTheSameRowsInFewerLevels) {
 }
 
 }  // namespace
-}  // namespace surefoot
+}  // namespace surefoot::control

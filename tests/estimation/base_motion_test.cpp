@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace surefoot {
+namespace surefoot::estimation {
 namespace {
 
 using test::Random;
@@ -69,4 +69,4 @@ TEST(BaseMotion, IsZeroWhereAllPointsLieInALine) {
 }
 
 }  // namespace
-}  // namespace surefoot
+}  // namespace surefoot::estimation

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace surefoot {
+namespace surefoot::estimation {
 namespace {
 
 using test::kModelMass;
@@ -34,8 +34,8 @@ struct Weighing {
 
   /// `disturbed`: begin and end of a disturbance [s].
   void turn(double disturbed_from = 0.0, double disturbed_to = 0.0) {
-    const CalibrationOptions options{.duration = 6.0};
-    const CalibrationMotion motion(options);
+    const gaits::CalibrationOptions options{.duration = 6.0};
+    const gaits::CalibrationMotion motion(options);
     for (double t = 0.0; t < options.settle + options.duration; t += kPeriod) {
       robot.turn(motion, t);
       const double since = t - options.settle;
@@ -263,4 +263,4 @@ TEST(ComCalibration, ForgetsAPayloadThatIsTakenOff) {
 }
 
 }  // namespace
-}  // namespace surefoot
+}  // namespace surefoot::estimation

@@ -4,18 +4,18 @@
 
 #include <gtest/gtest.h>
 
-namespace surefoot {
+namespace surefoot::estimation {
 namespace {
 
 using test::kPeriod;
 using test::LadenRobot;
 
-const CalibrationOptions kOptions{.duration = 6.0};
+const gaits::CalibrationOptions kOptions{.duration = 6.0};
 
 /// A turn from `begin` to `end`; one foot feels `too_much` upward, another as much too little.
 std::optional<double> turned(LadenRobot& robot, double begin, double end, double too_much = 0.0) {
   ComHeight height(kPeriod);
-  const CalibrationMotion motion(kOptions);
+  const gaits::CalibrationMotion motion(kOptions);
   for (double t = kOptions.settle + begin; t < kOptions.settle + end; t += kPeriod) {
     robot.turn(motion, t);
     PerLeg<Vec3> forces = robot.forces();
@@ -74,7 +74,7 @@ TEST(ComHeight, KnowsNoneWhereTheTorsoHardlyTilted) {
   EXPECT_FALSE(ComHeight(kPeriod).found());
   EXPECT_FALSE(turned(robot, 0.0, 1.5));
   ComHeight height(kPeriod);
-  const Dynamics& dynamics = robot.believed();
+  const model::Dynamics& dynamics = robot.believed();
   for (int i = 0; i < 4000; ++i) height.add(dynamics, ground_reaction(dynamics, robot.forces()));
   EXPECT_FALSE(height.found()) << "a robot that stands";
 }
@@ -83,7 +83,7 @@ TEST(ComHeight, PassesOverWhatIsNoNumber) {
   LadenRobot robot(test::shifted_by({0.0, 0.0, 0.03}));
   const double known = turned(robot, 0.0, 6.0).value_or(kNaN);
   ComHeight height(kPeriod);
-  const CalibrationMotion motion(kOptions);
+  const gaits::CalibrationMotion motion(kOptions);
   PerLeg<Vec3> none = robot.forces();
   none[1].y() = kNaN;
   for (double t = kOptions.settle; t < kOptions.settle + 6.0; t += kPeriod) {
@@ -97,4 +97,4 @@ TEST(ComHeight, PassesOverWhatIsNoNumber) {
 }
 
 }  // namespace
-}  // namespace surefoot
+}  // namespace surefoot::estimation

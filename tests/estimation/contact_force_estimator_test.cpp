@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-namespace surefoot {
+namespace surefoot::estimation {
 namespace {
 
 using test::anymal_b;
@@ -25,14 +25,14 @@ constexpr double kBias = 0.05;  // of the damped inverse, as a share of a force
 const Vec3 kUp = Vec3::UnitZ();
 
 /// Σ J_kᵀ f_k.
-GeneralizedVector generalized(const Dynamics& dynamics, const PerLeg<Vec3>& forces) {
+GeneralizedVector generalized(const model::Dynamics& dynamics, const PerLeg<Vec3>& forces) {
   GeneralizedVector sum = GeneralizedVector::Zero();
   for (std::size_t k = 0; k < kNumLegs; ++k) sum += dynamics.contact[k].J.transpose() * forces[k];
   return sum;
 }
 
 /// Random forces on the feet that balance the robot at rest: the base rows of h = Sᵀτ + Σ Jᵀ f.
-PerLeg<Vec3> balancing_forces(const Dynamics& dynamics, Random& random) {
+PerLeg<Vec3> balancing_forces(const model::Dynamics& dynamics, Random& random) {
   PerLeg<Vec3> forces;
   Eigen::Matrix<double, 6, 12> grasp;
   for (std::size_t k = 0; k < kNumLegs; ++k) {
@@ -50,7 +50,7 @@ PerLeg<Vec3> balancing_forces(const Dynamics& dynamics, Random& random) {
   return forces;
 }
 
-RobotState at_rest(Random& random, const RobotDescription& robot) {
+RobotState at_rest(Random& random, const model::RobotDescription& robot) {
   RobotState state = random.standing_state(robot.q_nominal);
   state.v_WB.setZero();
   state.w_WB_B.setZero();
@@ -69,10 +69,10 @@ struct Still {
     state.torque = dynamics.h.tail<kNumJoints>();
   }
 
-  RobotModel model;
+  model::RobotModel model;
   Random random;
   RobotState state;
-  const Dynamics& dynamics;
+  const model::Dynamics& dynamics;
 };
 
 /// A robot at rest that stands, pressing its feet against the ground.
@@ -106,7 +106,7 @@ struct Bench {
     velocity = estimator.observe(reading, delays);
   }
 
-  void tick(const Dynamics& dynamics, RobotState& state, const Vec3& normal = kUp) {
+  void tick(const model::Dynamics& dynamics, RobotState& state, const Vec3& normal = kUp) {
     observe(state);
     estimator.update(dynamics, stands, normal, reading, state);
   }
@@ -119,7 +119,8 @@ struct Bench {
 };
 
 /// `dt` on with a constant acceleration.
-void move(Dynamics& dynamics, RobotState& state, const GeneralizedVector& acceleration, double dt) {
+void move(model::Dynamics& dynamics, RobotState& state, const GeneralizedVector& acceleration,
+          double dt) {
   state.q += dt * dynamics.u.tail<kNumJoints>() + 0.5 * dt * dt * acceleration.tail<kNumJoints>();
   dynamics.u += dt * acceleration;
   state.time += dt;
@@ -151,13 +152,13 @@ TEST(ContactForceEstimator, ATickWithoutAStateAtTheBeginningChangesNothing) {
 }
 
 TEST(ContactForceEstimator, FindsTheForcesOfAMovingRobotFromItsAcceleration) {
-  RobotModel model(anymal_b());
+  model::RobotModel model(anymal_b());
   Random random(2);
   for (int trial = 0; trial < kTrials; ++trial) {
     SCOPED_TRACE("trial " + std::to_string(trial));
     RobotState state = random.standing_state(model.description().q_nominal);
     state.time = 0.0;
-    Dynamics dynamics = model.update(state, kUp);
+    model::Dynamics dynamics = model.update(state, kUp);
     PerLeg<Vec3> forces;
     for (Vec3& force : forces) force = Vec3(0.0, 0.0, 70.0) + random.vector(30.0);
     for (double& torque : state.torque) torque = random.uniform(-20.0, 20.0);
@@ -177,7 +178,7 @@ TEST(ContactForceEstimator, FindsTheForcesOfAMovingRobotFromItsAcceleration) {
 
 /// A robot without torques that falls freely from a random posture.
 struct Fall {
-  Fall(RobotModel& model, Random& random)
+  Fall(model::RobotModel& model, Random& random)
       : state(random.standing_state(model.description().q_nominal)) {
     state.time = random.uniform(0.0, 1000.0);
     state.torque.setZero();
@@ -187,12 +188,12 @@ struct Fall {
   void on(double dt) { move(dynamics, state, acceleration, dt); }
 
   RobotState state;
-  Dynamics dynamics;
+  model::Dynamics dynamics;
   GeneralizedVector acceleration;
 };
 
 TEST(ContactForceEstimator, CountsTheTicksThatWereLeftOut) {
-  RobotModel model(anymal_b());
+  model::RobotModel model(anymal_b());
   Random random(7);
   for (int left_out = 0; left_out < 40; ++left_out) {
     SCOPED_TRACE(std::to_string(left_out) + " ticks left out");
@@ -208,7 +209,7 @@ TEST(ContactForceEstimator, CountsTheTicksThatWereLeftOut) {
 
 // Ticks without a state don't count as a hard stop of the base.
 TEST(ContactForceEstimator, CountsTheTicksThatHadNoState) {
-  RobotModel model(anymal_b());
+  model::RobotModel model(anymal_b());
   Random random(7);
   for (int without = 0; without < 20; ++without) {
     SCOPED_TRACE(std::to_string(without) + " ticks without a state");
@@ -230,11 +231,11 @@ TEST(ContactForceEstimator, CountsTheTicksThatHadNoState) {
 /// The largest force found on feet in the air, where torques that swing are `lag` ticks behind the
 /// joint angles, and it is known or not [N].
 double force_in_the_air(int lag, bool is_told) {
-  RobotModel model(anymal_b());
+  model::RobotModel model(anymal_b());
   Random random(9);
   RobotState state = random.standing_state(model.description().q_nominal);
   state.time = 0.0;
-  Dynamics dynamics = model.update(state, kUp);
+  model::Dynamics dynamics = model.update(state, kUp);
   const auto joints = dynamics.M.bottomRightCorner<kNumJoints, kNumJoints>().ldlt();
   Bench bench(kWithoutTare);
   if (is_told)
@@ -283,12 +284,12 @@ TEST(ContactForceEstimator, TorquesThatBeginLateAreKnownFromThenOn) {
 }
 
 TEST(ContactForceEstimator, VelocitiesOfAMovingLegDoNotLag) {
-  RobotModel model(anymal_b());
+  model::RobotModel model(anymal_b());
   Random random(3);
   RobotState state = random.standing_state(model.description().q_nominal);
   state.time = 0.0;
   state.torque.setConstant(3.0);
-  Dynamics dynamics = model.update(state, kUp);
+  model::Dynamics dynamics = model.update(state, kUp);
   GeneralizedVector applied = -dynamics.h;
   applied.tail<kNumJoints>() += state.torque;
   const GeneralizedVector acceleration = dynamics.M.ldlt().solve(applied);
@@ -328,11 +329,11 @@ TEST(ContactForceEstimator, AReadingThatIsMissingIsBridged) {
 }
 
 TEST(ContactForceEstimator, FollowsASuddenForceWithinAFewTicks) {
-  RobotModel model(anymal_b());
+  model::RobotModel model(anymal_b());
   Random random(4);
   RobotState state = at_rest(random, model.description());
   state.time = 0.0;
-  const Dynamics& dynamics = model.update(state, kUp);
+  const model::Dynamics& dynamics = model.update(state, kUp);
   Bench bench;
   state.torque = dynamics.h.tail<kNumJoints>();
   bench.tick(dynamics, state);
@@ -352,7 +353,7 @@ TEST(ContactForceEstimator, FollowsASuddenForceWithinAFewTicks) {
 }
 
 TEST(ContactForceEstimator, StaysFiniteWithStraightLegs) {
-  RobotModel model(anymal_b());
+  model::RobotModel model(anymal_b());
   RobotState state = test::straight_legged_state();
   state.torque.setConstant(5.0);
   Bench().tick(model.update(state, kUp), state);
@@ -404,4 +405,4 @@ TEST(ContactForceEstimator, AllocatesNothing) {
 }
 
 }  // namespace
-}  // namespace surefoot
+}  // namespace surefoot::estimation

@@ -9,7 +9,7 @@
 
 #include <cmath>
 
-namespace surefoot {
+namespace surefoot::estimation {
 namespace {
 
 constexpr double kPeriod = 0.0025;
@@ -36,7 +36,7 @@ struct Lump {
   }
 
   ExternalForceEstimator estimator{kOptions};
-  Dynamics dynamics;
+  model::Dynamics dynamics;
   RobotState state;
   PerLeg<bool> stands{true, true, true, true};
 };
@@ -145,7 +145,7 @@ TEST(ExternalForce, TheWrenchOnARobotThatTumblesIsFound) {
   const ExternalForceOptions options{.time_constant = 0.02, .load_time_constant = 0.02};
   test::Random random(3);
   for (int trial = 0; trial < 3; ++trial) {
-    RobotModel model(test::anymal_b());
+    model::RobotModel model(test::anymal_b());
     ExternalForceEstimator estimator(options);
     RobotState state = random.standing_state(model.description().q_nominal);
     state.w_WB_B = random.vector(2.0);
@@ -156,7 +156,7 @@ TEST(ExternalForce, TheWrenchOnARobotThatTumblesIsFound) {
       for (int i = 0; i < kSubsteps; ++i) {
         model.update(state, Vec3::UnitZ());
         model.apply_wrench(force, moment);
-        const Dynamics& dynamics = model.dynamics();
+        const model::Dynamics& dynamics = model.dynamics();
         const GeneralizedVector u = state.u() - kStep * dynamics.M.llt().solve(dynamics.h);
         state = test::moved(state, u, kStep);
         state.v_WB = u.head<3>();
@@ -172,4 +172,4 @@ TEST(ExternalForce, TheWrenchOnARobotThatTumblesIsFound) {
 }
 
 }  // namespace
-}  // namespace surefoot
+}  // namespace surefoot::estimation

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <limits>
 
-namespace surefoot {
+namespace surefoot::estimation {
 namespace {
 
 constexpr double kPeriod = 0.0025;  // [s]
@@ -80,4 +80,4 @@ TEST(FootSensorTrust, WhatIsNoForceIsNoProof) {
 }
 
 }  // namespace
-}  // namespace surefoot
+}  // namespace surefoot::estimation

@@ -11,7 +11,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace surefoot {
+namespace surefoot::estimation {
 namespace {
 
 using test::Random;
@@ -35,10 +35,10 @@ struct Standing {
     tick();
   }
   /// As joints of feet that stand move.
-  [[nodiscard]] JointVector joint_velocity(const Dynamics& dynamics) const {
+  [[nodiscard]] JointVector joint_velocity(const model::Dynamics& dynamics) const {
     JointVector result = JointVector::Zero();
     for (const Leg leg : kLegs) {
-      const PointKinematics& foot = dynamics.contact[index(leg)];
+      const model::PointKinematics& foot = dynamics.contact[index(leg)];
       const Mat3 J = foot.J.block<3, 3>(0, 6 + first_joint(leg));
       result.segment<3>(first_joint(leg)) =
           J.inverse() * -(foot.J.leftCols<6>() * state.u().head<6>());
@@ -47,7 +47,7 @@ struct Standing {
   }
   void tick() {
     state.time = reading.time = reading.encoder_time = reading.torque_time = kPeriod * ++ticks;
-    const Dynamics& dynamics = model.update(state, Vec3::UnitZ());
+    const model::Dynamics& dynamics = model.update(state, Vec3::UnitZ());
     state.qd = joint_velocity(dynamics);
     state.q += kPeriod * state.qd;
     for (int i = 0; i < kNumJoints; ++i) {
@@ -60,7 +60,7 @@ struct Standing {
     for (int i = 0; i < std::lround(duration / kPeriod); ++i) tick();
   }
 
-  RobotModel model{test::anymal_b()};
+  model::RobotModel model{test::anymal_b()};
   FrozenJoints watch{FrozenJointOptions{}, kPeriod};
   Random random{5};
   RobotState state;
@@ -194,4 +194,4 @@ TEST(FrozenJoints, DoesNotAllocate) {
 }
 
 }  // namespace
-}  // namespace surefoot
+}  // namespace surefoot::estimation

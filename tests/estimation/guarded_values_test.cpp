@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-namespace surefoot {
+namespace surefoot::estimation {
 namespace {
 
 constexpr double kPeriod = 0.0025;  // [s]
@@ -103,4 +103,4 @@ TEST(GuardedValues, WhatWaitedForTheNextSampleMayBeTwiceAsFarOff) {
 }
 
 }  // namespace
-}  // namespace surefoot
+}  // namespace surefoot::estimation

@@ -10,7 +10,7 @@
 #include <array>
 #include <cmath>
 
-namespace surefoot {
+namespace surefoot::estimation {
 namespace {
 
 using test::Random;
@@ -76,7 +76,7 @@ struct Swaying {
   [[nodiscard]] double worst() const { return *std::ranges::max_element(check.shares()); }
 
   ImuCheck check{ImuCheckOptions{}, kPeriod};
-  Dynamics dynamics;
+  model::Dynamics dynamics;
   RobotState state;
   SensorReading reading;
   PerLeg<bool> stands{true, true, true, true};
@@ -237,4 +237,4 @@ TEST(ImuCheck, DoesNotAllocate) {
 }
 
 }  // namespace
-}  // namespace surefoot
+}  // namespace surefoot::estimation

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace surefoot {
+namespace surefoot::estimation {
 namespace {
 
 using test::Random;
@@ -71,7 +71,7 @@ struct Stepping {
   }
 
   ImuStepCheck check{kPeriod};
-  Dynamics dynamics;
+  model::Dynamics dynamics;
   RobotState state;
   SensorReading offered, held;
   PerLeg<bool> stands{true, true, true, true};
@@ -157,4 +157,4 @@ TEST(ImuStepCheck, AllocatesNothing) {
 }
 
 }  // namespace
-}  // namespace surefoot
+}  // namespace surefoot::estimation

@@ -10,7 +10,7 @@
 #include <cmath>
 #include <random>
 
-namespace surefoot {
+namespace surefoot::estimation {
 namespace {
 
 constexpr double kPeriod = 0.0025;
@@ -234,4 +234,4 @@ TEST(InvariantFilter, AllocatesNothing) {
 }
 
 }  // namespace
-}  // namespace surefoot
+}  // namespace surefoot::estimation

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-namespace surefoot {
+namespace surefoot::estimation {
 namespace {
 
 constexpr double kPeriod = 0.0025;
@@ -104,4 +104,4 @@ TEST(JointObserver, NoiseOfAnEncoderGivesLessNoiseThanItsDifferences) {
 }
 
 }  // namespace
-}  // namespace surefoot
+}  // namespace surefoot::estimation

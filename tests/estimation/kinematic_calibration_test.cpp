@@ -12,14 +12,14 @@
 #include <cmath>
 #include <vector>
 
-namespace surefoot {
+namespace surefoot::estimation {
 namespace {
 
 using test::error_between_feet;
 using test::Random;
 using test::TurningRobot;
 
-constexpr CalibrationOptions kMotion{.duration = 6.0};
+constexpr gaits::CalibrationOptions kMotion{.duration = 6.0};
 constexpr double kAll = 10.0;  // with all that comes after the motion [s]
 
 KinematicErrors some_errors(unsigned seed, double length, double zero) {
@@ -35,7 +35,7 @@ KinematicErrors some_errors(unsigned seed, double length, double zero) {
 
 /// A robot and its calibration.
 struct Bench {
-  explicit Bench(const KinematicErrors& errors, const CalibrationOptions& motion = kMotion)
+  explicit Bench(const KinematicErrors& errors, const gaits::CalibrationOptions& motion = kMotion)
       : robot(errors, motion), model(robot.description()) {
     state.p_WB.setZero();
     state.v_WB.setZero();
@@ -70,7 +70,7 @@ struct Bench {
   }
 
   TurningRobot robot;
-  RobotModel model;
+  model::RobotModel model;
   KinematicCalibration calibration{robot.description(), TurningRobot::kPeriod};
   RobotState state;
   Quat tilt = Quat::Identity();  // by which the orientation is believed askew
@@ -156,7 +156,7 @@ TEST(KinematicCalibration, OfARobotThatIsAsDescribedFindsNothing) {
 }
 
 TEST(KinematicCalibration, ARobotThatStandsStillLearnsNothing) {
-  CalibrationOptions still = kMotion;
+  gaits::CalibrationOptions still = kMotion;
   still.roll = still.pitch = still.yaw = 0.0;
   Bench bench(some_errors(6, 0.01, 0.0087), still);
   bench.resolution = 1e-9;
@@ -203,9 +203,10 @@ TEST(KinematicCalibration, NumbersThatAreNoneAreLeftOut) {
   bad.run(3.0 + TurningRobot::kPeriod);
   for (int i = 0; i < 40; ++i) {  // of two updates a tick, those that samples are taken of
     bad.tick();
-    Dynamics broken = bad.model.dynamics();
+    model::Dynamics broken = bad.model.dynamics();
     broken.foot[1].p.x() = kNaN;
-    for (RotationKinematics& shank : broken.shank) shank.w.setZero();  // which rolls no further
+    for (model::RotationKinematics& shank : broken.shank)
+      shank.w.setZero();  // which rolls no further
     bad.calibration.update(bad.state.time, broken, Vec3::Constant(kNaN), Vec3::UnitZ(), true);
   }
   bad.run(kAll);
@@ -266,7 +267,7 @@ TEST(KinematicCalibration, WhatPassesWhileItDoesNotListenIsNoPartOfTheTurn) {
 TEST(KinematicCalibration, AllocatesNothing) {
   Bench bench(some_errors(9, 0.01, 0.0));
   bench.run(3.0);
-  const Dynamics dynamics = bench.model.dynamics();
+  const model::Dynamics dynamics = bench.model.dynamics();
   const test::MallocCounter counter;
   for (int i = 0; i < 20; ++i) {
     bench.state.time += TurningRobot::kPeriod;
@@ -277,4 +278,4 @@ TEST(KinematicCalibration, AllocatesNothing) {
 }
 
 }  // namespace
-}  // namespace surefoot
+}  // namespace surefoot::estimation

@@ -12,16 +12,16 @@
 #include <deque>
 #include <utility>
 
-namespace surefoot {
+namespace surefoot::estimation {
 namespace {
 
 using test::TurningRobot;
 
 /// Slow enough for a start: a robot that turns by 0.2 rad/s does not stand.
-constexpr CalibrationOptions kMotion{
+constexpr gaits::CalibrationOptions kMotion{
     .duration = 6.0, .settle = 0.5, .roll = 0.12, .pitch = 0.10, .yaw = 0.15};
 
-constexpr CalibrationOptions kStill{
+constexpr gaits::CalibrationOptions kStill{
     .duration = 6.0, .settle = 0.5, .roll = 0.0, .pitch = 0.0, .yaw = 0.0};
 
 TickContext standing() {
@@ -36,7 +36,7 @@ double tilt_error(const RobotState& state, const TurningRobot& robot) {
 
 /// By the turn that ships and by a smaller one.
 TEST(LegInertialEstimator, FollowsATorsoThatTurnsOverRollingFeet) {
-  const CalibrationOptions ships{.duration = 6.0};
+  const gaits::CalibrationOptions ships{.duration = 6.0};
   for (const auto& [motion, most] : {std::pair(ships, 3.5e-3), std::pair(kMotion, 3e-3)}) {
     SCOPED_TRACE(motion.roll);
     TurningRobot robot(KinematicErrors{}, motion);
@@ -430,4 +430,4 @@ TEST(LegInertialEstimator, OffItsFeetItRestsWhereItWasAndTurns) {
 }
 
 }  // namespace
-}  // namespace surefoot
+}  // namespace surefoot::estimation

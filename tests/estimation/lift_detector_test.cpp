@@ -7,7 +7,7 @@
 
 #include <cmath>
 
-namespace surefoot {
+namespace surefoot::estimation {
 namespace {
 
 constexpr double kPeriod = 0.0025;  // [s]
@@ -123,4 +123,4 @@ TEST(LiftDetector, WhereNumbersAreMissingNothingChanges) {
 }
 
 }  // namespace
-}  // namespace surefoot
+}  // namespace surefoot::estimation

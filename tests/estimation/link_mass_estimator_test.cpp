@@ -8,7 +8,7 @@
 
 #include <cmath>
 
-namespace surefoot {
+namespace surefoot::estimation {
 namespace {
 
 constexpr double kPeriod = 0.0025;
@@ -41,7 +41,7 @@ struct Bench {
     return result;
   }
 
-  const Dynamics& dynamics(double t) { return model.update(state(t), Vec3::UnitZ()); }
+  const model::Dynamics& dynamics(double t) { return model.update(state(t), Vec3::UnitZ()); }
 
   /// The leg's torques at t, of links that are heavier.
   Vec3 torque(double t) {
@@ -75,7 +75,7 @@ struct Bench {
   }
 
   Leg leg;
-  RobotModel model;
+  model::RobotModel model;
   LinkMassEstimator estimator;
   Shares heavier = Shares::Zero();
   double delay = 0.0;  // of angles [s]
@@ -164,7 +164,7 @@ TEST(LinkMassEstimator, LearnsNothingWhereItIsSwitchedOff) {
 
 TEST(LinkMassEstimator, DoesNotAllocate) {
   Bench bench({.most_sigmas = 1e9});
-  const Dynamics dynamics = bench.dynamics(0.0);
+  const model::Dynamics dynamics = bench.dynamics(0.0);
   const PerLeg<bool> swinging = bench.swinging();
   const test::MallocCounter counter;
   for (int t = 0; t < kSwing; ++t) {
@@ -183,4 +183,4 @@ TEST(LinkMassEstimator, DoesNotAllocate) {
 }
 
 }  // namespace
-}  // namespace surefoot
+}  // namespace surefoot::estimation

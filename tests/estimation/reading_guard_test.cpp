@@ -10,7 +10,7 @@
 #include <limits>
 #include <utility>
 
-namespace surefoot {
+namespace surefoot::estimation {
 namespace {
 
 constexpr double kPeriod = 0.0025;
@@ -50,7 +50,7 @@ struct Swinging {
            health.joint_torques.fault == SampleFault::none && health.imu.fault == SampleFault::none;
   }
 
-  RobotDescription description = test::anymal_b();
+  model::RobotDescription description = test::anymal_b();
   ReadingGuard guard{{}, description, kPeriod};
   int ticks = 0;
   double time = 0.0;
@@ -626,4 +626,4 @@ TEST(ReadingGuard, ADeadDriversLastReadingIsNotMeasuredThoughItsClockWasWrong) {
 }
 
 }  // namespace
-}  // namespace surefoot
+}  // namespace surefoot::estimation

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace surefoot {
+namespace surefoot::estimation {
 namespace {
 
 using test::Random;
@@ -54,4 +54,4 @@ TEST(RestCheck, LegsThatMoveOrBearLittleSayNothing) {
 }
 
 }  // namespace
-}  // namespace surefoot
+}  // namespace surefoot::estimation

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace surefoot {
+namespace surefoot::estimation {
 namespace {
 
 constexpr double kPeriod = 0.0025;   // [s]
@@ -136,4 +136,4 @@ TEST(SampleWatch, FollowsNoDelayThatChanges) {
 }
 
 }  // namespace
-}  // namespace surefoot
+}  // namespace surefoot::estimation

@@ -10,7 +10,7 @@
 
 #include <cmath>
 
-namespace surefoot {
+namespace surefoot::estimation {
 namespace {
 
 using test::Random;
@@ -40,7 +40,7 @@ struct Standing {
     reading.gyro = random.vector(1e-3);
     reading.accelerometer = kGravity * Vec3::UnitZ() + random.vector(0.02) + accelerometer_error;
     state.torque = reading.torque;
-    const Dynamics& dynamics = model.update(state, Vec3::UnitZ());
+    const model::Dynamics& dynamics = model.update(state, Vec3::UnitZ());
     health = {.encoders = {.age = 0.0}, .joint_torques = {.age = 0.0}, .imu = {.age = 0.0}};
     if (is_imu_late) health.imu = {.fault = SampleFault::late, .age = 0.01};
     if (are_encoders_late) health.encoders = {.fault = SampleFault::late, .age = 0.01};
@@ -62,7 +62,7 @@ struct Standing {
            health.joint_torques.fault == SampleFault::none && health.imu.fault == SampleFault::none;
   }
 
-  RobotModel model{test::anymal_b()};
+  model::RobotModel model{test::anymal_b()};
   SensorConsistency consistency;
   Random random{3};
   RobotState state;
@@ -117,7 +117,7 @@ TEST(SensorConsistency, FeetThatCarryMoreThanAnythingCanLoadAreAFaultOfTheTorque
   robot.run(0.1);
   const Vec3 force(0.0, 0.0, 200.0);
   for (const Leg leg : kLegs) {
-    const Mat3 J = leg_jacobian(robot.model.dynamics().contact[index(leg)], leg);
+    const Mat3 J = model::leg_jacobian(robot.model.dynamics().contact[index(leg)], leg);
     robot.state.foot_force[index(leg)] += force;
     robot.torque_error.segment<kJointsPerLeg>(first_joint(leg)) -= J.transpose() * force;
   }
@@ -202,4 +202,4 @@ TEST(SensorConsistency, DoesNotAllocate) {
 }
 
 }  // namespace
-}  // namespace surefoot
+}  // namespace surefoot::estimation

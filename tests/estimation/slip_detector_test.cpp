@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace surefoot {
+namespace surefoot::estimation {
 namespace {
 
 using test::Random;
@@ -45,7 +45,7 @@ struct Feet {
   }
 
   SlipDetector detector{SlipOptions{}, kPeriod};
-  Dynamics dynamics;
+  model::Dynamics dynamics;
   PerLeg<bool> stands = kAll;
   Vec3 normal = kUp;
   RobotState state;
@@ -196,4 +196,4 @@ TEST(SlipDetector, TheSameInGivesTheSameOut) {
 }
 
 }  // namespace
-}  // namespace surefoot
+}  // namespace surefoot::estimation

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace surefoot {
+namespace surefoot::estimation {
 namespace {
 
 constexpr double kPeriod = 0.0025;  // [s]
@@ -98,4 +98,4 @@ TEST(StandingStart, LegsThatMoveUnderABaseThatDoesNotAreNoStance) {
 }
 
 }  // namespace
-}  // namespace surefoot
+}  // namespace surefoot::estimation

@@ -7,7 +7,7 @@
 #include <array>
 #include <cmath>
 
-namespace surefoot {
+namespace surefoot::estimation {
 namespace {
 
 constexpr double kPeriod = 0.0025;
@@ -191,4 +191,4 @@ TEST(SwingTare, SwitchedOffItSaysNothing) {
 }
 
 }  // namespace
-}  // namespace surefoot
+}  // namespace surefoot::estimation

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <string>
 
-namespace surefoot {
+namespace surefoot::estimation {
 namespace {
 
 using test::Random;
@@ -142,4 +142,4 @@ TEST(ControlFrame, OnLevelGroundIsATurnAboutTheVertical) {
 }
 
 }  // namespace
-}  // namespace surefoot
+}  // namespace surefoot::estimation

@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-namespace surefoot {
+namespace surefoot::estimation {
 namespace {
 
 constexpr double kPeriod = 0.0025;
@@ -21,7 +21,7 @@ struct Lump {
     dynamics.mass = kMass;
     state.foot_force.fill(0.25 * kMass * kGravity * Vec3::UnitZ());
     for (const Leg leg : kLegs) {
-      PointKinematics& contact = dynamics.contact[index(leg)];
+      model::PointKinematics& contact = dynamics.contact[index(leg)];
       contact.p = {is_front(leg) ? 0.3 : -0.3, is_left(leg) ? 0.2 : -0.2, 0.0};
       contact.J.middleCols<kJointsPerLeg>(6 + first_joint(leg)) = kLever * Mat3::Identity();
     }
@@ -43,7 +43,7 @@ struct Lump {
   }
 
   TorqueCheck check{kOptions, kPeriod};
-  Dynamics dynamics;
+  model::Dynamics dynamics;
   RobotState state;
   JointVector command = JointVector::LinSpaced(-30.0, 30.0), error = JointVector::Zero();
   int encoder_ticks = 1;  // between two samples
@@ -186,4 +186,4 @@ TEST(TorqueCheck, AllocatesNothing) {
 }
 
 }  // namespace
-}  // namespace surefoot
+}  // namespace surefoot::estimation

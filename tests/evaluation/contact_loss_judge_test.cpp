@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace surefoot {
+namespace surefoot::evaluation {
 namespace {
 
 constexpr double kPeriod = 0.0025;
@@ -10,7 +10,7 @@ constexpr double kPeriod = 0.0025;
 /// A foot among three that stand.
 struct Feet {
   Feet() {
-    for (TrueContact& foot : truth.feet) foot.touched = true;
+    for (simulation::TrueContact& foot : truth.feet) foot.touched = true;
     ticks(100, true, LegPhase::stance);
   }
   void ticks(int count, bool touches, LegPhase phase) {
@@ -26,7 +26,7 @@ struct Feet {
     judge.write(result);
     return result;
   }
-  GroundTruth truth;
+  simulation::GroundTruth truth;
   MotionPlan plan;
   ContactLossJudge judge;
 };
@@ -87,4 +87,4 @@ TEST(ContactLossJudge, WhatASwingOrASearchDoesInTheAirDoesNotCount) {
 }
 
 }  // namespace
-}  // namespace surefoot
+}  // namespace surefoot::evaluation

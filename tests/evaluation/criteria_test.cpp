@@ -7,7 +7,7 @@
 
 #include <set>
 
-namespace surefoot {
+namespace surefoot::evaluation {
 namespace {
 
 using nlohmann::json;
@@ -135,4 +135,4 @@ TEST(Metrics, TheSummaryHoldsMetricsAndCriteria) {
 }
 
 }  // namespace
-}  // namespace surefoot
+}  // namespace surefoot::evaluation

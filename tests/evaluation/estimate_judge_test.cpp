@@ -7,11 +7,11 @@
 
 #include <cmath>
 
-namespace surefoot {
+namespace surefoot::evaluation {
 namespace {
 
 TEST(EstimateJudge, HeadingAndPositionOfTheStartAreNoError) {
-  GroundTruth truth;
+  simulation::GroundTruth truth;
   RobotState state;
   const Quat turned = from_roll_pitch_yaw({0.0, 0.0, 1.1});
   EstimateJudge judge;
@@ -41,7 +41,7 @@ TEST(EstimateJudge, OnlyAnEventSaysThatAnEstimateBeginsAnew) {
 }
 
 TEST(EstimateJudge, MeasuresVelocityTiltAndDrift) {
-  GroundTruth truth;
+  simulation::GroundTruth truth;
   RobotState state;
   state.p_WB.setZero();
   state.v_WB = Vec3(0.003, 0.004, 0.0);
@@ -62,4 +62,4 @@ TEST(EstimateJudge, MeasuresVelocityTiltAndDrift) {
 }
 
 }  // namespace
-}  // namespace surefoot
+}  // namespace surefoot::evaluation

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <string>
 
-namespace surefoot {
+namespace surefoot::evaluation {
 namespace {
 
 constexpr double kPeriod = 0.0025;
@@ -22,7 +22,7 @@ struct HandMadeRun {
 
   void stand() {
     truth.p_WB.z() = 0.45;
-    for (TrueContact& contact : truth.feet) {
+    for (simulation::TrueContact& contact : truth.feet) {
       contact = {.touching = true, .force = Vec3(0.0, 0.0, 75.0), .friction = 0.8};
     }
     tick.plan.torso.height = 0.45;
@@ -43,10 +43,10 @@ struct HandMadeRun {
   }
 
   void phase(Leg leg, LegPhase phase) { tick.plan.feet[index(leg)].phase = phase; }
-  TrueContact& contact(Leg leg) { return truth.feet[index(leg)]; }
+  simulation::TrueContact& contact(Leg leg) { return truth.feet[index(leg)]; }
 
   Evaluator evaluator;
-  GroundTruth truth;
+  simulation::GroundTruth truth;
   TickRecord tick;
 };
 
@@ -259,7 +259,7 @@ TEST(Evaluator, EdgeLandingsAreJudgedOnceWhenTheFootIsFirstLoaded) {
   HandMadeRun run({.control_period = kPeriod,
                    .terrain_height = [](double x, double) { return x < 1.0 ? 0.0 : -0.14; },
                    .hip_in_base = {}});
-  TrueContact& contact = run.contact(Leg::RF);
+  simulation::TrueContact& contact = run.contact(Leg::RF);
   contact.point = {0.995, 0.0, 0.0};  // stands on the edge from the beginning: not a landing
   run.steps(5);
   EXPECT_EQ(run.metrics().edge_landings, 0);
@@ -461,4 +461,4 @@ TEST(Evaluator, PenetrationIsTheDeepestOfAnyFoot) {
 }
 
 }  // namespace
-}  // namespace surefoot
+}  // namespace surefoot::evaluation

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace surefoot {
+namespace surefoot::evaluation {
 namespace {
 
 /// Counts one event a tick.
@@ -64,4 +64,4 @@ TEST(EventCounter, counts_the_legs_apart_and_leaves_the_usual_steps_out) {
 }
 
 }  // namespace
-}  // namespace surefoot
+}  // namespace surefoot::evaluation

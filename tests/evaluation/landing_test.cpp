@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-namespace surefoot {
+namespace surefoot::evaluation {
 namespace {
 
 constexpr double kDegree = kPi / 180.0;
@@ -87,4 +87,4 @@ TEST(EdgeLanding, IsOnTopOfAPole) {
 }
 
 }  // namespace
-}  // namespace surefoot
+}  // namespace surefoot::evaluation

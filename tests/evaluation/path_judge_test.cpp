@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace surefoot {
+namespace surefoot::evaluation {
 namespace {
 
 constexpr double kPeriod = 0.0025;
@@ -26,7 +26,7 @@ struct Walker {
   }
 
   PathJudge judge{kPeriod};
-  GroundTruth truth;
+  simulation::GroundTruth truth;
   UserCommand user{.walk = true, .velocity = {0.2, 0.0}};
   Vec3 heading = Vec3::UnitY();
   Vec3 position{3.0, -1.0, 0.4};
@@ -59,4 +59,4 @@ TEST(PathJudge, SaysNothingOfARobotThatWasNotAskedToWalk) {
 }
 
 }  // namespace
-}  // namespace surefoot
+}  // namespace surefoot::evaluation

@@ -4,14 +4,14 @@
 
 #include <cmath>
 
-namespace surefoot {
+namespace surefoot::evaluation {
 namespace {
 
 constexpr double kPeriod = 0.0025;
 
 struct Slide {
   Slide() {
-    for (TrueContact& foot : truth.feet) {
+    for (simulation::TrueContact& foot : truth.feet) {
       foot.touching = true;
       foot.force = Vec3(0.0, 0.0, 75.0);
     }
@@ -29,7 +29,7 @@ struct Slide {
     judge.write(result);
     return result;
   }
-  GroundTruth truth;
+  simulation::GroundTruth truth;
   TickRecord tick;
   SlipJudge judge{kPeriod};
 };
@@ -84,4 +84,4 @@ TEST(SlipJudge, ASlideThatGoesOnToTheEndCountsToo) {
 }
 
 }  // namespace
-}  // namespace surefoot
+}  // namespace surefoot::evaluation

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-namespace surefoot {
+namespace surefoot::evaluation {
 namespace {
 
 std::uint64_t hash_of(const std::vector<JointVector>& torques) {
@@ -26,4 +26,4 @@ TEST(TorqueHash, differs_with_the_last_bit_of_one_torque_and_with_the_order_of_t
 }
 
 }  // namespace
-}  // namespace surefoot
+}  // namespace surefoot::evaluation

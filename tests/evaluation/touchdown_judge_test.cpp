@@ -4,13 +4,13 @@
 
 #include <cmath>
 
-namespace surefoot {
+namespace surefoot::evaluation {
 namespace {
 
 constexpr PerLeg<double> kSides{0.2, -0.2, 0.2, -0.2};
 
-GroundTruth standing() {
-  GroundTruth truth;
+simulation::GroundTruth standing() {
+  simulation::GroundTruth truth;
   for (std::size_t k = 0; k < kNumLegs; ++k) {
     truth.p_WF[k] = Vec3(k < 2 ? 0.3 : -0.3, kSides[k], 0.03);
     truth.feet[k].touching = truth.feet[k].touched = true;
@@ -34,7 +34,7 @@ struct Steps {
     judge.write(result);
     return result;
   }
-  GroundTruth truth = standing();
+  simulation::GroundTruth truth = standing();
   MotionPlan plan;
   TouchdownJudge judge;
 };
@@ -98,4 +98,4 @@ TEST(TouchdownJudge, ATouchEarlierInTheSwingDoesNotCount) {
 }
 
 }  // namespace
-}  // namespace surefoot
+}  // namespace surefoot::evaluation

@@ -7,16 +7,16 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-namespace surefoot {
+namespace surefoot::evaluation {
 namespace {
 
 using nlohmann::json;
 
 TEST(TruthLog, TheTruthStandsOnAChannelOfItsOwnBitByBit) {
   const test::TemporaryFolder folder;
-  std::vector<GroundTruth> truths;
+  std::vector<simulation::GroundTruth> truths;
   {
-    Recorder recorder(folder / "run.mcap", test::SyntheticRun::header());
+    logging::Recorder recorder(folder / "run.mcap", test::SyntheticRun::header());
     TruthLog log(recorder);
     test::SyntheticRun run;
     for (int i = 0; i < 500; ++i) {
@@ -27,12 +27,12 @@ TEST(TruthLog, TheTruthStandsOnAChannelOfItsOwnBitByBit) {
     }
     recorder.close();
   }
-  McapReader reader(folder / "run.mcap");
-  McapMessage message;
+  logging::McapReader reader(folder / "run.mcap");
+  logging::McapMessage message;
   std::size_t count = 0;
   while (reader.next(message)) {
     if (message.channel->topic != "/truth") continue;
-    const GroundTruth& truth = truths.at(count++);
+    const simulation::GroundTruth& truth = truths.at(count++);
     const json logged = json::parse(message.data);
     ASSERT_EQ(logged.at("time"), truth.time);
     ASSERT_EQ(logged.at("q_WB"),
@@ -41,7 +41,7 @@ TEST(TruthLog, TheTruthStandsOnAChannelOfItsOwnBitByBit) {
     ASSERT_EQ(logged.at("qvel"), json(truth.qvel));
     ASSERT_EQ(logged.at("ctrl"), json(truth.ctrl));
     ASSERT_EQ(logged.at("xfrc_applied"), json(truth.xfrc_applied));
-    const TrueContact& contact = truth.feet[index(Leg::RH)];
+    const simulation::TrueContact& contact = truth.feet[index(Leg::RH)];
     ASSERT_EQ(logged.at("feet").at("RH").at("force"),
               json({contact.force.x(), contact.force.y(), contact.force.z()}));
     ASSERT_EQ(logged.at("feet").at("RH").at("touching"), contact.touching);
@@ -50,4 +50,4 @@ TEST(TruthLog, TheTruthStandsOnAChannelOfItsOwnBitByBit) {
 }
 
 }  // namespace
-}  // namespace surefoot
+}  // namespace surefoot::evaluation

@@ -16,7 +16,7 @@
 #include <string>
 #include <utility>
 
-namespace surefoot {
+namespace surefoot::explain {
 namespace {
 
 /// Of each leg the largest state of the rows of its friction pyramid: 0 inside, 1 at a face, more
@@ -26,8 +26,8 @@ PerLeg<int> friction_states(const TickRecord& tick, const std::vector<std::strin
   for (std::int32_t i = 0; i < tick.hierarchy.num_active; ++i) {
     const ActiveRow& row = tick.hierarchy.active[static_cast<std::size_t>(i)];
     if (levels.at(static_cast<std::size_t>(row.level)) != "friction_cone") continue;
-    if (row.id % FrictionCone::kRowsPerLeg == FrictionCone::kRowsPerLeg - 1) continue;
-    int& state = states.at(static_cast<std::size_t>(row.id / FrictionCone::kRowsPerLeg));
+    if (row.id % tasks::FrictionCone::kRowsPerLeg == tasks::FrictionCone::kRowsPerLeg - 1) continue;
+    int& state = states.at(static_cast<std::size_t>(row.id / tasks::FrictionCone::kRowsPerLeg));
     state = std::max(state, std::abs(row.state));
   }
   return states;
@@ -35,15 +35,17 @@ PerLeg<int> friction_states(const TickRecord& tick, const std::vector<std::strin
 
 void expect_full_where_a_face_is_active(const std::vector<std::string>& assignments) {
   const test::TemporaryFolder folder;
-  ClosedLoopOptions options;
+  closed_loop::ClosedLoopOptions options;
   options.record_path = folder / "run.mcap";
-  (void)run_closed_loop(load_scenario({"walk_flat_ideal", 0, assignments}), options);
-  LogReader log(folder / "run.mcap");
-  LogFrames frames(folder / "run.mcap", log.header());
+  (void)closed_loop::run_closed_loop(config::load_scenario({"walk_flat_ideal", 0, assignments}),
+                                     options);
+  logging::LogReader log(folder / "run.mcap");
+  server::LogFrames frames(folder / "run.mcap", log.header());
   const auto cone = friction_cone_of(log.header());
   ASSERT_TRUE(cone);
   const auto& channels = frames.channels().channels;
-  const auto channel = std::ranges::find(channels, "commanded.friction_use.LF", &ViewChannel::name);
+  const auto channel =
+      std::ranges::find(channels, "commanded.friction_use.LF", &server::ViewChannel::name);
   ASSERT_NE(channel, channels.end());
   TickRecord tick;
   std::vector<double> at_a_face, inside, shown_otherwise;
@@ -94,11 +96,13 @@ TickRecord leaning(double angle, double friction) {
 
 TEST(CommandedForces, tell_the_pyramid_that_held_them) {
   for (const double angle : {0.0, 0.1, 0.3, 0.6}) {
-    for (const auto axes : {FrictionCone::Axes::control, FrictionCone::Axes::gravity}) {
+    for (const auto axes :
+         {tasks::FrictionCone::Axes::control, tasks::FrictionCone::Axes::gravity}) {
       const TickRecord tick = leaning(angle, 0.4);
-      const FrictionCone cone({.pyramid = FrictionCone::Pyramid::inner, .axes = axes});
+      const tasks::FrictionCone cone(
+          {.pyramid = tasks::FrictionCone::Pyramid::inner, .axes = axes});
       const CommandedForces forces = commanded_forces(cone, tick);
-      const FrictionPyramid pyramid = cone.pyramid(tick.plan, Leg::LF);
+      const tasks::FrictionPyramid pyramid = cone.pyramid(tick.plan, Leg::LF);
       EXPECT_EQ(forces.pyramid_friction[0], pyramid.mu);
       EXPECT_TRUE(forces.q_WP[0].toRotationMatrix().isApprox(pyramid.axes, 1e-12));
       const Vec3 force_P = forces.q_WP[0].conjugate() * tick.model.force[0];
@@ -110,13 +114,13 @@ TEST(CommandedForces, tell_the_pyramid_that_held_them) {
 }
 
 TEST(CommandedForces, are_those_of_the_log_also_where_no_temporary_file_can_be_made) {
-  LogHeader header;
+  logging::LogHeader header;
   header.attachments.push_back({"resolved_stack.yaml", "",
                                 "name: own\nlevels:\n  - {task: friction_cone, axes: gravity}\n"});
   const char* folder = std::getenv("TMPDIR");
   const std::optional<std::string> before = folder ? std::optional(folder) : std::nullopt;
   setenv("TMPDIR", "/nowhere", 1);
-  std::optional<FrictionCone> cone;
+  std::optional<tasks::FrictionCone> cone;
   EXPECT_NO_THROW(cone = friction_cone_of(header));
   before ? setenv("TMPDIR", before->c_str(), 1) : unsetenv("TMPDIR");
   EXPECT_TRUE(cone);
@@ -128,7 +132,7 @@ TEST(CommandedForces, are_not_known_of_feet_that_do_not_carry) {
   tick.plan.feet[1].phase = LegPhase::swing;
   for (Vec3& force : tick.model.force) force = Vec3(0.0, 0.0, 50.0);
   tick.model.force[2].z() = 0.5;
-  const CommandedForces forces = commanded_forces(FrictionCone({}), tick);
+  const CommandedForces forces = commanded_forces(tasks::FrictionCone({}), tick);
   EXPECT_EQ(forces.friction_use[0], 0.0);
   EXPECT_TRUE(std::isnan(forces.normal[1]) && std::isnan(forces.friction_use[1]));
   EXPECT_TRUE(forces.q_WP[1].coeffs().array().isNaN().all());
@@ -155,4 +159,4 @@ TEST(CommandedForces, are_beyond_their_limits_by_more_than_rounding) {
 }
 
 }  // namespace
-}  // namespace surefoot
+}  // namespace surefoot::explain

@@ -7,14 +7,14 @@
 
 #include <fstream>
 
-namespace surefoot {
+namespace surefoot::explain {
 namespace {
 
 TEST(LyingText, is_that_of_the_page) {
   const auto words =
       nlohmann::json::parse(std::ifstream(test::source_file("tests/support/lying_words.json")));
   for (const auto& one : words) {
-    GroundTruth truth;
+    simulation::GroundTruth truth;
     truth.torso_contact = one.at(0) == 1;
     truth.shank_contacts = one.at(1);
     truth.body_contact_force = one.at(2);
@@ -27,13 +27,13 @@ TEST(LyingText, is_that_of_the_page) {
 }
 
 TEST(LyingText, a_part_that_has_just_left_the_ground_still_counts) {
-  GroundTruth down, up;
+  simulation::GroundTruth down, up;
   down.torso_contact = true;
   down.body_contact_force = 115.0;
   GroundTouch touch;
-  for (const GroundTruth& truth : {down, up}) touch.see(truth);
+  for (const simulation::GroundTruth& truth : {down, up}) touch.see(truth);
   EXPECT_EQ(lying_text(touch), "its torso, up to 115 N on a part");
 }
 
 }  // namespace
-}  // namespace surefoot
+}  // namespace surefoot::explain

@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace surefoot {
+namespace surefoot::explain {
 namespace {
 
 constexpr double kPeriod = test::SyntheticRun::kPeriod;
@@ -20,7 +20,7 @@ constexpr double kPeriod = test::SyntheticRun::kPeriod;
 /// Of ticks that `change` makes other, by their number.
 void record(const std::string& path, int ticks, const std::string& summary,
             const std::function<void(int, TickRecord&)>& change) {
-  Recorder recorder(path, test::SyntheticRun::header());
+  logging::Recorder recorder(path, test::SyntheticRun::header());
   test::SyntheticRun run;
   for (int i = 0; i < ticks; ++i) {
     run.step();
@@ -32,9 +32,9 @@ void record(const std::string& path, int ticks, const std::string& summary,
 }
 
 std::string summary(const std::string& reason) {
-  Metrics metrics;
+  evaluation::Metrics metrics;
   metrics.reason = reason;
-  return summary_json(metrics, {});
+  return evaluation::summary_json(metrics, {});
 }
 
 /// "0.2500 s controller: …" of what the planner did not do.
@@ -116,4 +116,4 @@ TEST(TickExplanation, TheDurationAsItIsToldIsItsEnd) {
 }
 
 }  // namespace
-}  // namespace surefoot
+}  // namespace surefoot::explain

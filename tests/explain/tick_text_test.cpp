@@ -13,7 +13,7 @@
 #include <cmath>
 #include <fstream>
 
-namespace surefoot {
+namespace surefoot::explain {
 namespace {
 
 TEST(TickText, AForceThatIsRoundedAwayHasNoSign) {
@@ -21,7 +21,7 @@ TEST(TickText, AForceThatIsRoundedAwayHasNoSign) {
   for (FootPlan& foot : explanation.tick.plan.feet) foot.phase = LegPhase::stance;
   explanation.forces.normal.fill(-0.04);
   explanation.truth.emplace();
-  for (TrueContact& contact : explanation.truth->feet) {
+  for (simulation::TrueContact& contact : explanation.truth->feet) {
     contact.touching = true;
     contact.force = Vec3(0.0, 0.0, -0.04);
   }
@@ -40,7 +40,7 @@ TickExplanation unsolved() {
   tick.reading.time = 1.0;
   for (FootPlan& foot : tick.plan.feet) foot.phase = LegPhase::stance;
   for (Vec3& force : tick.model.force) force = Vec3(0.0, 0.0, -17522.0);
-  tick.hierarchy.status = static_cast<std::int32_t>(SolveStatus::invalid_input);
+  tick.hierarchy.status = static_cast<std::int32_t>(solver::SolveStatus::invalid_input);
   tick.hierarchy.num_levels = 1;
   tick.command.mode = CommandMode::damping;
   tick.command.cause = StopCause::tilt;
@@ -82,7 +82,7 @@ TEST(TickText, OfASolutionThatCommandsNothingTheSameIsSaidAsOnThePage) {
 /// A tick at which two levels gave way to the same rows, none of which costs anything alone.
 TickExplanation pushed_over() {
   TickExplanation explanation;
-  LogHeader& header = explanation.header;
+  logging::LogHeader& header = explanation.header;
   header.level_names = {"friction_cone", "com_xy", "torso_yaw"};
   header.level_units = {"N", "m/s²", "rad/s²"};
   header.robot.torque_limit.setConstant(40.0);
@@ -258,7 +258,7 @@ TEST(TickText, ASolveThatWasCutOffIsSaidToBe) {
   explanation.order = {0, 1};
   HierarchyReport& report = explanation.tick.hierarchy;
   report.num_levels = 2;
-  report.status = static_cast<std::int32_t>(SolveStatus::iteration_cap);
+  report.status = static_cast<std::int32_t>(solver::SolveStatus::iteration_cap);
   report.failed_level = 1;
   EXPECT_EQ(explanation.sentence(),
             "Every level above com_xy got what it asked for. The solver was cut off in com_xy: of "
@@ -269,7 +269,7 @@ TEST(TickText, ASolveThatWasCutOffIsSaidToBe) {
   report.failed_level = 2;
   EXPECT_EQ(explanation.sentence(), "Every level got what it asked for.")
       << "only x is not the shortest";
-  report.status = static_cast<std::int32_t>(SolveStatus::optimal);
+  report.status = static_cast<std::int32_t>(solver::SolveStatus::optimal);
   report.failed_level = -1;
   EXPECT_EQ(explanation.sentence(), "Every level got what it asked for.");
 }
@@ -279,7 +279,7 @@ TickExplanation cut_off() {
   TickExplanation explanation = pushed_over();
   HierarchyReport& report = explanation.tick.hierarchy;
   explanation.order = {0, 2, 1};
-  report.status = static_cast<std::int32_t>(SolveStatus::iteration_cap);
+  report.status = static_cast<std::int32_t>(solver::SolveStatus::iteration_cap);
   report.failed_level = 2;
   for (const std::int16_t level : explanation.order) {
     LevelReport& one = report.levels[static_cast<std::size_t>(level)];
@@ -334,16 +334,17 @@ TEST(TickText, OfLimitsOfLevelsThatWereNotSolvedNothingIsSaid) {
 TEST(TickText, OfASolveThatWasCutOffOnlyLevelsAboveHaveAResidual) {
   HierarchyReport report;
   report.num_levels = 3;
-  report.status = static_cast<std::int32_t>(SolveStatus::iteration_cap);
+  report.status = static_cast<std::int32_t>(solver::SolveStatus::iteration_cap);
   for (const std::int32_t failed : {0, 1, 2, 3}) {
     report.failed_level = failed;
     for (std::size_t k = 0; k < 4; ++k) {
       const bool is_known = static_cast<std::int32_t>(k) < failed;
-      EXPECT_EQ(std::isnan(computed_residual(report, k)), !is_known) << k << " of " << failed;
+      EXPECT_EQ(std::isnan(logging::computed_residual(report, k)), !is_known)
+          << k << " of " << failed;
     }
   }
-  report.status = static_cast<std::int32_t>(SolveStatus::invalid_input);
-  EXPECT_TRUE(std::isnan(computed_residual(report, 0)));
+  report.status = static_cast<std::int32_t>(solver::SolveStatus::invalid_input);
+  EXPECT_TRUE(std::isnan(logging::computed_residual(report, 0)));
 }
 
 TEST(TickText, NumbersJustBelowAHundredHaveAllTheirDigits) {
@@ -391,4 +392,4 @@ TEST(TickText, RowsSayByHowMuchTheyAreBeyondABoundOrWereMissed) {
 }
 
 }  // namespace
-}  // namespace surefoot
+}  // namespace surefoot::explain

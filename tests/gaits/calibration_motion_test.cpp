@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace surefoot {
+namespace surefoot::gaits {
 namespace {
 
 constexpr CalibrationOptions kOptions{.duration = 6.0};
@@ -79,4 +79,4 @@ TEST(CalibrationMotion, SettlesTurnsTakesOverWeighsAndFollows) {
 }
 
 }  // namespace
-}  // namespace surefoot
+}  // namespace surefoot::gaits

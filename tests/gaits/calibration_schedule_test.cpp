@@ -4,7 +4,7 @@
 
 #include <vector>
 
-namespace surefoot {
+namespace surefoot::gaits {
 namespace {
 
 constexpr double kPeriod = 0.0025;  // [s]
@@ -138,4 +138,4 @@ TEST(CalibrationSchedule, ASwitchThatIsOnFromTheBeginningAsksForNothing) {
 }
 
 }  // namespace
-}  // namespace surefoot
+}  // namespace surefoot::gaits

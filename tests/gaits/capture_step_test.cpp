@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace surefoot {
+namespace surefoot::gaits {
 namespace {
 
 constexpr double kReach = 0.3;  // [m]
@@ -118,4 +118,4 @@ TEST(CaptureStep, IsWithinReachShortEnoughAndOffTheOtherFeet) {
 }
 
 }  // namespace
-}  // namespace surefoot
+}  // namespace surefoot::gaits

@@ -9,18 +9,18 @@
 #include <numbers>
 #include <string>
 
-namespace surefoot::test {
+namespace surefoot::gaits {
 namespace {
 
 TEST(ComPlanner, IsFiniteWhateverFeetAreDown) {
-  RandomMatrices random(10);
-  ComPlanner planner = make_planner();
+  test::RandomMatrices random(10);
+  ComPlanner planner = test::make_planner();
   for (int trial = 0; trial < 200; ++trial) {
     SCOPED_TRACE("trial " + std::to_string(trial));
-    Phases phases;
+    test::Phases phases;
     const int count = random.integer(1, ComPlanner::kMaxPhases);
     for (int i = 0; i < count; ++i) {
-      SupportPhase phase = standing(random.uniform(0.0, 1.0), nominal_feet());
+      SupportPhase phase = test::standing(random.uniform(0.0, 1.0), test::nominal_feet());
       for (std::size_t k = 0; k < kNumLegs; ++k) {
         phase.feet[k] = random.chance(0.2) ? phase.feet[0] : Vec2(random.vector(2));
         phase.down[k] = random.chance(0.6);
@@ -30,8 +30,8 @@ TEST(ComPlanner, IsFiniteWhateverFeetAreDown) {
       phase.must_rest = random.chance(0.5);
       phases.push_back(phase);
     }
-    plan(planner, phases, 1.0, {random.vector(2), random.vector(2), random.vector(2)},
-         random.vector(2));
+    test::plan(planner, phases, 1.0, {random.vector(2), random.vector(2), random.vector(2)},
+               random.vector(2));
     EXPECT_TRUE(std::isfinite(planner.zmp_slack()));
     EXPECT_GE(planner.zmp_slack(), 0.0);
     for (double t = 0.9; t < planner.end_time() + 0.1; t += 0.05) {
@@ -44,11 +44,11 @@ TEST(ComPlanner, IsFiniteWhateverFeetAreDown) {
 TEST(ComPlanner, AgainstALoadAsksForNoMoreAlongTheGroundThanFrictionGives) {
   constexpr double kFriction = 0.5;
   const Vec2 force(0.0, 0.2);  // of the weight
-  ComPlanner planner = make_planner();
-  const Phases phases{standing(1.0, nominal_feet())};
-  plan(planner, phases, 0.0, {{0.0, 0.0}, {0.0, 0.25}, {0.0, 0.0}}, Vec2::Zero(),
-       {.load = {.force = force}, .friction = kFriction});
-  over(phases, 0.0, [&](const SupportPhase&, double, double t) {
+  ComPlanner planner = test::make_planner();
+  const test::Phases phases{test::standing(1.0, test::nominal_feet())};
+  test::plan(planner, phases, 0.0, {{0.0, 0.0}, {0.0, 0.25}, {0.0, 0.0}}, Vec2::Zero(),
+             {.load = {.force = force}, .friction = kFriction});
+  test::over(phases, 0.0, [&](const SupportPhase&, double, double t) {
     const Vec2 along = planner.at(t).a / kGravity - force;
     EXPECT_LT(along.lpNorm<Eigen::Infinity>(), kFriction / std::numbers::sqrt2) << t;
   });
@@ -58,11 +58,11 @@ TEST(ComPlanner, FrictionIsThatOfPyramidsThatLookWhereTheHeadingDoes) {
   constexpr double kFriction = 0.3;
   const auto begin_of = [](double heading) {
     const Mat2 R = rotation_about_z(heading).topLeftCorner<2, 2>();
-    ComPlanner planner = make_planner();
-    SupportPhase phase = standing(1.0, nominal_feet());
+    ComPlanner planner = test::make_planner();
+    SupportPhase phase = test::standing(1.0, test::nominal_feet());
     for (Vec2& foot : phase.feet) foot = R * foot;
-    plan(planner, {phase}, 0.0, {{0.0, 0.0}, R * Vec2(0.1, 0.05), {0.0, 0.0}}, Vec2::Zero(),
-         {.load = {.force = R * Vec2(0.18, 0.0)}, .friction = kFriction, .heading = heading});
+    test::plan(planner, {phase}, 0.0, {{0.0, 0.0}, R * Vec2(0.1, 0.05), {0.0, 0.0}}, Vec2::Zero(),
+               {.load = {.force = R * Vec2(0.18, 0.0)}, .friction = kFriction, .heading = heading});
     return Vec2(R.transpose() * planner.at(0.2).a);
   };
   for (const double heading : {0.3, kPi / 4.0, 2.0})
@@ -70,16 +70,16 @@ TEST(ComPlanner, FrictionIsThatOfPyramidsThatLookWhereTheHeadingDoes) {
 }
 
 /// Standing for a second on legs that reach no further than `reach`, hips over their feet.
-Phases on_short_legs(double reach) {
-  SupportPhase phase = standing(1.0, nominal_feet());
+test::Phases on_short_legs(double reach) {
+  SupportPhase phase = test::standing(1.0, test::nominal_feet());
   phase.hips = phase.feet;
   phase.reach.fill(reach);
   return {phase};
 }
 
-double furthest_hip(const ComPlanner& planner, const Phases& phases) {
+double furthest_hip(const ComPlanner& planner, const test::Phases& phases) {
   double furthest = 0.0;
-  over(phases, 0.0, [&](const SupportPhase& phase, double, double t) {
+  test::over(phases, 0.0, [&](const SupportPhase& phase, double, double t) {
     for (std::size_t k = 0; k < kNumLegs; ++k) {
       const Vec2 from_foot = planner.at(t).p + phase.hips[k] - phase.feet[k];
       furthest = std::max(furthest, from_foot.norm());
@@ -91,12 +91,13 @@ double furthest_hip(const ComPlanner& planner, const Phases& phases) {
 TEST(ComPlanner, AgainstALoadKeepsEveryHipWhereItsLegReachesIt) {
   constexpr double kReach = 0.05;
   for (const double angle : {0.0, 1.0, 2.5, 4.0}) {
-    ComPlanner planner = make_planner({.terminal_weight = 100.0});
+    ComPlanner planner = test::make_planner({.terminal_weight = 100.0});
     const ComProblem loaded{.load = {.force = 0.2 * Vec2(std::cos(angle), std::sin(angle))},
                             .friction = 1.0};
     const auto plan_again = [&](double reach) {
       for (int i = 0; i < 5; ++i)
-        plan(planner, on_short_legs(reach), 0.0, {{0, 0}, {0, 0}, {0, 0}}, Vec2::Zero(), loaded);
+        test::plan(planner, on_short_legs(reach), 0.0, {{0, 0}, {0, 0}, {0, 0}}, Vec2::Zero(),
+                   loaded);
     };
     // The rows are tangents where the plan before was, so that of a first plan is not bounded yet.
     plan_again(kReach);
@@ -108,19 +109,19 @@ TEST(ComPlanner, AgainstALoadKeepsEveryHipWhereItsLegReachesIt) {
 }
 
 TEST(ComPlanner, WithoutALoadHipsAndReachChangeNothing) {
-  RandomMatrices random(14);
-  for (int trial = 0; trial < kTrials; ++trial) {
-    const Phases phases = random_walk(random);
-    Phases reaching = phases;
+  test::RandomMatrices random(14);
+  for (int trial = 0; trial < test::kTrials; ++trial) {
+    const test::Phases phases = test::random_walk(random);
+    test::Phases reaching = phases;
     for (SupportPhase& phase : reaching) {
       for (Vec2& hip : phase.hips) hip = 0.5 * Vec2(random.vector(2));
       phase.reach.fill(random.uniform(0.0, 0.2));
     }
-    const Motion<Vec2> start = random_start(random);
-    ComPlanner without = make_planner(), with = make_planner();
+    const Motion<Vec2> start = test::random_start(random);
+    ComPlanner without = test::make_planner(), with = test::make_planner();
     for (int again = 0; again < 2; ++again) {
-      plan(without, phases, 0.0, start);
-      plan(with, reaching, 0.0, start);
+      test::plan(without, phases, 0.0, start);
+      test::plan(with, reaching, 0.0, start);
     }
     for (double t = 0.0; t < without.end_time(); t += 0.0513) {
       ASSERT_EQ(with.at(t).p, without.at(t).p) << trial;
@@ -130,37 +131,38 @@ TEST(ComPlanner, WithoutALoadHipsAndReachChangeNothing) {
 }
 
 /// Least margin of the capture point in the regions of a plan that bears a load.
-double least_rest_margin(const ComPlanner& planner, const Phases& phases, const Vec2& shift) {
+double least_rest_margin(const ComPlanner& planner, const test::Phases& phases, const Vec2& shift) {
   double least = kInfinity;
-  over(phases, 0.0, [&](const SupportPhase& phase, double t, double at) {
+  test::over(phases, 0.0, [&](const SupportPhase& phase, double t, double at) {
     const ComPlan com = planner.at(at);
-    const Vec2 capture_point = com.p + std::sqrt(kHeight / kGravity) * com.v + shift;
-    least = std::min(least, region(planner, phase, t).margin(capture_point));
+    const Vec2 capture_point = com.p + std::sqrt(test::kHeight / kGravity) * com.v + shift;
+    least = std::min(least, test::region(planner, phase, t).margin(capture_point));
   });
   return least;
 }
 
 TEST(ComPlanner, AgainstALoadTheCapturePointStaysInsideThoughThePhaseNeedNotRest) {
   const ComPlannerOptions options;
-  const Phases phases{standing(2.0, nominal_feet())};  // time enough to stop late
+  const test::Phases phases{test::standing(2.0, test::nominal_feet())};  // time enough to stop late
   const Vec2 force(0.0, 0.1);
-  ComPlanner planner = make_planner(options);
-  plan(planner, phases, 0.0, {{0.0, 0.0}, {0.0, 0.4}, {0.0, 0.0}}, Vec2::Zero(),
-       {.load = {.force = force}, .friction = 1.0});
-  EXPECT_GT(least_rest_margin(planner, phases, kHeight * force), 0.9 * options.rest_margin);
+  ComPlanner planner = test::make_planner(options);
+  test::plan(planner, phases, 0.0, {{0.0, 0.0}, {0.0, 0.4}, {0.0, 0.0}}, Vec2::Zero(),
+             {.load = {.force = force}, .friction = 1.0});
+  EXPECT_GT(least_rest_margin(planner, phases, test::kHeight * force), 0.9 * options.rest_margin);
 }
 
 TEST(ComPlanner, APhaseCanLetTheZmpComeNearerToTheEdgesThanUsual) {
   constexpr double kUsual = 0.06, kNear = 0.01;
   const Motion<Vec2> start{{0.0, 0.1}, {0.0, 0.25}, {0, 0}};
   const auto margin_with = [&](double zmp_margin_max) {
-    Phases phases{standing(1.0, nominal_feet())};
+    test::Phases phases{test::standing(1.0, test::nominal_feet())};
     phases.front().zmp_margin_max = zmp_margin_max;
-    ComPlanner planner = make_planner({.zmp_margin = kUsual, .terminal_weight = 100.0});
-    plan(planner, phases, 0.0, start);
+    ComPlanner planner = test::make_planner({.zmp_margin = kUsual, .terminal_weight = 100.0});
+    test::plan(planner, phases, 0.0, start);
     double least = kInfinity;
-    over(phases, 0.0, [&](const SupportPhase& phase, double t, double at) {
-      if (t > 0.2) least = std::min(least, region(planner, phase, t).margin(planner.at(at).zmp));
+    test::over(phases, 0.0, [&](const SupportPhase& phase, double t, double at) {
+      if (t > 0.2)
+        least = std::min(least, test::region(planner, phase, t).margin(planner.at(at).zmp));
     });
     return least;
   };
@@ -170,32 +172,34 @@ TEST(ComPlanner, APhaseCanLetTheZmpComeNearerToTheEdgesThanUsual) {
 }
 
 TEST(ComPlanner, LetsNoLegCarryMoreThanItsShare) {
-  ComPlanner planner = make_planner({.leg_share = 0.6});
-  const SupportPhase phase = standing(1.0, nominal_feet());
-  for (std::size_t k = 0; k < kNumLegs; ++k) EXPECT_EQ(planner.share(phase, k, 0.5, kWeight), 0.6);
-  EXPECT_LT(region(planner, phase, 0.5).margin(phase.feet[0]), -0.05);
+  ComPlanner planner = test::make_planner({.leg_share = 0.6});
+  const SupportPhase phase = test::standing(1.0, test::nominal_feet());
+  for (std::size_t k = 0; k < kNumLegs; ++k)
+    EXPECT_EQ(planner.share(phase, k, 0.5, test::kWeight), 0.6);
+  EXPECT_LT(test::region(planner, phase, 0.5).margin(phase.feet[0]), -0.05);
 }
 
 TEST(ComPlanner, WithoutAnyPhaseKeepsTheLastPlan) {
-  ComPlanner planner = make_planner();
+  ComPlanner planner = test::make_planner();
   EXPECT_EQ(planner.at(3.0).p, Vec2::Zero());
-  plan(planner, walk(1, nominal_feet(), {0.1, 0.0}), 0.0, {{0.01, 0.02}, {0, 0}, {0, 0}});
+  test::plan(planner, test::walk(1, test::nominal_feet(), {0.1, 0.0}), 0.0,
+             {{0.01, 0.02}, {0, 0}, {0, 0}});
   const Vec2 before = planner.at(1.0).p;
-  plan(planner, {}, 0.5, {{9.0, 9.0}, {0, 0}, {0, 0}});
+  test::plan(planner, {}, 0.5, {{9.0, 9.0}, {0, 0}, {0, 0}});
   EXPECT_EQ(planner.at(1.0).p, before);
 }
 
 TEST(ComPlanner, KeepsTheLastPlanWhereTheNewOneWouldBeNoNumber) {
   for (const double bad : {kNaN, kInfinity, -kInfinity}) {
-    ComPlanner planner = make_planner();
-    const Phases phases = walk(1, nominal_feet(), {0.1, 0.0});
-    plan(planner, phases, 0.0, {{0.01, 0.02}, {0, 0}, {0, 0}});
+    ComPlanner planner = test::make_planner();
+    const test::Phases phases = test::walk(1, test::nominal_feet(), {0.1, 0.0});
+    test::plan(planner, phases, 0.0, {{0.01, 0.02}, {0, 0}, {0, 0}});
     const ComPlanner& now = planner;
     const ComPlan before = now.at(1.0);
     const double end = now.end_time();
-    plan(planner, phases, 0.5, {{bad, 0.0}, {0, 0}, {0, 0}});
-    plan(planner, phases, 0.5, {{0, 0}, {0.0, bad}, {0, 0}});
-    plan(planner, phases, 0.5, {{0, 0}, {0, 0}, {0, 0}}, {bad, 0.0});
+    test::plan(planner, phases, 0.5, {{bad, 0.0}, {0, 0}, {0, 0}});
+    test::plan(planner, phases, 0.5, {{0, 0}, {0.0, bad}, {0, 0}});
+    test::plan(planner, phases, 0.5, {{0, 0}, {0, 0}, {0, 0}}, {bad, 0.0});
     EXPECT_EQ(now.at(1.0).p, before.p);
     EXPECT_EQ(now.at(1.0).zmp, before.zmp);
     EXPECT_EQ(now.end_time(), end);
@@ -203,38 +207,39 @@ TEST(ComPlanner, KeepsTheLastPlanWhereTheNewOneWouldBeNoNumber) {
 }
 
 TEST(ComPlanner, HoldsTheZmpInsideToTheEndOfAPhaseWhoseRegionHasManyEdges) {
-  RandomMatrices random(13);
-  ComPlanner planner = make_planner({.terminal_weight = 100.0});
-  const SupportPhase stand = standing(1.0, nominal_feet());
-  ASSERT_GT(region(planner, stand, 1.0).num_edges(), 6) << "all four corners are cut off";
-  for (int trial = 0; trial < kTrials; ++trial) {
+  test::RandomMatrices random(13);
+  ComPlanner planner = test::make_planner({.terminal_weight = 100.0});
+  const SupportPhase stand = test::standing(1.0, test::nominal_feet());
+  ASSERT_GT(test::region(planner, stand, 1.0).num_edges(), 6) << "all four corners are cut off";
+  for (int trial = 0; trial < test::kTrials; ++trial) {
     const double angle = random.uniform(-3.0, 3.0);  // which asks for much at the end
-    plan(planner, {stand}, 0.0, {{0, 0}, {0, 0}, {0, 0}},
-         1.5 * Vec2(std::cos(angle), std::sin(angle)));
+    test::plan(planner, {stand}, 0.0, {{0, 0}, {0, 0}, {0, 0}},
+               1.5 * Vec2(std::cos(angle), std::sin(angle)));
     EXPECT_LT(planner.zmp_slack(), 1e-6);
   }
 }
 
 TEST(ComPlanner, LeavesOutPhasesThatAreTooShortOrTooMany) {
-  ComPlanner planner = make_planner();
-  const SupportPhase stand = standing(0.5, nominal_feet());
-  Phases phases{stand};
+  ComPlanner planner = test::make_planner();
+  const SupportPhase stand = test::standing(0.5, test::nominal_feet());
+  test::Phases phases{stand};
   for (const double duration : {0.0, 1e-4, -1.0, kNaN}) {
-    phases.push_back(standing(duration, nominal_feet()));
+    phases.push_back(test::standing(duration, test::nominal_feet()));
   }
-  plan(planner, phases, 0.0, {{0, 0}, {0, 0}, {0, 0}});
+  test::plan(planner, phases, 0.0, {{0, 0}, {0, 0}, {0, 0}});
   EXPECT_NEAR(planner.end_time(), 0.5, 1e-12);
-  plan(planner, Phases(ComPlanner::kMaxPhases + 5, stand), 0.0, {{0, 0}, {0, 0}, {0, 0}});
+  test::plan(planner, test::Phases(ComPlanner::kMaxPhases + 5, stand), 0.0,
+             {{0, 0}, {0, 0}, {0, 0}});
   EXPECT_NEAR(planner.end_time(), 0.5 * ComPlanner::kMaxPhases, 1e-12);
 }
 
 TEST(ComPlanner, AFootsShareRampsUpFromTouchdownAndDownToLiftOff) {
   const ForceOptions force{.max = 240.0, .ramp_up = 0.1, .ramp_down = 0.2};
   const ComPlanner planner({.leg_share = 1.0}, force);
-  SupportPhase phase = standing(1.0, nominal_feet());
+  SupportPhase phase = test::standing(1.0, test::nominal_feet());
   phase.loaded_for[0] = 0.0;
   phase.lifts_in[0] = 0.8;
-  const auto share = [&](std::size_t leg, double t, double weight = kWeight) {
+  const auto share = [&](std::size_t leg, double t, double weight = test::kWeight) {
     return planner.share(phase, leg, t, weight);
   };
   EXPECT_NEAR(share(0, 0.0), 0.0, 1e-12);
@@ -244,7 +249,7 @@ TEST(ComPlanner, AFootsShareRampsUpFromTouchdownAndDownToLiftOff) {
   EXPECT_NEAR(share(0, 0.8), 0.0, 1e-12);
   EXPECT_NEAR(share(0, 0.9), 0.0, 1e-12);
   EXPECT_NEAR(share(1, 0.5), 0.8, 1e-12);
-  EXPECT_NEAR(share(1, 0.5, 1.25 * kWeight), 0.64, 1e-12) << "of a heavier robot";
+  EXPECT_NEAR(share(1, 0.5, 1.25 * test::kWeight), 0.64, 1e-12) << "of a heavier robot";
   phase.down[1] = false;
   EXPECT_EQ(share(1, 0.5), 0.0);
 }
@@ -253,28 +258,28 @@ TEST(ComPlanner, WithoutRampsOrWithRampsOfNoLengthAFootCarriesAllAtOnce) {
   for (const ForceOptions& force : {ForceOptions{.max = 240.0, .ramps = false},
                                     ForceOptions{.max = 240.0, .ramp_up = 0.0, .ramp_down = 0.0}}) {
     const ComPlanner planner({.leg_share = 1.0}, force);
-    SupportPhase phase = standing(0.5, nominal_feet());
+    SupportPhase phase = test::standing(0.5, test::nominal_feet());
     phase.loaded_for[0] = 0.0;
     phase.lifts_in[0] = 0.5;
     for (const double t : {0.001, 0.1, 0.499})
-      EXPECT_NEAR(planner.share(phase, 0, t, kWeight), 0.8, 1e-12);
-    EXPECT_TRUE(std::isfinite(planner.share(phase, 0, 0.5, kWeight)));
-    EXPECT_TRUE(std::isfinite(planner.share(phase, 0, 0.0, kWeight)));
+      EXPECT_NEAR(planner.share(phase, 0, t, test::kWeight), 0.8, 1e-12);
+    EXPECT_TRUE(std::isfinite(planner.share(phase, 0, 0.5, test::kWeight)));
+    EXPECT_TRUE(std::isfinite(planner.share(phase, 0, 0.0, test::kWeight)));
   }
 }
 
 TEST(ComPlanner, AllocatesNothingWhilePlanning) {
-  RandomMatrices random(11);
-  ComPlanner planner = make_planner();
-  std::vector<Phases> walks;
-  for (int i = 0; i < 10; ++i) walks.push_back(random_walk(random));
-  const MallocCounter counter;
-  for (const Phases& phases : walks) {
-    plan(planner, phases, 0.0, {{0, 0}, {0, 0}, {0, 0}});
+  test::RandomMatrices random(11);
+  ComPlanner planner = test::make_planner();
+  std::vector<test::Phases> walks;
+  for (int i = 0; i < 10; ++i) walks.push_back(test::random_walk(random));
+  const test::MallocCounter counter;
+  for (const test::Phases& phases : walks) {
+    test::plan(planner, phases, 0.0, {{0, 0}, {0, 0}, {0, 0}});
     (void)planner.at(0.7);
   }
   EXPECT_EQ(counter.count(), 0u);
 }
 
 }  // namespace
-}  // namespace surefoot::test
+}  // namespace surefoot::gaits

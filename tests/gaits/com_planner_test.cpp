@@ -8,74 +8,79 @@
 #include <algorithm>
 #include <cmath>
 
-namespace surefoot::test {
+namespace surefoot::gaits {
 namespace {
 
 TEST(ComPlanner, StartsFromTheGivenState) {
-  on_random_walks(1, [](const ComPlanner& planner, const Phases&, double time, const auto& start) {
-    const ComPlan at = planner.at(time);
-    EXPECT_LT((at.p - start.p).norm(), 1e-12);
-    EXPECT_LT((at.v - start.v).norm(), 1e-12);
-    EXPECT_LT((at.a - start.a).norm(), 1e-12);
-  });
+  test::on_random_walks(
+      1, [](const ComPlanner& planner, const test::Phases&, double time, const auto& start) {
+        const ComPlan at = planner.at(time);
+        EXPECT_LT((at.p - start.p).norm(), 1e-12);
+        EXPECT_LT((at.v - start.v).norm(), 1e-12);
+        EXPECT_LT((at.a - start.a).norm(), 1e-12);
+      });
 }
 
 TEST(ComPlanner, PositionVelocityAndAccelerationAreContinuousOverTheKnots) {
-  on_random_walks(2, [](const ComPlanner& planner, const Phases& phases, double time, const auto&) {
-    double knot = time;
-    for (std::size_t k = 0; k + 1 < phases.size(); ++k) {
-      knot += phases[k].duration;
-      const ComPlan before = planner.at(knot - 1e-7);
-      const ComPlan after = planner.at(knot + 1e-7);
-      EXPECT_LT((after.p - before.p).norm(), 1e-6);
-      EXPECT_LT((after.v - before.v).norm(), 1e-5);
-      EXPECT_LT((after.a - before.a).norm(), 1e-4);
-    }
-  });
+  test::on_random_walks(
+      2, [](const ComPlanner& planner, const test::Phases& phases, double time, const auto&) {
+        double knot = time;
+        for (std::size_t k = 0; k + 1 < phases.size(); ++k) {
+          knot += phases[k].duration;
+          const ComPlan before = planner.at(knot - 1e-7);
+          const ComPlan after = planner.at(knot + 1e-7);
+          EXPECT_LT((after.p - before.p).norm(), 1e-6);
+          EXPECT_LT((after.v - before.v).norm(), 1e-5);
+          EXPECT_LT((after.a - before.a).norm(), 1e-4);
+        }
+      });
 }
 
 TEST(ComPlanner, VelocityAndAccelerationAreRatesAndTheZmpGoesWithThem) {
-  on_random_walks(3, [](const ComPlanner& planner, const Phases& phases, double time, const auto&) {
-    const double step = 1e-5;
-    const double last = total_duration(phases) - 2.0 * step;
-    for (double t = 2.0 * step; t < last; t += 0.0371) {
-      const ComPlan before = planner.at(time + t - step);
-      const ComPlan now = planner.at(time + t);
-      const ComPlan after = planner.at(time + t + step);
-      EXPECT_LT(((after.p - before.p) / (2.0 * step) - now.v).norm(), 1e-5);
-      EXPECT_LT(((after.v - before.v) / (2.0 * step) - now.a).norm(), 1e-3);
-      EXPECT_LT((now.p - kHeight / kGravity * now.a - now.zmp).norm(), 1e-12);
-    }
-  });
+  test::on_random_walks(
+      3, [](const ComPlanner& planner, const test::Phases& phases, double time, const auto&) {
+        const double step = 1e-5;
+        const double last = test::total_duration(phases) - 2.0 * step;
+        for (double t = 2.0 * step; t < last; t += 0.0371) {
+          const ComPlan before = planner.at(time + t - step);
+          const ComPlan now = planner.at(time + t);
+          const ComPlan after = planner.at(time + t + step);
+          EXPECT_LT(((after.p - before.p) / (2.0 * step) - now.v).norm(), 1e-5);
+          EXPECT_LT(((after.v - before.v) / (2.0 * step) - now.a).norm(), 1e-3);
+          EXPECT_LT((now.p - test::kHeight / kGravity * now.a - now.zmp).norm(), 1e-12);
+        }
+      });
 }
 
 TEST(ComPlanner, TheZmpOfAWalkStaysInTheSupportRegion) {
-  on_random_walks(4, [](const ComPlanner& planner, const Phases& phases, double time, const auto&) {
-    EXPECT_EQ(planner.zmp_slack(), 0.0);
-    // The margin holds at the planner's samples; between two of them a part of it may be used.
-    const double margin = 0.5 * ComPlannerOptions{}.zmp_margin;
-    over(phases, time + 0.0, [&](const SupportPhase& phase, double t, double at) {
-      const bool settled = at - time > 0.2;  // the start is given, not planned
-      const double least = settled ? margin : -0.01;
-      EXPECT_GT(region(planner, phase, t).margin(planner.at(at).zmp), least) << at - time;
-    });
-  });
+  test::on_random_walks(
+      4, [](const ComPlanner& planner, const test::Phases& phases, double time, const auto&) {
+        EXPECT_EQ(planner.zmp_slack(), 0.0);
+        // The margin holds at the planner's samples; between two of them a part of it may be used.
+        const double margin = 0.5 * ComPlannerOptions{}.zmp_margin;
+        test::over(phases, time + 0.0, [&](const SupportPhase& phase, double t, double at) {
+          const bool settled = at - time > 0.2;  // the start is given, not planned
+          const double least = settled ? margin : -0.01;
+          EXPECT_GT(test::region(planner, phase, t).margin(planner.at(at).zmp), least) << at - time;
+        });
+      });
 }
 
 TEST(ComPlanner, TheCapturePointRestsInTheTriangleOfEverySwing) {
-  on_random_walks(5, [](const ComPlanner& planner, const Phases& phases, double time, const auto&) {
-    over(phases, time, [&](const SupportPhase& phase, double t, double at) {
-      const ComPlan com = planner.at(at);
-      const Vec2 capture_point = com.p + std::sqrt(kHeight / kGravity) * com.v;
-      const double margin = region(planner, phase, t).margin(capture_point);
-      EXPECT_GT(phase.must_rest ? margin : kInfinity, 0.5 * ComPlannerOptions{}.rest_margin);
-    });
-  });
+  test::on_random_walks(
+      5, [](const ComPlanner& planner, const test::Phases& phases, double time, const auto&) {
+        test::over(phases, time, [&](const SupportPhase& phase, double t, double at) {
+          const ComPlan com = planner.at(at);
+          const Vec2 capture_point = com.p + std::sqrt(test::kHeight / kGravity) * com.v;
+          const double margin = test::region(planner, phase, t).margin(capture_point);
+          EXPECT_GT(phase.must_rest ? margin : kInfinity, 0.5 * ComPlannerOptions{}.rest_margin);
+        });
+      });
 }
 
 /// The first two swings of a walk, from a stance and in the times that one began with.
-Phases first_swings() {
-  SupportPhase phase = standing(1.6966556840573368, nominal_feet());
+test::Phases first_swings() {
+  SupportPhase phase = test::standing(1.6966556840573368, test::nominal_feet());
   phase.feet = {Vec2(0.34392903031212496, 0.22248471347493165),
                 Vec2(0.3432923728855794, -0.21560000511786873),
                 Vec2(-0.32056328666397005, 0.22315737558626841),
@@ -83,12 +88,12 @@ Phases first_swings() {
   phase.heights = {0.0016297014027423715, 0.0018094502902183882, -0.00081923523898253664,
                    9.2132675750741799e-06};
   phase.loaded_for.fill(1009.5);
-  Phases phases;
+  test::Phases phases;
   const auto add = [&](double duration, bool must_rest) {
     phase.duration = duration;
     phase.must_rest = must_rest;
     phases.push_back(phase);
-    elapse(phase);
+    test::elapse(phase);
   };
   const auto land = [&](Leg leg, const Vec2& foot, double height) {
     phase.down[index(leg)] = true;
@@ -114,12 +119,12 @@ Phases first_swings() {
 // Rows of neighbouring samples nearly say the same: a solver that stops where two pieces of its
 // objective meet leads the COM of the first of these plans 80 m away.
 TEST(ComPlanner, EveryPlanIsOptimal) {
-  RandomMatrices random(7);
+  test::RandomMatrices random(7);
   ComPlanner planner(ComPlannerOptions{.zmp_margin = 0.055},
                      ForceOptions{.ramp_up = 0.06, .ramp_down = 0.07});
   constexpr int kPlans = 200;
   for (int trial = 0; trial < kPlans; ++trial) {
-    Phases phases = first_swings();
+    test::Phases phases = first_swings();
     const double size = trial == 0 ? 0.0 : 0.02;
     const double later = trial == 0 ? 0.0 : random.uniform(-1.2, 0.3);
     phases.front().duration += later;
@@ -137,42 +142,45 @@ TEST(ComPlanner, EveryPlanIsOptimal) {
         .end_velocity = {0.2, 0.0}};
     for (const SupportPhase& phase : phases) problem.add(phase);
     planner.plan(problem);
-    const double worst = worst_stationarity(certify(planner.hierarchy(), planner.solution().x));
+    const double worst =
+        solver::worst_stationarity(solver::certify(planner.hierarchy(), planner.solution().x));
     EXPECT_LT(worst, 1e-8) << "trial " << trial;
     EXPECT_LT(planner.at(planner.end_time()).p.norm(), 0.5) << "trial " << trial;
   }
 }
 
 TEST(ComPlanner, HoldsStillAtItsEnd) {
-  on_random_walks(6, [](const ComPlanner& planner, const Phases& phases, double time, const auto&) {
-    EXPECT_NEAR(planner.end_time(), time + total_duration(phases), 1e-9);
-    const Vec2 end = planner.at(planner.end_time() - 1e-9).p;
-    for (const double beyond : {1e-6, 0.1, 1000.0}) {
-      const ComPlan rest = planner.at(planner.end_time() + beyond);
-      EXPECT_LT((rest.p - end).norm(), 1e-8);
-      EXPECT_EQ(rest.v, Vec2::Zero());
-      EXPECT_EQ(rest.a, Vec2::Zero());
-      EXPECT_EQ(rest.zmp, rest.p);
-    }
-  });
+  test::on_random_walks(
+      6, [](const ComPlanner& planner, const test::Phases& phases, double time, const auto&) {
+        EXPECT_NEAR(planner.end_time(), time + test::total_duration(phases), 1e-9);
+        const Vec2 end = planner.at(planner.end_time() - 1e-9).p;
+        for (const double beyond : {1e-6, 0.1, 1000.0}) {
+          const ComPlan rest = planner.at(planner.end_time() + beyond);
+          EXPECT_LT((rest.p - end).norm(), 1e-8);
+          EXPECT_EQ(rest.v, Vec2::Zero());
+          EXPECT_EQ(rest.a, Vec2::Zero());
+          EXPECT_EQ(rest.zmp, rest.p);
+        }
+      });
 }
 
 TEST(ComPlanner, EndsNearTheMiddleOfTheLastFeetWithTheGivenVelocity) {
-  ComPlanner planner = make_planner({.terminal_weight = 100.0});
+  ComPlanner planner = test::make_planner({.terminal_weight = 100.0});
   const Vec2 velocity(0.05, -0.02);
-  plan(planner, {standing(2.0, nominal_feet())}, 0.0, {Vec2(0.05, 0.02), {0, 0}, {0, 0}}, velocity);
+  test::plan(planner, {test::standing(2.0, test::nominal_feet())}, 0.0,
+             {Vec2(0.05, 0.02), {0, 0}, {0, 0}}, velocity);
   const ComPlan end = planner.at(planner.end_time() - 1e-9);
   EXPECT_LT(end.p.norm(), 1e-3);
   EXPECT_LT((end.v - velocity).norm(), 1e-3);
 }
 
 TEST(ComPlanner, ComesToRestOverItsFeetWhereItIsToldTo) {
-  RandomMatrices random(12);
-  ComPlanner planner = make_planner();
-  for (int trial = 0; trial < kTrials; ++trial) {
-    const Motion<Vec2> start = random_start(random);
-    plan(planner, {standing(1.0, nominal_feet())}, 0.0, start, Vec2::Zero(),
-         {.comes_to_rest = true});
+  test::RandomMatrices random(12);
+  ComPlanner planner = test::make_planner();
+  for (int trial = 0; trial < test::kTrials; ++trial) {
+    const Motion<Vec2> start = test::random_start(random);
+    test::plan(planner, {test::standing(1.0, test::nominal_feet())}, 0.0, start, Vec2::Zero(),
+               {.comes_to_rest = true});
     const ComPlan end = planner.at(1.0 - 1e-9);
     EXPECT_LT(end.p.norm(), 1e-3);
     EXPECT_LT(end.v.norm(), 1e-3);
@@ -182,16 +190,16 @@ TEST(ComPlanner, ComesToRestOverItsFeetWhereItIsToldTo) {
 }
 
 TEST(ComPlanner, IsTheLeastSquaresPlanWhereNothingLimitsIt) {
-  RandomMatrices random(7);
+  test::RandomMatrices random(7);
   const ComPlannerOptions options{.terminal_weight = 0.8};
-  ComPlanner planner = make_planner(options);
-  PerLeg<Vec2> feet = nominal_feet();
+  ComPlanner planner = test::make_planner(options);
+  PerLeg<Vec2> feet = test::nominal_feet();
   for (Vec2& foot : feet) foot *= 100.0;
-  for (int trial = 0; trial < kTrials; ++trial) {
+  for (int trial = 0; trial < test::kTrials; ++trial) {
     const double T = random.uniform(0.3, 2.0);
-    const Motion<Vec2> begin = random_start(random);
+    const Motion<Vec2> begin = test::random_start(random);
     const Vec2 velocity(random.uniform(-0.1, 0.1), random.uniform(-0.1, 0.1));
-    plan(planner, {standing(T, feet)}, 3.0, begin, velocity);
+    test::plan(planner, {test::standing(T, feet)}, 3.0, begin, velocity);
     // min ∫ ‖p̈‖² dt + w² (‖p1‖² + ‖v1 − v‖² + ‖a1‖²) over the end (p1, v1, a1), by many rectangles.
     const double w2 = options.terminal_weight * options.terminal_weight;
     Mat3 A = w2 * Mat3::Identity();
@@ -213,21 +221,21 @@ TEST(ComPlanner, IsTheLeastSquaresPlanWhereNothingLimitsIt) {
 }
 
 TEST(ComPlanner, TurnsAndMovesWithTheWorld) {
-  RandomMatrices random(8);
-  for (int trial = 0; trial < kTrials; ++trial) {
-    const Phases phases = random_walk(random);
-    const Motion<Vec2> start = random_start(random);
+  test::RandomMatrices random(8);
+  for (int trial = 0; trial < test::kTrials; ++trial) {
+    const test::Phases phases = test::random_walk(random);
+    const Motion<Vec2> start = test::random_start(random);
     const Vec2 velocity(0.05, 0.01);
     const Mat2 R = Eigen::Rotation2Dd(random.uniform(-3.0, 3.0)).toRotationMatrix();
     const Vec2 shift(random.uniform(-9.0, 9.0), random.uniform(-9.0, 9.0));
-    Phases moved = phases;
+    test::Phases moved = phases;
     for (SupportPhase& phase : moved) {
       for (Vec2& foot : phase.feet) foot = R * foot + shift;
     }
-    ComPlanner here = make_planner(), there = make_planner();
-    plan(here, phases, 0.0, start, velocity);
-    plan(there, moved, 50.0, {R * start.p + shift, R * start.v, R * start.a}, R * velocity);
-    for (double t = 0.0; t < total_duration(phases); t += 0.0513) {
+    ComPlanner here = test::make_planner(), there = test::make_planner();
+    test::plan(here, phases, 0.0, start, velocity);
+    test::plan(there, moved, 50.0, {R * start.p + shift, R * start.v, R * start.a}, R * velocity);
+    for (double t = 0.0; t < test::total_duration(phases); t += 0.0513) {
       const ComPlan a = here.at(t), b = there.at(50.0 + t);
       ASSERT_LT((R * a.p + shift - b.p).norm(), 1e-6);
       ASSERT_LT((R * a.v - b.v).norm(), 1e-6);
@@ -237,15 +245,16 @@ TEST(ComPlanner, TurnsAndMovesWithTheWorld) {
 }
 
 TEST(ComPlanner, DoesNotDependOnThePlanBefore) {
-  RandomMatrices random(9);
-  ComPlanner used = make_planner();
-  for (int trial = 0; trial < kTrials; ++trial) {
-    plan(used, random_walk(random), random.uniform(0.0, 2.0), random_start(random));
-    const Phases phases = random_walk(random);
-    const Motion<Vec2> start = random_start(random);
-    ComPlanner fresh = make_planner();
-    plan(fresh, phases, 1.0, start);
-    plan(used, phases, 1.0, start);
+  test::RandomMatrices random(9);
+  ComPlanner used = test::make_planner();
+  for (int trial = 0; trial < test::kTrials; ++trial) {
+    test::plan(used, test::random_walk(random), random.uniform(0.0, 2.0),
+               test::random_start(random));
+    const test::Phases phases = test::random_walk(random);
+    const Motion<Vec2> start = test::random_start(random);
+    ComPlanner fresh = test::make_planner();
+    test::plan(fresh, phases, 1.0, start);
+    test::plan(used, phases, 1.0, start);
     for (double t = 1.0; t < fresh.end_time(); t += 0.0513) {
       ASSERT_LT((fresh.at(t).p - used.at(t).p).norm(), 1e-7) << trial;
       ASSERT_LT((fresh.at(t).a - used.at(t).a).norm(), 1e-5) << trial;
@@ -254,32 +263,33 @@ TEST(ComPlanner, DoesNotDependOnThePlanBefore) {
 }
 
 TEST(ComPlanner, ReportsHowFarTheZmpHadToLeaveTheRegion) {
-  ComPlanner planner = make_planner({.sample_interval = 0.0625});
+  ComPlanner planner = test::make_planner({.sample_interval = 0.0625});
   const Motion<Vec2> far_away{Vec2(2.0, 0.0), Vec2(0.0, 0.0), Vec2(0.0, 0.0)};
-  SupportPhase triangle = standing(0.5, nominal_feet());
+  SupportPhase triangle = test::standing(0.5, test::nominal_feet());
   triangle.down[index(Leg::RF)] = false;
-  plan(planner, {triangle}, 0.0, far_away);
+  test::plan(planner, {triangle}, 0.0, far_away);
   EXPECT_GT(planner.zmp_slack(), 0.01);
   double furthest = 0.0;
   for (int i = 1; i <= 8; ++i) {
     const double t = 0.0625 * i;
-    furthest = std::max(furthest, -region(planner, triangle, t).margin(planner.at(t - 1e-12).zmp));
+    furthest =
+        std::max(furthest, -test::region(planner, triangle, t).margin(planner.at(t - 1e-12).zmp));
   }
   EXPECT_NEAR(planner.zmp_slack(), furthest, 1e-6);
 }
 
 TEST(ComPlanner, LeavesTheRegionByNoMoreThanItMust) {
   // One foot carries the weight: what the ZMP can't do is to follow it, yet it comes near.
-  ComPlanner planner = make_planner();
-  SupportPhase one_foot = standing(0.6, nominal_feet());
+  ComPlanner planner = test::make_planner();
+  SupportPhase one_foot = test::standing(0.6, test::nominal_feet());
   one_foot.down = {true, false, false, false};
-  const Motion<Vec2> over_it{nominal_feet()[0], {0, 0}, {0, 0}};
-  plan(planner, {one_foot}, 0.0, over_it);
+  const Motion<Vec2> over_it{test::nominal_feet()[0], {0, 0}, {0, 0}};
+  test::plan(planner, {one_foot}, 0.0, over_it);
   EXPECT_LT(planner.zmp_slack(), 1e-6);
-  plan(planner, {one_foot}, 0.0, {over_it.p, {0.2, 0.0}, {0, 0}});
+  test::plan(planner, {one_foot}, 0.0, {over_it.p, {0.2, 0.0}, {0, 0}});
   EXPECT_GT(planner.zmp_slack(), 1e-4);
   EXPECT_LT(planner.zmp_slack(), 0.2);
 }
 
 }  // namespace
-}  // namespace surefoot::test
+}  // namespace surefoot::gaits

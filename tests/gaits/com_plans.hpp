@@ -15,7 +15,7 @@ inline constexpr double kWeight = 300.0;  // [N]
 inline constexpr double kHeight = 0.45;   // [m]
 inline constexpr int kTrials = 40;
 
-using Phases = std::vector<SupportPhase>;
+using Phases = std::vector<gaits::SupportPhase>;
 
 inline PerLeg<Vec2> nominal_feet() {
   PerLeg<Vec2> feet;
@@ -25,7 +25,7 @@ inline PerLeg<Vec2> nominal_feet() {
   return feet;
 }
 
-inline SupportPhase standing(double duration, const PerLeg<Vec2>& feet) {
+inline gaits::SupportPhase standing(double duration, const PerLeg<Vec2>& feet) {
   return {.duration = duration,
           .feet = feet,
           .down = {true, true, true, true},
@@ -34,7 +34,7 @@ inline SupportPhase standing(double duration, const PerLeg<Vec2>& feet) {
           .must_rest = false};
 }
 
-inline void elapse(SupportPhase& phase) {
+inline void elapse(gaits::SupportPhase& phase) {
   for (double& loaded : phase.loaded_for) loaded += phase.duration;
   for (double& lifts : phase.lifts_in) lifts -= phase.duration;
 }
@@ -43,7 +43,7 @@ inline void elapse(SupportPhase& phase) {
 inline Phases walk(int steps, const PerLeg<Vec2>& feet, const Vec2& step) {
   constexpr std::array kOrder{Leg::LH, Leg::LF, Leg::RH, Leg::RF};
   Phases phases;
-  SupportPhase phase = standing(0.8, feet);
+  gaits::SupportPhase phase = standing(0.8, feet);
   for (int i = 0; i < steps; ++i) {
     const std::size_t k = index(kOrder[static_cast<std::size_t>(i) % kOrder.size()]);
     phase.lifts_in[k] = phase.duration = 0.8;
@@ -79,25 +79,26 @@ inline Motion<Vec2> random_start(RandomMatrices& random) {
           Vec2(random.uniform(-0.1, 0.1), random.uniform(-0.1, 0.1))};
 }
 
-inline ComPlanner make_planner(const ComPlannerOptions& options = {}) {
-  return ComPlanner(options, ForceOptions{});
+inline gaits::ComPlanner make_planner(const gaits::ComPlannerOptions& options = {}) {
+  return gaits::ComPlanner(options, gaits::ForceOptions{});
 }
 
 /// `problem`: what else is asked, as its load.
-inline void plan(ComPlanner& planner, const Phases& phases, double time, const Motion<Vec2>& begin,
-                 const Vec2& end_velocity = Vec2::Zero(), ComProblem problem = {}) {
+inline void plan(gaits::ComPlanner& planner, const Phases& phases, double time,
+                 const Motion<Vec2>& begin, const Vec2& end_velocity = Vec2::Zero(),
+                 gaits::ComProblem problem = {}) {
   problem.time = time;
   problem.begin = begin;
   problem.height = kHeight;
   problem.weight = kWeight;
   problem.end_velocity = end_velocity;
-  for (const SupportPhase& phase : phases) problem.add(phase);
+  for (const gaits::SupportPhase& phase : phases) problem.add(phase);
   planner.plan(problem);
 }
 
 inline double total_duration(const Phases& phases) {
   double sum = 0.0;
-  for (const SupportPhase& phase : phases) sum += phase.duration;
+  for (const gaits::SupportPhase& phase : phases) sum += phase.duration;
   return sum;
 }
 
@@ -105,7 +106,7 @@ inline double total_duration(const Phases& phases) {
 template <typename Check>
 void over(const Phases& phases, double time, const Check& check) {
   constexpr int kSamples = 40;
-  for (const SupportPhase& phase : phases) {
+  for (const gaits::SupportPhase& phase : phases) {
     for (int i = 1; i <= kSamples; ++i) {
       const double t = phase.duration * i / kSamples;
       check(phase, t, time + t);
@@ -114,7 +115,8 @@ void over(const Phases& phases, double time, const Check& check) {
   }
 }
 
-inline SupportRegion region(const ComPlanner& planner, const SupportPhase& phase, double t) {
+inline gaits::SupportRegion region(const gaits::ComPlanner& planner,
+                                   const gaits::SupportPhase& phase, double t) {
   PerLeg<double> shares{};
   for (std::size_t k = 0; k < kNumLegs; ++k) shares[k] = planner.share(phase, k, t, kWeight);
   return {phase.feet, shares};
@@ -124,7 +126,7 @@ inline SupportRegion region(const ComPlanner& planner, const SupportPhase& phase
 template <typename Check>
 void on_random_walks(unsigned seed, const Check& check) {
   RandomMatrices random(seed);
-  ComPlanner planner = make_planner();
+  gaits::ComPlanner planner = make_planner();
   for (int trial = 0; trial < kTrials; ++trial) {
     SCOPED_TRACE("trial " + std::to_string(trial));
     const Phases phases = random_walk(random);

@@ -9,7 +9,7 @@
 #include <string>
 #include <string_view>
 
-namespace surefoot {
+namespace surefoot::gaits {
 namespace {
 
 /// The table as a Mermaid diagram.
@@ -54,4 +54,4 @@ TEST(CrawlTable, EveryStateCanBeReachedAndLeft) {
 }
 
 }  // namespace
-}  // namespace surefoot
+}  // namespace surefoot::gaits

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace surefoot {
+namespace surefoot::gaits {
 namespace {
 
 using test::command;
@@ -25,7 +25,7 @@ struct OnTwoLevels {
   }
   [[nodiscard]] double expected() const {
     const Vec2 place = feet[index(Leg::LF)].head<2>() + Vec2(0.2, 0.0);
-    return planner.expected_height(Leg::LF, place, feet, fit_terrain_plane(feet, 0.35));
+    return planner.expected_height(Leg::LF, place, feet, estimation::fit_terrain_plane(feet, 0.35));
   }
   FootholdPlanner planner;
   PerLeg<Vec3> feet;
@@ -40,7 +40,7 @@ TEST(FootholdPlanner, BehindAnEdgeGroundIsExpectedNoHigherThanTheFeetStand) {
 
 TEST(FootholdPlanner, BehindAnEdgeSoIsThatOfAnotherPlaceThanOneWithoutGround) {
   OnTwoLevels feet(0.2);
-  const TerrainPlane plane = fit_terrain_plane(feet.feet, 0.35);
+  const estimation::TerrainPlane plane = estimation::fit_terrain_plane(feet.feet, 0.35);
   const auto next = [&] {
     return feet.planner.foothold(Leg::LF, feet.feet, plane, 0.0, command(0.04), kCycle);
   };
@@ -74,12 +74,13 @@ TEST(FootholdPlanner, OnASlopeInAnyDirectionGroundIsExpectedWhereItIs) {
     }
     for (const Leg leg : kLegs) {
       const Vec2 next = feet[index(leg)].head<2>() + turned(yaw, {random.uniform(0.1, 0.3), 0.0});
-      EXPECT_NEAR(planner.expected_height(leg, next, feet, fit_terrain_plane(feet, 0.35)),
-                  slope.dot(next), 1e-9)
+      EXPECT_NEAR(
+          planner.expected_height(leg, next, feet, estimation::fit_terrain_plane(feet, 0.35)),
+          slope.dot(next), 1e-9)
           << trial;
     }
   }
 }
 
 }  // namespace
-}  // namespace surefoot
+}  // namespace surefoot::gaits

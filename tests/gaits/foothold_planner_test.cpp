@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace surefoot {
+namespace surefoot::gaits {
 namespace {
 
 using test::command;
@@ -108,7 +108,8 @@ TEST(FootholdPlanner, FootholdsLieOnTheTerrainPlane) {
   for (int trial = 0; trial < 50; ++trial) {
     Walker walker(kWithoutPrints);
     walker.stand(random.vector(1.0).head<2>(), random.uniform(-3.0, 3.0));
-    const TerrainPlane slope{random.small_rotation(0.2) * Vec3::UnitZ(), random.vector(1.0)};
+    const estimation::TerrainPlane slope{random.small_rotation(0.2) * Vec3::UnitZ(),
+                                         random.vector(1.0)};
     for (const Leg leg : kLegs) {
       const Vec3 p =
           walker.planner.foothold(leg, walker.feet, slope, walker.yaw, command(0.05), kCycle);
@@ -359,4 +360,4 @@ TEST(FootholdPlanner, StepsOnTheSpotWhereNothingElseIsLeftAndTriesAgainLater) {
 }
 
 }  // namespace
-}  // namespace surefoot
+}  // namespace surefoot::gaits

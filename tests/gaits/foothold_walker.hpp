@@ -21,16 +21,19 @@ inline UserCommand command(double forward, double lateral = 0.0, double yaw_rate
 
 /// Footholds that a planner leads over level ground.
 struct Walker {
-  explicit Walker(const FootholdOptions& options, const StanceOptions& stance_options = {})
+  explicit Walker(const gaits::FootholdOptions& options,
+                  const gaits::StanceOptions& stance_options = {})
       : stance(stance_options), planner(stance_options, options) {}
 
   void stand(const Vec2& center, double heading) {
     yaw = heading;
     for (const Leg leg : kLegs) {
-      feet[index(leg)] << center + turned(yaw, nominal_offset(stance, leg)), ground;
+      feet[index(leg)] << center + turned(yaw, gaits::nominal_offset(stance, leg)), ground;
     }
   }
-  [[nodiscard]] TerrainPlane plane() const { return {Vec3::UnitZ(), Vec3(0, 0, ground)}; }
+  [[nodiscard]] estimation::TerrainPlane plane() const {
+    return {Vec3::UnitZ(), Vec3(0, 0, ground)};
+  }
   [[nodiscard]] Vec3 next(Leg leg, const UserCommand& user) const {
     return planner.foothold(leg, feet, plane(), yaw, user, kCycle);
   }
@@ -48,7 +51,7 @@ struct Walker {
   }
   /// Where the stance's middle is, from a foot's own place in it.
   [[nodiscard]] Vec2 center_by(Leg leg) const {
-    return feet[index(leg)].head<2>() - turned(yaw, nominal_offset(stance, leg));
+    return feet[index(leg)].head<2>() - turned(yaw, gaits::nominal_offset(stance, leg));
   }
   [[nodiscard]] Vec2 center() const {
     Vec2 sum = Vec2::Zero();
@@ -62,8 +65,8 @@ struct Walker {
     return largest;
   }
 
-  StanceOptions stance;
-  FootholdPlanner planner;
+  gaits::StanceOptions stance;
+  gaits::FootholdPlanner planner;
   PerLeg<Vec3> feet;
   double yaw = 0.0;
   double ground = 0.031;

@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-namespace surefoot {
+namespace surefoot::gaits {
 namespace {
 
 using test::Random;
@@ -61,4 +61,4 @@ TEST(FrictionFrame, WithoutAFilterIsThatOfThePlane) {
 }
 
 }  // namespace
-}  // namespace surefoot
+}  // namespace surefoot::gaits

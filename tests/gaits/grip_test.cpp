@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace surefoot {
+namespace surefoot::gaits {
 namespace {
 
 constexpr double kPeriod = 0.0025;
@@ -80,4 +80,4 @@ TEST(Grip, SwitchedOffItBelievesWhatIsConfigured) {
 }
 
 }  // namespace
-}  // namespace surefoot
+}  // namespace surefoot::gaits

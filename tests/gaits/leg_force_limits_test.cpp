@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <string>
 
-namespace surefoot {
+namespace surefoot::gaits {
 namespace {
 
 using test::Bench;
@@ -116,4 +116,4 @@ TEST(LegMotion, RampsOfNoLengthAreSteps) {
 }
 
 }  // namespace
-}  // namespace surefoot
+}  // namespace surefoot::gaits

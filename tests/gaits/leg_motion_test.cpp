@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace surefoot {
+namespace surefoot::gaits {
 namespace {
 
 using test::Bench;
@@ -180,4 +180,4 @@ TEST(LegMotion, BelievesNoTouchdownBeforeItIsArmed) {
 }
 
 }  // namespace
-}  // namespace surefoot
+}  // namespace surefoot::gaits

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace surefoot {
+namespace surefoot::gaits {
 namespace {
 
 using test::Bench;
@@ -240,4 +240,4 @@ TEST(LegMotion, WhereAFootThatFlewStoodBeforeIsItsFootholdAgain) {
 }
 
 }  // namespace
-}  // namespace surefoot
+}  // namespace surefoot::gaits

@@ -2,11 +2,11 @@
 
 #include <gtest/gtest.h>
 
-namespace surefoot::test {
+namespace surefoot::gaits {
 namespace {
 
 TEST(PlanEvents, TwoFeetThatBeginToSlideAtOneTickAreBothTold) {
-  Puppet puppet;
+  test::Puppet puppet;
   puppet.run(0.5);
   puppet.slide[index(Leg::RF)] = puppet.slide[index(Leg::LH)] = Vec2(30.0, 0.0);
   puppet.tick();
@@ -19,7 +19,7 @@ TEST(PlanEvents, TwoFeetThatBeginToSlideAtOneTickAreBothTold) {
 }
 
 TEST(PlanEvents, EveryEventOfAFootHasItsLegPlaceAndForce) {
-  Puppet puppet = walker(probing(), step_at(0.40, -0.10));
+  test::Puppet puppet = test::walker(test::probing(), test::step_at(0.40, -0.10));
   int told = 0;
   puppet.run(30.0, [&] {
     for (const GaitEvent& event : puppet.plan().events) {
@@ -33,7 +33,7 @@ TEST(PlanEvents, EveryEventOfAFootHasItsLegPlaceAndForce) {
 }
 
 TEST(PlanEvents, APushIsToldWithItsForce) {
-  Puppet puppet = walker();
+  test::Puppet puppet = test::walker();
   int ticks = 0;  // of LF in the air
   while (ticks < 40 && puppet.time() < 20.0) {
     puppet.tick();
@@ -59,4 +59,4 @@ TEST(EventLists, KeepTheOrderAndLeaveOutWhatIsTooMuch) {
 }
 
 }  // namespace
-}  // namespace surefoot::test
+}  // namespace surefoot::gaits

@@ -6,13 +6,13 @@
 #include <utility>
 #include <vector>
 
-namespace surefoot::test {
+namespace surefoot::gaits {
 namespace {
 
 TEST(PlannerCalibration, CalibratesNoHigherThanNominally) {
   PlannerOptions options;
   options.calibration.duration = 2.0;
-  Puppet puppet(options);
+  test::Puppet puppet(options);
   puppet.user = {.height = 0.05};
   bool calibrated = false;
   puppet.run(8.0, [&] {
@@ -29,10 +29,10 @@ TEST(PlannerCalibration, CalibratesNoHigherThanNominally) {
 TEST(PlannerCalibration, AfterACalibrationTheGroundIsWhereTheFeetAreThen) {
   PlannerOptions options;
   options.calibration.duration = 2.0;
-  Puppet puppet(options);
+  test::Puppet puppet(options);
   puppet.run(1.0);
   ASSERT_EQ(puppet.plan().calibration, CalibrationStage::turning);
-  puppet.ground = level_ground(-0.01);
+  puppet.ground = test::level_ground(-0.01);
   for (const Leg leg : kLegs) puppet.place(leg, puppet.foot(leg).head<2>());
   puppet.run(8.0);
   ASSERT_EQ(puppet.plan().calibration, CalibrationStage::none);
@@ -42,8 +42,8 @@ TEST(PlannerCalibration, AfterACalibrationTheGroundIsWhereTheFeetAreThen) {
 TEST(PlannerCalibration, AskedToCalibrateItStandsDoesSoOnceAndWalksOn) {
   PlannerOptions options;
   options.calibration.duration = 4.0;
-  Puppet puppet(options);
-  puppet.user = walking(0.05);
+  test::Puppet puppet(options);
+  puppet.user = test::walking(0.05);
   puppet.run(20.0);
   ASSERT_GT(puppet.planner().steps_taken(), 4);
   puppet.user.calibrate = true;  // and stays so: it counts once
@@ -55,7 +55,7 @@ TEST(PlannerCalibration, AskedToCalibrateItStandsDoesSoOnceAndWalksOn) {
   });
   EXPECT_EQ(asked, 1);
   EXPECT_EQ(puppet.happenings(PlanEvent::calibration).size(), 1u);
-  EXPECT_NEAR(turning * Puppet::kPeriod, 4.0, 0.01);
+  EXPECT_NEAR(turning * test::Puppet::kPeriod, 4.0, 0.01);
   const int steps = puppet.planner().steps_taken();
   puppet.run(6.0);
   EXPECT_GT(puppet.planner().steps_taken(), steps + 3) << "and walks on";
@@ -67,14 +67,14 @@ TEST(PlannerCalibration, AskedToCalibrateItStandsDoesSoOnceAndWalksOn) {
 }
 
 TEST(PlannerCalibration, TellsAgainAndAgainThatACalibrationWaitsForARobotThatNeverRests) {
-  Puppet puppet;
+  test::Puppet puppet;
   puppet.run(3.0);
   puppet.drift = 0.05;
   puppet.user.calibrate = true;
   const double asked_at = puppet.time();
   puppet.run(35.0);
   EXPECT_TRUE(puppet.happenings(PlanEvent::calibration).empty());
-  const std::vector<Happening> told = puppet.happenings(PlanEvent::calibration_waits);
+  const std::vector<test::Happening> told = puppet.happenings(PlanEvent::calibration_waits);
   ASSERT_EQ(told.size(), 3u);
   EXPECT_GT(told.front().time, asked_at + 5.0) << "not before a walk would have ended";
   puppet.drift = 0.0;
@@ -87,12 +87,12 @@ TEST(PlannerCalibration, TellsAgainAndAgainThatACalibrationWaitsForARobotThatNev
 /// A robot that calibrates itself for 9.5 s and is told to walk, with something done to it `from` …
 /// `to` [s].
 struct Disturbed {
-  Disturbed(double from, double to, const std::function<void(Puppet&, bool)>& disturb) {
-    puppet.user = walking(0.05);
+  Disturbed(double from, double to, const std::function<void(test::Puppet&, bool)>& disturb) {
+    puppet.user = test::walking(0.05);
     puppet.run(70.0, [&] {
       disturb(puppet, puppet.time() > from && puppet.time() < to);
       const CalibrationStage stage = puppet.plan().calibration;
-      turning += stage == CalibrationStage::turning ? Puppet::kPeriod : 0.0;
+      turning += stage == CalibrationStage::turning ? test::Puppet::kPeriod : 0.0;
       none_before_end = none_before_end || (stage == CalibrationStage::none && !has_ended());
     });
   }
@@ -112,23 +112,23 @@ struct Disturbed {
             puppet.time() > puppet.happenings(PlanEvent::calibration).back().time + 9.5);
   }
 
-  Puppet puppet{options()};
+  test::Puppet puppet{options()};
   double turning = 0.0;  // in all [s]
   bool none_before_end = false;
 };
 
-void push_sideways(Puppet& puppet, bool now) {
+void push_sideways(test::Puppet& puppet, bool now) {
   puppet.push = now ? Vec3(20.0, 0.0, 0.0) : Vec3(0.0, 0.0, 0.0);
 }
 
-void press_down(Puppet& puppet, bool now) { puppet.push.z() = now ? -60.0 : 0.0; }
+void press_down(test::Puppet& puppet, bool now) { puppet.push.z() = now ? -60.0 : 0.0; }
 
-void slide_a_foot(Puppet& puppet, bool now) {
+void slide_a_foot(test::Puppet& puppet, bool now) {
   puppet.slide[index(Leg::RF)] = now ? Vec2(30.0, 0.0) : Vec2(0.0, 0.0);
 }
 
 TEST(PlannerCalibration, ACalibrationThatIsDisturbedIsDoneOnceMoreBeforeTheWalk) {
-  for (const auto& [disturb, from] : std::vector<std::pair<void (*)(Puppet&, bool), double>>{
+  for (const auto& [disturb, from] : std::vector<std::pair<void (*)(test::Puppet&, bool), double>>{
            {push_sideways, 3.0}, {push_sideways, 7.5}, {slide_a_foot, 3.0}}) {
     const Disturbed once(from, from + 0.5, disturb);
     ASSERT_EQ(once.count(PlanEvent::calibration_disturbed), 1u) << from;
@@ -155,7 +155,7 @@ TEST(PlannerCalibration, ACalibrationThatIsAlwaysDisturbedDoesNotKeepTheRobotFro
 }
 
 TEST(PlannerCalibration, ACalibrationIsNotRepeatedWhileTheRobotSwaysNorWaitedForForEver) {
-  const auto sway = [](Puppet& puppet, bool now) {
+  const auto sway = [](test::Puppet& puppet, bool now) {
     push_sideways(puppet, puppet.time() > 3.0 && puppet.time() < 3.5);
     puppet.drift = now ? 0.2 * std::sin(2.0 * kPi * puppet.time()) : 0.0;
   };
@@ -170,7 +170,7 @@ TEST(PlannerCalibration, ACalibrationIsNotRepeatedWhileTheRobotSwaysNorWaitedFor
 }
 
 TEST(PlannerCalibration, WhatDoesNotDisturbACalibrationDoesNotRepeatIt) {
-  const Disturbed known_all_the_same(3.0, 3.5, [](Puppet& puppet, bool now) {
+  const Disturbed known_all_the_same(3.0, 3.5, [](test::Puppet& puppet, bool now) {
     push_sideways(puppet, now);
     puppet.calibration_known = true;
   });
@@ -186,8 +186,8 @@ TEST(PlannerCalibration, WhatDoesNotDisturbACalibrationDoesNotRepeatIt) {
 }
 
 TEST(PlannerCalibration, WhileItCalibratesNoStrideIsTooLong) {
-  Puppet puppet(Disturbed::options());
-  puppet.user = walking(0.5);
+  test::Puppet puppet(Disturbed::options());
+  puppet.user = test::walking(0.5);
   puppet.run(9.0);
   EXPECT_TRUE(puppet.happenings().empty());
   puppet.run(3.0);
@@ -195,4 +195,4 @@ TEST(PlannerCalibration, WhileItCalibratesNoStrideIsTooLong) {
 }
 
 }  // namespace
-}  // namespace surefoot::test
+}  // namespace surefoot::gaits

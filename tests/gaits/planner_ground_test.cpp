@@ -7,23 +7,23 @@
 #include <cmath>
 #include <string>
 
-namespace surefoot::test {
+namespace surefoot::gaits {
 namespace {
 
 TEST(Planner, WaitsWhileAFootLooksForGroundThatLiesLower) {
-  Puppet puppet = walker({}, step_at(0.40, -0.10));
-  run_watched(puppet, 40.0);
-  const std::vector<Happening> late = puppet.happenings(PlanEvent::late);
+  test::Puppet puppet = test::walker({}, test::step_at(0.40, -0.10));
+  test::run_watched(puppet, 40.0);
+  const std::vector<test::Happening> late = puppet.happenings(PlanEvent::late);
   ASSERT_GE(late.size(), 2u);
-  for (const Happening& wait : late) {
-    const auto next = std::ranges::find_if(puppet.happenings(), [&](const Happening& h) {
+  for (const test::Happening& wait : late) {
+    const auto next = std::ranges::find_if(puppet.happenings(), [&](const test::Happening& h) {
       return h.time > wait.time && h.event != PlanEvent::late;
     });
     ASSERT_NE(next, puppet.happenings().end());
     EXPECT_EQ(next->event, PlanEvent::touchdown) << "nothing else happens meanwhile";
     EXPECT_NEAR(next->p.z(), -0.10, 2e-3);
   }
-  stop(puppet);
+  test::stop(puppet);
   for (const Leg leg : kLegs) EXPECT_NEAR(puppet.foot(leg).z(), -0.10, 2e-3) << "all went down";
   EXPECT_NEAR(puppet.plan().torso.height, -0.10 + StanceOptions{}.height, 2e-3);
 }
@@ -31,8 +31,8 @@ TEST(Planner, WaitsWhileAFootLooksForGroundThatLiesLower) {
 TEST(Planner, StaysOverTheOtherFeetWhileItWaits) {
   PlannerOptions options;
   options.swing.search_depth_max = 4.0;  // a search of 20 s
-  Puppet puppet = walker(options, step_at(0.40, -3.0));
-  run_watched(puppet, 12.0);
+  test::Puppet puppet = test::walker(options, test::step_at(0.40, -3.0));
+  test::run_watched(puppet, 12.0);
   ASSERT_GT(puppet.happenings(PlanEvent::late).size(), 0u);
   EXPECT_EQ(puppet.happenings().back().event, PlanEvent::late) << "it still waits";
   EXPECT_LT(puppet.plan().com.v.norm(), 0.05) << "it sways by some millimetres";
@@ -47,15 +47,15 @@ TEST(Planner, StaysOverTheOtherFeetWhileItWaits) {
 
 TEST(Planner, TakesAFootBackWhereThereIsNoGround) {
   const double edge = 0.45;
-  Puppet puppet = walker({}, step_at(edge, kNoGround));
-  run_watched(puppet, 60.0);
-  const std::vector<Happening> back = puppet.happenings(PlanEvent::no_ground);
+  test::Puppet puppet = test::walker({}, test::step_at(edge, test::kNoGround));
+  test::run_watched(puppet, 60.0);
+  const std::vector<test::Happening> back = puppet.happenings(PlanEvent::no_ground);
   ASSERT_GE(back.size(), 2u);
-  for (const Happening& landing : puppet.happenings(PlanEvent::touchdown)) {
+  for (const test::Happening& landing : puppet.happenings(PlanEvent::touchdown)) {
     EXPECT_LE(landing.p.x(), edge);
     EXPECT_NEAR(landing.p.z(), 0.0, 1e-3);
   }
-  const auto landed = std::ranges::find_if(puppet.happenings(), [&](const Happening& h) {
+  const auto landed = std::ranges::find_if(puppet.happenings(), [&](const test::Happening& h) {
     return h.time > back.front().time && h.event == PlanEvent::touchdown;
   });
   ASSERT_NE(landed, puppet.happenings().end());
@@ -63,18 +63,19 @@ TEST(Planner, TakesAFootBackWhereThereIsNoGround) {
 }
 
 /// No ground from x = `edge` to `edge` + `width`.
-Ground ditch(double edge, double width) {
-  return [=](const Vec2& p) { return p.x() > edge && p.x() < edge + width ? kNoGround : 0.0; };
+test::Ground ditch(double edge, double width) {
+  return
+      [=](const Vec2& p) { return p.x() > edge && p.x() < edge + width ? test::kNoGround : 0.0; };
 }
 
 TEST(Planner, ChoosesAnotherPlaceWhereAFootFoundNoGround) {
   int met = 0;
   for (const double edge : {0.42, 0.44, 0.46, 0.48, 0.50, 0.52, 0.54}) {
-    Puppet puppet = walker({}, ditch(edge, 0.10));
-    run_watched(puppet, 90.0);
+    test::Puppet puppet = test::walker({}, ditch(edge, 0.10));
+    test::run_watched(puppet, 90.0);
     met += puppet.happenings(PlanEvent::no_ground).empty() ? 0 : 1;
     for (const Leg leg : kLegs) EXPECT_GT(puppet.foot(leg).x(), edge) << "crossed, " << edge;
-    for (const Happening& landing : puppet.happenings(PlanEvent::touchdown)) {
+    for (const test::Happening& landing : puppet.happenings(PlanEvent::touchdown)) {
       EXPECT_NEAR(landing.p.z(), 0.0, 1e-3);
     }
   }
@@ -83,8 +84,8 @@ TEST(Planner, ChoosesAnotherPlaceWhereAFootFoundNoGround) {
 
 TEST(Planner, StaysWhereThereIsNoGroundAnywhereAhead) {
   const double edge = 0.45;
-  Puppet puppet = walker({}, step_at(edge, kNoGround));
-  run_watched(puppet, 120.0);
+  test::Puppet puppet = test::walker({}, test::step_at(edge, test::kNoGround));
+  test::run_watched(puppet, 120.0);
   const std::size_t found_none = puppet.happenings(PlanEvent::no_ground).size();
   EXPECT_GT(found_none, 2u);
   EXPECT_LT(found_none, puppet.happenings(PlanEvent::touchdown).size() / 2) << "it knows by now";
@@ -94,11 +95,11 @@ TEST(Planner, StaysWhereThereIsNoGroundAnywhereAhead) {
 TEST(Planner, AnotherFootGoesFirstWhereTheOthersWouldStandInALine) {
   for (const bool forward : {true, false}) {
     const Leg close = forward ? Leg::RF : Leg::RH;  // the first to go is the one across
-    Puppet puppet;
+    test::Puppet puppet;
     puppet.place(close, 0.15 * puppet.foot(close).head<2>());  // nearly between two others
     puppet.run(3.0);
-    puppet.user = walking(forward ? 0.06 : -0.06);
-    run_watched(puppet, 30.0);
+    puppet.user = test::walking(forward ? 0.06 : -0.06);
+    test::run_watched(puppet, 30.0);
     EXPECT_GT(puppet.happenings(PlanEvent::support_widened).size(), 0u) << index(close);
     EXPECT_LT(puppet.happenings(PlanEvent::support_widened).size(), 3u) << index(close);
     EXPECT_TRUE(puppet.happenings(PlanEvent::lift_off_aborted).empty()) << index(close);
@@ -107,9 +108,9 @@ TEST(Planner, AnotherFootGoesFirstWhereTheOthersWouldStandInALine) {
 }
 
 TEST(Planner, GroundThatLiesHigherIsMetEarly) {
-  Puppet puppet = walker({}, step_at(0.40, 0.05));
-  run_watched(puppet, 40.0);
-  stop(puppet);
+  test::Puppet puppet = test::walker({}, test::step_at(0.40, 0.05));
+  test::run_watched(puppet, 40.0);
+  test::stop(puppet);
   for (const Leg leg : kLegs) EXPECT_NEAR(puppet.foot(leg).z(), 0.05, 2e-3) << "all went up";
   EXPECT_NEAR(puppet.plan().torso.height, 0.05 + StanceOptions{}.height, 2e-3);
 }
@@ -117,7 +118,7 @@ TEST(Planner, GroundThatLiesHigherIsMetEarly) {
 TEST(Planner, OnlyAHindFootThatKnowsTheGroundRefusesOneThatLiesHigher) {
   PlannerOptions options;
   options.foothold.hind_use_front_prints = false;
-  Puppet puppet = walker(options, step_at(0.40, 0.08));
+  test::Puppet puppet = test::walker(options, test::step_at(0.40, 0.08));
   puppet.run(40.0);
   EXPECT_TRUE(puppet.happenings(PlanEvent::collision).empty());
   puppet.user.walk = false;
@@ -127,13 +128,13 @@ TEST(Planner, OnlyAHindFootThatKnowsTheGroundRefusesOneThatLiesHigher) {
 
 TEST(Planner, AHindFootDoesNotRefuseGroundAsHighAsItsLegFolds) {
   for (const bool folded : {false, true}) {
-    Puppet puppet = walker();
+    test::Puppet puppet = test::walker();
     puppet.run(12.0);
     const auto rises = [&] { return puppet.foot(Leg::LH).z() > 0.07; };
     while (!rises() && puppet.time() < 20.0) puppet.tick();
     ASSERT_TRUE(rises());
     if (folded) puppet.leg_length = 0.15;
-    puppet.ground = level_ground(0.06);  // that no front foot found
+    puppet.ground = test::level_ground(0.06);  // that no front foot found
     puppet.run(1.0);
     EXPECT_EQ(puppet.happenings(PlanEvent::collision).empty(), folded);
   }
@@ -141,9 +142,9 @@ TEST(Planner, AHindFootDoesNotRefuseGroundAsHighAsItsLegFolds) {
 
 TEST(Planner, LeansWithTheSlopeThatItsFeetFind) {
   const double slope = 0.15;
-  const Ground ramp = [=](const Vec2& p) { return slope * std::max(0.0, p.x() - 0.5); };
-  Puppet puppet = walker({}, ramp);
-  run_watched(puppet, 60.0);
+  const test::Ground ramp = [=](const Vec2& p) { return slope * std::max(0.0, p.x() - 0.5); };
+  test::Puppet puppet = test::walker({}, ramp);
+  test::run_watched(puppet, 60.0);
   const Vec3 normal = Vec3(-slope, 0.0, 1.0).normalized();
   EXPECT_LT((puppet.planner().terrain_normal() - normal).norm(), 0.01);
   EXPECT_LT((puppet.plan().torso.q_WB * Vec3::UnitZ() - normal).norm(), 0.01);
@@ -152,20 +153,22 @@ TEST(Planner, LeansWithTheSlopeThatItsFeetFind) {
 
 TEST(Planner, OwnGroundThatIsGoneForAWhileIsNotAvoidedBehindThat) {
   const auto landings = [](bool is_gone) {
-    Puppet puppet;
+    test::Puppet puppet;
     puppet.run(0.5);
     const Vec2 place = puppet.foot(Leg::RF).head<2>();
     if (is_gone) {
-      puppet.ground = [=](const Vec2& p) { return (p - place).norm() < 0.03 ? kNoGround : 0.0; };
+      puppet.ground = [=](const Vec2& p) {
+        return (p - place).norm() < 0.03 ? test::kNoGround : 0.0;
+      };
     }
     puppet.run(2.0);
-    puppet.ground = level_ground();
+    puppet.ground = test::level_ground();
     puppet.run(3.0);
     EXPECT_EQ(puppet.happenings(PlanEvent::no_ground).size(), is_gone ? 1u : 0u);
-    puppet.user = walking();
+    puppet.user = test::walking();
     puppet.run(40.0);
     std::vector<Vec3> result;
-    for (const Happening& h : puppet.happenings(PlanEvent::touchdown))
+    for (const test::Happening& h : puppet.happenings(PlanEvent::touchdown))
       if (h.leg == Leg::RH) result.push_back(h.p);
     return result;
   };
@@ -175,7 +178,7 @@ TEST(Planner, OwnGroundThatIsGoneForAWhileIsNotAvoidedBehindThat) {
 }
 
 TEST(Planner, AStanceFootThatLosesItsGroundGoesDownForIt) {
-  Puppet puppet;
+  test::Puppet puppet;
   puppet.run(0.5);
   const double z = puppet.foot(Leg::RH).z();
   puppet.ground = [](const Vec2& p) { return p.x() < 0.0 && p.y() < 0.0 ? -0.05 : 0.0; };
@@ -185,13 +188,13 @@ TEST(Planner, AStanceFootThatLosesItsGroundGoesDownForIt) {
   ASSERT_EQ(puppet.happenings(PlanEvent::touchdown).size(), 1u);
   EXPECT_NEAR(puppet.foot(Leg::RH).z(), z - 0.05, 1e-3);
   EXPECT_EQ(puppet.plan().num_contacts(), 4);
-  puppet.user = walking();
-  run_watched(puppet, 10.0);
+  puppet.user = test::walking();
+  test::run_watched(puppet, 10.0);
   EXPECT_GT(puppet.planner().steps_taken(), 4);
 }
 
 TEST(Planner, NothingBeginsAnewWhileAFootSearches) {
-  Puppet puppet;
+  test::Puppet puppet;
   puppet.run(3.0);
   puppet.ground = [](const Vec2& p) { return p.x() < 0.0 && p.y() < 0.0 ? -0.05 : 0.0; };
   bool searched = false;
@@ -206,10 +209,12 @@ TEST(Planner, NothingBeginsAnewWhileAFootSearches) {
 }
 
 TEST(Planner, TheComComesToRestWhileALostFootSearches) {
-  Puppet puppet = walker();
+  test::Puppet puppet = test::walker();
   while (puppet.time() < 5.0 || puppet.plan().num_contacts() < 4) puppet.tick();
   const Vec2 place = puppet.foot(Leg::RF).head<2>(), com = puppet.com();
-  puppet.ground = [place](const Vec2& p) { return (p - place).norm() < 0.3 ? kNoGround : 0.0; };
+  puppet.ground = [place](const Vec2& p) {
+    return (p - place).norm() < 0.3 ? test::kNoGround : 0.0;
+  };
   const double lost_at = puppet.time();
   int searched = 0;
   puppet.run(2.0, [&] {
@@ -223,7 +228,7 @@ TEST(Planner, TheComComesToRestWhileALostFootSearches) {
 }
 
 TEST(Planner, TheHeadingWaitsForAFootThatSearches) {
-  Puppet puppet = walker();
+  test::Puppet puppet = test::walker();
   puppet.user = {.walk = true, .velocity = {0.0, 0.0}, .yaw_rate = 0.1};
   const auto heading = [&] { return yaw(puppet.plan().torso.q_WB.toRotationMatrix()); };
   while (puppet.plan().num_contacts() < 4 || puppet.time() < 3.0) puppet.tick();
@@ -244,22 +249,22 @@ TEST(Planner, TheHeadingWaitsForAFootThatSearches) {
 }
 
 TEST(Planner, AFootThatDoesNotUnloadIsNotLifted) {
-  Puppet puppet = walker();
+  test::Puppet puppet = test::walker();
   puppet.sticky[index(Leg::LH)] = true;
-  run_watched(puppet, 12.0);
+  test::run_watched(puppet, 12.0);
   EXPECT_TRUE(puppet.happenings(PlanEvent::lift_off).empty());
   EXPECT_GE(puppet.happenings(PlanEvent::lift_off_aborted).size(), 2u);
   EXPECT_EQ(puppet.plan().num_contacts(), 4);
   puppet.sticky = {};
-  run_watched(puppet, 5.0);
+  test::run_watched(puppet, 5.0);
   EXPECT_FALSE(puppet.happenings(PlanEvent::lift_off).empty()) << "and is when it does";
 }
 
 TEST(Planner, WhatAFootFoundThatFliesOffIsTakenBack) {
-  Puppet puppet = walker({}, step_at(0.40, 0.05));
+  test::Puppet puppet = test::walker({}, test::step_at(0.40, 0.05));
   Vec3 before = puppet.plan().terrain_point;
   const auto found = [&] {
-    const std::vector<Happening>& all = puppet.happenings();
+    const std::vector<test::Happening>& all = puppet.happenings();
     return !all.empty() && all.back().event == PlanEvent::touchdown && all.back().p.z() > 0.04;
   };
   while (!found() && puppet.time() < 40.0) {
@@ -275,7 +280,7 @@ TEST(Planner, WhatAFootFoundThatFliesOffIsTakenBack) {
 }
 
 TEST(Planner, AFootThatIsAboutToLeaveStaysWhileAnotherSlides) {
-  Puppet puppet = walker();
+  test::Puppet puppet = test::walker();
   const auto& hind = puppet.plan().feet[index(Leg::LH)];
   while (hind.phase != LegPhase::unloading && puppet.time() < 20.0) puppet.tick();
   ASSERT_EQ(hind.phase, LegPhase::unloading);
@@ -288,14 +293,14 @@ TEST(Planner, AFootThatIsAboutToLeaveStaysWhileAnotherSlides) {
   const std::size_t lifts = puppet.happenings(PlanEvent::lift_off).size();
   while (puppet.happenings(PlanEvent::lift_off).size() == lifts && puppet.time() < begin + 10.0)
     puppet.tick();
-  EXPECT_GE(puppet.time(), begin + GaitOptions{}.switch_duration - kPeriod);
+  EXPECT_GE(puppet.time(), begin + GaitOptions{}.switch_duration - test::kPeriod);
   EXPECT_LT(puppet.time(), begin + 10.0) << "and then it goes";
 }
 
 TEST(Planner, WhereAFootHasLittleFrictionStepsAreShorterAndTakeLonger) {
   PlannerOptions options;
   options.grip.recovery = 0.0;
-  Puppet puppet = walker(options);
+  test::Puppet puppet = test::walker(options);
   puppet.user.walk = false;
   puppet.run(2.0);
   puppet.slide[index(Leg::LF)] = Vec2(3.0, 0.0);
@@ -303,11 +308,11 @@ TEST(Planner, WhereAFootHasLittleFrictionStepsAreShorterAndTakeLonger) {
   puppet.slide.fill(Vec2::Zero());
   const double caution = options.grip.enough / options.grip.friction_min;
   puppet.user.walk = true;
-  run_watched(puppet, 10.0);
+  test::run_watched(puppet, 10.0);
   const double begin = puppet.com().x();
   const int steps = puppet.planner().steps_taken();
   constexpr double kDuration = 60.0;
-  run_watched(puppet, kDuration);
+  test::run_watched(puppet, kDuration);
   EXPECT_NEAR((puppet.com().x() - begin) / kDuration, 0.06 / caution, 0.1 * 0.06 / caution);
   const double usual = kDuration / 3.8 * 4.0;  // a cycle of 3.8 s
   EXPECT_NEAR(puppet.planner().steps_taken() - steps, usual / std::sqrt(caution), 3.0);
@@ -317,7 +322,7 @@ TEST(Planner, WhereAFootHasLittleFrictionStepsAreShorterAndTakeLonger) {
 // what a foot slides out of.
 TEST(Planner, TheFrictionOfASlidingFootIsThatOfItsPyramid) {
   for (const bool upright : {true, false}) {
-    Puppet puppet = walker({}, step_at(0.0, 0.14));
+    test::Puppet puppet = test::walker({}, test::step_at(0.0, 0.14));
     puppet.user.walk = false;
     if (upright) puppet.last.pyramid_normal.fill(Vec3::UnitZ());
     puppet.run(1.0);
@@ -337,8 +342,8 @@ TEST(Planner, TheFrictionOfASlidingFootIsThatOfItsPyramid) {
 
 /// A walk in which the torso's tilt is missed by `always`, and by `missed` more while the left hind
 /// foot unloads and carries little [rad/s²].
-Puppet weak_without_left_hind(double always, double missed, double duration) {
-  Puppet puppet = walker();
+test::Puppet weak_without_left_hind(double always, double missed, double duration) {
+  test::Puppet puppet = test::walker();
   puppet.run(duration, [&] {
     const FootPlan& foot = puppet.plan().feet[index(Leg::LH)];
     const bool light = foot.phase == LegPhase::unloading && foot.force_max < 100.0;
@@ -349,31 +354,31 @@ Puppet weak_without_left_hind(double always, double missed, double duration) {
 
 TEST(Planner, AFootWithoutWhichTheOthersLetTheTorsoGoIsLoadedAgain) {
   for (const double always : {0.0, 40.0}) {
-    const Puppet puppet = weak_without_left_hind(always, 50.0, 12.0);
+    const test::Puppet puppet = weak_without_left_hind(always, 50.0, 12.0);
     EXPECT_GE(puppet.happenings(PlanEvent::lift_off_aborted).size(), 2u) << "again and again";
-    for (const Happening& lift : puppet.happenings(PlanEvent::lift_off))
+    for (const test::Happening& lift : puppet.happenings(PlanEvent::lift_off))
       EXPECT_NE(lift.leg, Leg::LH);
     EXPECT_EQ(puppet.plan().num_contacts(), 4);
   }
 }
 
 TEST(Planner, ATorsoThatIsNotWhereItShouldBeOnAllFeetEitherStopsNoLiftOff) {
-  const Puppet puppet = weak_without_left_hind(60.0, 10.0, 12.0);
+  const test::Puppet puppet = weak_without_left_hind(60.0, 10.0, 12.0);
   EXPECT_TRUE(puppet.happenings(PlanEvent::lift_off_aborted).empty());
   EXPECT_GT(puppet.planner().steps_taken(), 4);
 }
 
 TEST(Planner, OfATiltThatIsNotKnownNoLiftOffIsTakenBack) {
   constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
-  const Puppet before = weak_without_left_hind(kUnknown, 50.0, 6.0);
+  const test::Puppet before = weak_without_left_hind(kUnknown, 50.0, 6.0);
   EXPECT_TRUE(before.happenings(PlanEvent::lift_off_aborted).empty());
-  const Puppet after = weak_without_left_hind(0.0, kUnknown, 6.0);
+  const test::Puppet after = weak_without_left_hind(0.0, kUnknown, 6.0);
   EXPECT_TRUE(after.happenings(PlanEvent::lift_off_aborted).empty());
   EXPECT_GT(after.planner().steps_taken(), 0);
 }
 
 TEST(Planner, NoFootIsLiftedWhileTheBalanceIsNotOverTheOthers) {
-  Puppet puppet = walker();
+  test::Puppet puppet = test::walker();
   puppet.com_follows = false;  // stays in the middle, which lies on the triangle's edge
   puppet.run(12.0);
   EXPECT_TRUE(puppet.happenings(PlanEvent::lift_off).empty());
@@ -381,9 +386,9 @@ TEST(Planner, NoFootIsLiftedWhileTheBalanceIsNotOverTheOthers) {
 }
 
 /// The happenings that follow a lift-off, up to the landing.
-std::vector<PlanEvent> swing_from(const Puppet& puppet, const Happening& lift) {
+std::vector<PlanEvent> swing_from(const test::Puppet& puppet, const test::Happening& lift) {
   std::vector<PlanEvent> events;
-  for (const Happening& h : puppet.happenings()) {
+  for (const test::Happening& h : puppet.happenings()) {
     const bool ended = !events.empty() && events.back() == PlanEvent::touchdown;
     if (h.time > lift.time && !ended) events.push_back(h.event);
   }
@@ -391,55 +396,55 @@ std::vector<PlanEvent> swing_from(const Puppet& puppet, const Happening& lift) {
 }
 
 TEST(Planner, AFrontFootTouchesTwiceWhereItProbesAndAHindFootOnce) {
-  Puppet puppet = walker(probing());
-  run_watched(puppet, 30.0);
+  test::Puppet puppet = test::walker(test::probing());
+  test::run_watched(puppet, 30.0);
   const std::vector<PlanEvent> once{PlanEvent::touchdown};
   const std::vector<PlanEvent> twice{PlanEvent::probe_same_ground, PlanEvent::touchdown};
-  const std::vector<Happening> lifts = puppet.happenings(PlanEvent::lift_off);
+  const std::vector<test::Happening> lifts = puppet.happenings(PlanEvent::lift_off);
   ASSERT_GT(lifts.size(), 12u);
   for (std::size_t i = 0; i + 1 < lifts.size(); ++i) {
     EXPECT_EQ(swing_from(puppet, lifts[i]), is_front(lifts[i].leg) ? twice : once);
   }
-  const std::vector<Happening> probes = puppet.happenings(PlanEvent::probe_same_ground);
-  const std::vector<Happening> landings = puppet.happenings(PlanEvent::touchdown);
+  const std::vector<test::Happening> probes = puppet.happenings(PlanEvent::probe_same_ground);
+  const std::vector<test::Happening> landings = puppet.happenings(PlanEvent::touchdown);
   for (std::size_t i = 0; i + 1 < probes.size(); ++i) {
-    const auto landing =
-        std::ranges::find_if(landings, [&](const Happening& h) { return h.time > probes[i].time; });
+    const auto landing = std::ranges::find_if(
+        landings, [&](const test::Happening& h) { return h.time > probes[i].time; });
     EXPECT_EQ(landing->leg, probes[i].leg);
     EXPECT_NEAR(probes[i].p.x() - landing->p.x(), ProbeOptions{}.ahead, 0.01);
   }
 }
 
 TEST(Planner, NoFootLandsOnAnEdgeThatItsProbesCanFind) {
-  RandomMatrices random(2);
+  test::RandomMatrices random(2);
   for (int trial = 0; trial < 10; ++trial) {
     const double edge = random.uniform(0.40, 0.62), height = random.uniform(-0.15, -0.05);
     SCOPED_TRACE("edge of " + std::to_string(height) + " m at " + std::to_string(edge));
-    Puppet puppet = walker(probing(), step_at(edge, height));
-    puppet.user = walking(0.03);
-    run_watched(puppet, 60.0);
+    test::Puppet puppet = test::walker(test::probing(), test::step_at(edge, height));
+    puppet.user = test::walking(0.03);
+    test::run_watched(puppet, 60.0);
     EXPECT_GE(puppet.happenings(PlanEvent::probe_edge).size(), 1u);
-    for (const Happening& landing : puppet.happenings(PlanEvent::touchdown)) {
+    for (const test::Happening& landing : puppet.happenings(PlanEvent::touchdown)) {
       EXPECT_GT(std::abs(landing.p.x() - edge), 0.03) << "at " << landing.time;
     }
-    stop(puppet);
+    test::stop(puppet);
     for (const Leg leg : kLegs) EXPECT_NEAR(puppet.foot(leg).z(), height, 2e-3);
   }
 }
 
 TEST(Planner, AnEdgeThatAProbeFindsIsLeftBehind) {
-  Puppet puppet = walker(probing(), step_at(0.45, -0.10));
-  puppet.user = walking(0.03);
+  test::Puppet puppet = test::walker(test::probing(), test::step_at(0.45, -0.10));
+  puppet.user = test::walking(0.03);
   puppet.run(40.0);
-  const std::vector<Happening> edges = puppet.happenings(PlanEvent::probe_edge);
+  const std::vector<test::Happening> edges = puppet.happenings(PlanEvent::probe_edge);
   ASSERT_FALSE(edges.empty());
-  const std::vector<Happening> landings = puppet.happenings(PlanEvent::touchdown);
+  const std::vector<test::Happening> landings = puppet.happenings(PlanEvent::touchdown);
   const auto landing = std::ranges::find_if(
-      landings, [&](const Happening& h) { return h.time > edges.front().time; });
+      landings, [&](const test::Happening& h) { return h.time > edges.front().time; });
   ASSERT_NE(landing, landings.end());
   EXPECT_NEAR(landing->p.x() - edges.front().p.x(), ProbeOptions{}.beyond, 0.01);
   EXPECT_NEAR(landing->p.z(), -0.10, 2e-3);
 }
 
 }  // namespace
-}  // namespace surefoot::test
+}  // namespace surefoot::gaits

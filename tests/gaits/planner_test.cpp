@@ -11,12 +11,12 @@
 #include <utility>
 #include <vector>
 
-namespace surefoot::test {
+namespace surefoot::gaits {
 namespace {
 
 TEST(Planner, StandsStillUntilItIsToldToWalk) {
-  Puppet puppet;
-  run_watched(puppet, 3.0);
+  test::Puppet puppet;
+  test::run_watched(puppet, 3.0);
   EXPECT_EQ(puppet.plan().num_contacts(), 4);
   EXPECT_TRUE(puppet.happenings().empty());
   EXPECT_LT(puppet.plan().com.p.norm(), 1e-6);
@@ -25,7 +25,7 @@ TEST(Planner, StandsStillUntilItIsToldToWalk) {
   EXPECT_EQ(puppet.planner().terrain_normal(), Vec3::UnitZ());
 }
 
-Vec2 center_of_feet(const Puppet& puppet) {
+Vec2 center_of_feet(const test::Puppet& puppet) {
   Vec2 center = Vec2::Zero();
   for (const Leg leg : kLegs) center += 0.25 * puppet.foot(leg).head<2>();
   return center;
@@ -38,11 +38,11 @@ TEST(Planner, WalksAsFastAsItIsTold) {
       SCOPED_TRACE(std::to_string(velocity) + (prints ? " m/s in prints" : " m/s"));
       PlannerOptions options;
       options.foothold.hind_use_front_prints = prints;
-      Puppet puppet(options);
-      puppet.user = walking(velocity);
-      run_watched(puppet, 10.0);
+      test::Puppet puppet(options);
+      puppet.user = test::walking(velocity);
+      test::run_watched(puppet, 10.0);
       const double begin = puppet.com().x();
-      run_watched(puppet, 38.0);  // ten cycles
+      test::run_watched(puppet, 38.0);  // ten cycles
       EXPECT_NEAR((puppet.com().x() - begin) / 38.0, velocity, tolerance * std::abs(velocity));
       EXPECT_NEAR(center_of_feet(puppet).y(), 0.0, 0.01);
       EXPECT_EQ(puppet.planner().steps_taken(),
@@ -53,7 +53,7 @@ TEST(Planner, WalksAsFastAsItIsTold) {
 }
 
 TEST(Planner, StandsNoHigherThanItsLegsReachAndSaysSo) {
-  Puppet puppet;
+  test::Puppet puppet;
   puppet.user = {.height = 0.3};
   puppet.run(4.0);
   const double standing = puppet.plan().torso.height;
@@ -76,7 +76,7 @@ TEST(Planner, StandsNoHigherThanItsLegsReachAndSaysSo) {
 
 // A torso any lower leaves the legs no room to step.
 TEST(Planner, WalksNoLowerThanItsLegsCanStepAndSaysSo) {
-  Puppet puppet = walker();
+  test::Puppet puppet = test::walker();
   puppet.run(4.0);
   puppet.user.height = -0.25;
   puppet.run(6.0, [&] { EXPECT_LT(std::abs(puppet.plan().torso.height_rate), 0.16); });
@@ -90,16 +90,16 @@ TEST(Planner, WalksNoLowerThanItsLegsCanStepAndSaysSo) {
 // What was planned at a touchdown, the COM's way and the foothold behind it, is walked as planned.
 TEST(Planner, AVelocityThatChangesIsTakenUpFromTheNextStepOnAndStepByStep) {
   for (const double at : {4.0, 4.3, 4.6, 4.9}) {
-    Puppet same = walker(), turned = walker();
-    for (Puppet* puppet : {&same, &turned}) puppet->run(at);
-    turned.user = walking(-0.2, -0.1);
-    const auto touchdowns = [](const Puppet& puppet) {
+    test::Puppet same = test::walker(), turned = test::walker();
+    for (test::Puppet* puppet : {&same, &turned}) puppet->run(at);
+    turned.user = test::walking(-0.2, -0.1);
+    const auto touchdowns = [](const test::Puppet& puppet) {
       return puppet.happenings(PlanEvent::touchdown).size();
     };
     const std::size_t before = touchdowns(turned);
     const bool swings = turned.plan().num_contacts() < 4;
     while (touchdowns(turned) == before) {
-      for (Puppet* puppet : {&same, &turned}) puppet->tick();
+      for (test::Puppet* puppet : {&same, &turned}) puppet->tick();
       if (touchdowns(turned) > before) break;
       for (const Leg leg : kLegs) EXPECT_EQ(turned.foot(leg), same.foot(leg)) << at;
       EXPECT_EQ(turned.com(), same.com()) << at;
@@ -117,11 +117,11 @@ TEST(Planner, AVelocityThatChangesIsTakenUpFromTheNextStepOnAndStepByStep) {
 
 TEST(Planner, WhereStridesWouldBeTooLongItComesToWalkAsIfToldSoFromTheStart) {
   for (const Vec2& velocity : {Vec2(1.0, 0.1), Vec2(0.05, 0.5), Vec2(0.3, 0.2)}) {
-    Puppet first, later = walker();
-    first.user = walking(velocity.x(), velocity.y());
+    test::Puppet first, later = test::walker();
+    first.user = test::walking(velocity.x(), velocity.y());
     later.run(5.0);
     later.user = first.user;
-    const auto way = [](Puppet& puppet) -> Vec2 {
+    const auto way = [](test::Puppet& puppet) -> Vec2 {
       puppet.run(20.0);
       const Vec2 begin = puppet.com();
       puppet.run(11.4);  // three cycles
@@ -135,7 +135,7 @@ TEST(Planner, WhereStridesWouldBeTooLongItComesToWalkAsIfToldSoFromTheStart) {
 TEST(Planner, AnOrderThatLeavesALegOutIsRefused) {
   PlannerOptions options;
   options.gait.order = {Leg::LH, Leg::LF, Leg::RH, Leg::LF};
-  EXPECT_THROW(Puppet{options}, Error);
+  EXPECT_THROW(test::Puppet{options}, Error);
 }
 
 TEST(Planner, LiftsItsFeetInTheOrderOfTheGait) {
@@ -143,9 +143,9 @@ TEST(Planner, LiftsItsFeetInTheOrderOfTheGait) {
                                    PerLeg<Leg>{Leg::RF, Leg::LH, Leg::LF, Leg::RH}}) {
     PlannerOptions options;
     options.gait.order = order;
-    Puppet puppet = walker(options);
+    test::Puppet puppet = test::walker(options);
     puppet.run(16.0);
-    const std::vector<Happening> lifts = puppet.happenings(PlanEvent::lift_off);
+    const std::vector<test::Happening> lifts = puppet.happenings(PlanEvent::lift_off);
     ASSERT_GT(lifts.size(), 12u);
     for (std::size_t i = 0; i < lifts.size(); ++i) {
       EXPECT_EQ(lifts[i].leg, order[i % order.size()]) << i;
@@ -154,10 +154,10 @@ TEST(Planner, LiftsItsFeetInTheOrderOfTheGait) {
 }
 
 TEST(Planner, WalksBackwardWithForeAndHindExchanged) {
-  Puppet puppet = walker();
-  puppet.user = walking(-0.06);
+  test::Puppet puppet = test::walker();
+  puppet.user = test::walking(-0.06);
   puppet.run(16.0);
-  const std::vector<Happening> lifts = puppet.happenings(PlanEvent::lift_off);
+  const std::vector<test::Happening> lifts = puppet.happenings(PlanEvent::lift_off);
   const PerLeg<Leg> order = GaitOptions{}.order;
   ASSERT_GT(lifts.size(), 4u);
   for (std::size_t i = 0; i < lifts.size(); ++i) {
@@ -168,8 +168,8 @@ TEST(Planner, WalksBackwardWithForeAndHindExchanged) {
 /// The longest way from a leg's hip to its foothold at the landing, in a walk as fast as it goes. A
 /// puppet's hips are over their feet; in a swing they go with the centre of mass.
 double longest_reach(const PlannerOptions& options) {
-  Puppet puppet(options);
-  puppet.user = walking(5.0);
+  test::Puppet puppet(options);
+  puppet.user = test::walking(5.0);
   double longest = 0.0;
   PerLeg<bool> swung{};
   PerLeg<Vec2> stood{Vec2::Zero(), Vec2::Zero(), Vec2::Zero(), Vec2::Zero()};
@@ -212,8 +212,8 @@ TEST(Planner, AHipThatWillComeDownShortensNoFoothold) {
 }
 
 TEST(Planner, WalksSlowerThanCommandedWhereStridesWouldBeTooLong) {
-  Puppet puppet = walker();
-  puppet.user = walking(5.0);
+  test::Puppet puppet = test::walker();
+  puppet.user = test::walking(5.0);
   puppet.run(16.0);
   EXPECT_EQ(puppet.happenings(PlanEvent::slowed).size(), 1u);
   EXPECT_GT(puppet.happenings(PlanEvent::lift_off).size(), 12u);
@@ -221,53 +221,54 @@ TEST(Planner, WalksSlowerThanCommandedWhereStridesWouldBeTooLong) {
 }
 
 /// Of a turn on the spot, of what is commanded, after its first steps.
-double turned_share(Puppet& puppet, double yaw_rate) {
-  puppet.user = walking(0.0);
+double turned_share(test::Puppet& puppet, double yaw_rate) {
+  puppet.user = test::walking(0.0);
   puppet.user.yaw_rate = yaw_rate;
   puppet.run(12.0);
   double turned = 0.0;
-  puppet.run(20.0, [&] { turned += Puppet::kPeriod * puppet.plan().torso.w_WB.z(); });
+  puppet.run(20.0, [&] { turned += test::Puppet::kPeriod * puppet.plan().torso.w_WB.z(); });
   return turned / (20.0 * yaw_rate);
 }
 
 TEST(Planner, SaysWhereItTurnsSlowerThanCommanded) {
   for (const double yaw_rate : {0.06, 0.11, -0.11}) {
-    Puppet puppet = walker();
+    test::Puppet puppet = test::walker();
     EXPECT_NEAR(turned_share(puppet, yaw_rate), 1.0, 0.02) << yaw_rate;
     EXPECT_TRUE(puppet.happenings(PlanEvent::slowed).empty()) << yaw_rate;
   }
   for (const double yaw_rate : {0.15, -0.15, 0.5}) {
-    Puppet puppet = walker();
+    test::Puppet puppet = test::walker();
     EXPECT_LT(turned_share(puppet, yaw_rate), 0.98) << yaw_rate;
     EXPECT_EQ(puppet.happenings(PlanEvent::slowed).size(), 1u) << yaw_rate;
   }
 }
 
 TEST(Planner, SaysThatItWalksSlowerAlsoWhereAFootComesDownAtThatTick) {
-  Puppet puppet = walker();
+  test::Puppet puppet = test::walker();
   const auto comes_down = [&] { return puppet.plan().events.has(PlanEvent::touchdown); };
-  Puppet other = walker();
+  test::Puppet other = test::walker();
   int ticks = 0;
   for (; !comes_down(); ++ticks) puppet.tick();
   for (int i = 0; i + 1 < ticks; ++i) other.tick();
-  other.user = walking(5.0);
+  other.user = test::walking(5.0);
   other.tick();
-  EXPECT_EQ(kinds_of(other.plan().events), (std::vector{PlanEvent::touchdown, PlanEvent::slowed}));
+  EXPECT_EQ(test::kinds_of(other.plan().events),
+            (std::vector{PlanEvent::touchdown, PlanEvent::slowed}));
 }
 
 TEST(Planner, TheZmpNeverHasToLeaveTheSupportOfAWalkOnLevelGround) {
-  Puppet puppet = walker();
+  test::Puppet puppet = test::walker();
   double slack = 0.0;
   puppet.run(20.0, [&] { slack = std::max(slack, puppet.plan().com_zmp_slack); });
   EXPECT_LT(slack, 1e-3);
 }
 
 TEST(Planner, LiftsAFootOnlyWhenItCarriesNothing) {
-  Puppet puppet = walker();
+  test::Puppet puppet = test::walker();
   PerLeg<double> before{};
   std::size_t seen = 0;
   puppet.run(12.0, [&] {
-    const std::vector<Happening> lifts = puppet.happenings(PlanEvent::lift_off);
+    const std::vector<test::Happening> lifts = puppet.happenings(PlanEvent::lift_off);
     for (; seen < lifts.size(); ++seen) EXPECT_LT(before[index(lifts[seen].leg)], 15.0);
     for (const Leg leg : kLegs) before[index(leg)] = puppet.plan().feet[index(leg)].force_max;
   });
@@ -277,10 +278,10 @@ TEST(Planner, LiftsAFootOnlyWhenItCarriesNothing) {
 TEST(Planner, ASwingFootFollowsTheCommandedSteps) {
   PlannerOptions options;
   options.foothold.hind_use_front_prints = false;
-  Puppet puppet = walker(options);
+  test::Puppet puppet = test::walker(options);
   puppet.run(40.0);
-  const std::vector<Happening> lifts = puppet.happenings(PlanEvent::lift_off);
-  const std::vector<Happening> landings = puppet.happenings(PlanEvent::touchdown);
+  const std::vector<test::Happening> lifts = puppet.happenings(PlanEvent::lift_off);
+  const std::vector<test::Happening> landings = puppet.happenings(PlanEvent::touchdown);
   const double stride = 0.06 * 3.8;
   ASSERT_GE(landings.size(), 8u);
   ASSERT_GE(lifts.size(), landings.size());
@@ -292,14 +293,14 @@ TEST(Planner, ASwingFootFollowsTheCommandedSteps) {
 }
 
 TEST(Planner, WalksSidewaysAndTurns) {
-  Puppet sideways;
-  sideways.user = walking(0.0, 0.03);
-  run_watched(sideways, 30.0);
+  test::Puppet sideways;
+  sideways.user = test::walking(0.0, 0.03);
+  test::run_watched(sideways, 30.0);
   EXPECT_NEAR(sideways.com().y(), 0.03 * 29.0, 0.1);
   EXPECT_NEAR(center_of_feet(sideways).x(), 0.0, 0.05);
-  Puppet turning;
-  turning.user = walking(0.0, 0.0, 0.05);
-  run_watched(turning, 20.0);
+  test::Puppet turning;
+  turning.user = test::walking(0.0, 0.0, 0.05);
+  test::run_watched(turning, 20.0);
   EXPECT_NEAR(yaw(turning.plan().torso.q_WB.toRotationMatrix()), 0.05 * 20.0, 0.01);
   EXPECT_NEAR(yaw(turning.plan().R_WC), 0.05 * 20.0, 0.01);
   const Vec3 across = turning.foot(Leg::LF) - turning.foot(Leg::RF);
@@ -309,43 +310,43 @@ TEST(Planner, WalksSidewaysAndTurns) {
 TEST(Planner, StopsOverAllFourFeetWheneverItIsTold) {
   for (const double when : {1.2, 1.6, 2.3, 4.1, 5.55}) {
     SCOPED_TRACE("stopped after " + std::to_string(when) + " s");
-    Puppet puppet = walker();
-    run_watched(puppet, when);
-    stop(puppet);
+    test::Puppet puppet = test::walker();
+    test::run_watched(puppet, when);
+    test::stop(puppet);
     EXPECT_EQ(puppet.plan().num_contacts(), 4);
     for (const FootPlan& foot : puppet.plan().feet) EXPECT_EQ(foot.phase, LegPhase::stance);
     EXPECT_LT((puppet.plan().com.p - center_of_feet(puppet)).norm(), 1e-3);
     EXPECT_LT(puppet.plan().com.v.norm(), 1e-4);
     puppet.user.walk = true;
     const int steps = puppet.planner().steps_taken();
-    run_watched(puppet, 5.0);
+    test::run_watched(puppet, 5.0);
     EXPECT_GT(puppet.planner().steps_taken(), steps) << "and walks on";
   }
 }
 
 TEST(Planner, PlansTheSameWhereverTheWorldsOriginLies) {
-  RandomMatrices random(1);
+  test::RandomMatrices random(1);
   for (int trial = 0; trial < 3; ++trial) {
     const double angle = random.uniform(-3.0, 3.0);
     const Mat3 R = rotation_about_z(angle);
     const Vec3 shift(random.uniform(-50.0, 50.0), random.uniform(-50.0, 50.0),
                      random.uniform(-5.0, 5.0));
     // Bumps that the feet meet early and late.
-    const Ground bumpy = [](const Vec2& p) {
+    const test::Ground bumpy = [](const Vec2& p) {
       return 0.01 * std::sin(9.0 * p.x()) * std::cos(7.0 * p.y());
     };
-    const Ground moved = [&](const Vec2& p) {
+    const test::Ground moved = [&](const Vec2& p) {
       const Vec3 back = R.transpose() * (Vec3(p.x(), p.y(), 0.0) - shift);
       return bumpy(back.head<2>()) + shift.z();
     };
     PlannerOptions options;
     options.contact.stall_error = 3.1e-3;  // no whole number of the search's steps
-    Puppet here(options, bumpy), there(options, moved, shift.head<2>(), angle);
-    here.user = there.user = walking(0.06, 0.01, 0.02);
+    test::Puppet here(options, bumpy), there(options, moved, shift.head<2>(), angle);
+    here.user = there.user = test::walking(0.06, 0.01, 0.02);
     here.run(12.0, [&] {
       there.tick();
       const MotionPlan &a = here.plan(), &b = there.plan();
-      EXPECT_EQ(kinds_of(a.events), kinds_of(b.events)) << here.time();
+      EXPECT_EQ(test::kinds_of(a.events), test::kinds_of(b.events)) << here.time();
       EXPECT_LT((R.topLeftCorner<2, 2>() * a.com.p + shift.head<2>() - b.com.p).norm(), 1e-5);
       EXPECT_NEAR(a.torso.height + shift.z(), b.torso.height, 1e-6);
       EXPECT_LT(box_minus(Quat(R) * a.torso.q_WB, b.torso.q_WB).norm(), 1e-6);
@@ -359,16 +360,16 @@ TEST(Planner, PlansTheSameWhereverTheWorldsOriginLies) {
 }
 
 TEST(Planner, AllocatesNothingInATick) {
-  Puppet puppet = walker(probing(), step_at(0.45, -0.10));
+  test::Puppet puppet = test::walker(test::probing(), test::step_at(0.45, -0.10));
   RobotState state;
   state.time = 0.0;
   state.p_WB = Vec3(0.0, 0.0, 0.46);
   state.q_WB = Quat::Identity();
   state.v_WB = state.w_WB_B = Vec3::Zero();
-  Dynamics dynamics;
+  model::Dynamics dynamics;
   dynamics.com.p = state.p_WB;
-  dynamics.mass = Puppet::kWeight / kGravity;
-  Planner planner(probing(), kPeriod);
+  dynamics.mass = test::Puppet::kWeight / kGravity;
+  Planner planner(test::probing(), test::kPeriod);
   std::size_t most = 0;
   puppet.run(20.0, [&] {
     state.time = puppet.time();
@@ -378,7 +379,7 @@ TEST(Planner, AllocatesNothingInATick) {
       dynamics.hip[index(leg)].p << puppet.foot(leg).head<2>(), 0.3;
       state.foot_force[index(leg)] = puppet.force(leg);
     }
-    const MallocCounter counter;
+    const test::MallocCounter counter;
     (void)planner.update(puppet.user, state, dynamics);
     most = std::max(most, counter.count());
   });
@@ -387,4 +388,4 @@ TEST(Planner, AllocatesNothingInATick) {
 }
 
 }  // namespace
-}  // namespace surefoot::test
+}  // namespace surefoot::gaits

@@ -14,7 +14,7 @@ constexpr double kHeld = 15.0;      // force of such ground on it [N]
 constexpr double kTouching = 1e-3;  // [m]
 
 /// Its hips go down with its feet: no matter how low.
-PlannerOptions of_any_height(PlannerOptions options) {
+gaits::PlannerOptions of_any_height(gaits::PlannerOptions options) {
   options.swing.hip_height_min = -std::numeric_limits<double>::infinity();
   return options;
 }
@@ -29,14 +29,15 @@ Ground step_at(double edge, double height) {
   return [edge, height](const Vec2& p) { return p.x() > edge ? height : 0.0; };
 }
 
-Puppet::Puppet(const PlannerOptions& options, Ground terrain, const Vec2& position, double heading)
+Puppet::Puppet(const gaits::PlannerOptions& options, Ground terrain, const Vec2& position,
+               double heading)
     : ground(std::move(terrain)), planner_(of_any_height(options), kPeriod) {
   const Mat3 R = rotation_about_z(heading);
   slide.fill(Vec2::Zero());
   double mean = 0.0;
   for (const Leg leg : kLegs) {
     Vec3& p = dynamics_.foot[index(leg)].p;
-    p.head<2>() = position + R.topLeftCorner<2, 2>() * nominal_offset(options.stance, leg);
+    p.head<2>() = position + R.topLeftCorner<2, 2>() * gaits::nominal_offset(options.stance, leg);
     p.z() = ground(p.head<2>());
     dynamics_.hip[index(leg)].p = p + leg_length * Vec3::UnitZ();
     mean += 0.25 * p.z();

@@ -33,7 +33,7 @@ class Puppet {
   static constexpr double kPeriod = 0.0025;
   static constexpr double kWeight = 300.0;
 
-  explicit Puppet(const PlannerOptions& options = {}, Ground ground = level_ground(),
+  explicit Puppet(const gaits::PlannerOptions& options = {}, Ground ground = level_ground(),
                   const Vec2& position = Vec2::Zero(), double heading = 0.0);
 
   /// Puts a foot elsewhere, as if it had stood there.
@@ -50,7 +50,7 @@ class Puppet {
   [[nodiscard]] const Vec3& foot(Leg leg) const { return dynamics_.foot[index(leg)].p; }
   [[nodiscard]] const Vec3& force(Leg leg) const { return state_.foot_force[index(leg)]; }
   [[nodiscard]] Vec2 com() const { return dynamics_.com.p.head<2>(); }
-  [[nodiscard]] const Planner& planner() const { return planner_; }
+  [[nodiscard]] const gaits::Planner& planner() const { return planner_; }
   [[nodiscard]] const std::vector<Happening>& happenings() const { return happenings_; }
   [[nodiscard]] std::vector<Happening> happenings(PlanEvent event) const;
 
@@ -71,8 +71,8 @@ class Puppet {
   void move_foot(std::size_t k);
   void note_events();
 
-  Planner planner_;
-  Dynamics dynamics_;
+  gaits::Planner planner_;
+  model::Dynamics dynamics_;
   RobotState state_;
   MotionPlan plan_;
   std::vector<Happening> happenings_;

@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-namespace surefoot {
+namespace surefoot::gaits {
 namespace {
 
 constexpr double kPeriod = 0.0025;
@@ -20,13 +20,13 @@ RobotState loaded(const Vec3& force, const Vec3& moment) {
   return state;
 }
 
-Dynamics standing() {
-  Dynamics result;
+model::Dynamics standing() {
+  model::Dynamics result;
   result.mass = kWeight / kGravity;
   return result;
 }
 
-PushBalance after(const RobotState& state, const Dynamics& dynamics = standing()) {
+PushBalance after(const RobotState& state, const model::Dynamics& dynamics = standing()) {
   PushBalance balance({}, kPeriod);
   balance.update(state, dynamics, kHeight);
   return balance;
@@ -53,14 +53,14 @@ TEST(PushBalance, APayloadInFrontMovesTheZmpForwardAndNothingElseDoes) {
 }
 
 TEST(PushBalance, APushLeansAHeavierRobotLess) {
-  Dynamics laden = standing();
+  model::Dynamics laden = standing();
   laden.mass *= 1.25;
   const RobotState pushed = loaded(Vec3(50.0, 0.0, 0.0), Vec3::Zero());
   EXPECT_NEAR(after(pushed, laden).shift().x(), after(pushed).shift().x() / 1.25, 1e-12);
 }
 
 TEST(PushBalance, TheCapturePointIsThatOfThePendulum) {
-  Dynamics dynamics = standing();
+  model::Dynamics dynamics = standing();
   dynamics.com.p = {1.0, 2.0, kHeight};
   dynamics.com.v = {0.3, -0.1, 0.0};
   const PushBalance balance = after(loaded(Vec3::Zero(), Vec3::Zero()), dynamics);
@@ -88,4 +88,4 @@ TEST(PushBalance, WhatIsNoNumberIsNoLoad) {
 }
 
 }  // namespace
-}  // namespace surefoot
+}  // namespace surefoot::gaits

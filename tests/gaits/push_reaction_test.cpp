@@ -7,7 +7,7 @@
 #include <cmath>
 #include <string>
 
-namespace surefoot {
+namespace surefoot::gaits {
 namespace {
 
 using test::Puppet;
@@ -258,4 +258,4 @@ TEST(PushReaction, NumbersThatAreNotFiniteAreNoPush) {
 }
 
 }  // namespace
-}  // namespace surefoot
+}  // namespace surefoot::gaits

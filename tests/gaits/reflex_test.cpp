@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <string>
 
-namespace surefoot::test {
+namespace surefoot::gaits {
 namespace {
 
 const Vec3 kUp = Vec3::UnitZ();
@@ -19,7 +19,7 @@ PlannerOptions with(const ReflexOptions& reflex) {
 
 /// A foot that goes a stride forward, `behind` its reference and under a force.
 struct Foot {
-  explicit Foot(const ReflexOptions& reflex = {}) : leg(with(reflex), kPeriod) {
+  explicit Foot(const ReflexOptions& reflex = {}) : leg(with(reflex), test::kPeriod) {
     leg.plant(-5.0, Vec3::Zero());
     leg.lift(0.0, {Vec3::Zero(), 0.2 * kForward, kUp, kDuration, 0.08});
   }
@@ -27,10 +27,11 @@ struct Foot {
   /// From one share of the swing to another.
   LegEvent follow(double from, double to, const Vec3& behind, const Vec3& force) {
     LegEvent event = LegEvent::none;
-    for (double t = from * kDuration; t < to * kDuration && event == LegEvent::none; t += kPeriod) {
+    for (double t = from * kDuration; t < to * kDuration && event == LegEvent::none;
+         t += test::kPeriod) {
       const FootPlan plan = leg.plan(t);
-      const PointKinematics hip{.p = plan.p_WF + 0.3 * kUp};
-      const PointKinematics foot{.p = plan.p_WF - behind, .v = plan.v_WF};
+      const model::PointKinematics hip{.p = plan.p_WF + 0.3 * kUp};
+      const model::PointKinematics foot{.p = plan.p_WF - behind, .v = plan.v_WF};
       event = leg.observe(t, {hip, foot, force, kUp, 0.0});
     }
     return event;
@@ -96,7 +97,7 @@ TEST(Reflex, AFootThatEndsItsSwingFarFromItsGoalSearchesBelowItself) {
   const Vec3 goal = 0.2 * kForward;
   Foot foot;
   EXPECT_EQ(foot.follow(0.0, 1.0, 0.1 * kForward, Vec3::Zero()), LegEvent::none);
-  EXPECT_LT((foot.leg.plan(kDuration - kPeriod).p_WF - goal).norm(), 0.01);
+  EXPECT_LT((foot.leg.plan(kDuration - test::kPeriod).p_WF - goal).norm(), 0.01);
   EXPECT_EQ(foot.follow(1.0, 1.02, 0.1 * kForward, Vec3::Zero()), LegEvent::none);
   const Vec3 p_WF = foot.leg.plan(1.02 * kDuration).p_WF;
   EXPECT_NEAR(p_WF.x(), 0.1, 0.005);
@@ -107,10 +108,10 @@ TEST(Reflex, TheCurveGoesBackWhileItRisesAndThenToItsGoal) {
   const SwingTarget target{.start = kUp, .goal = kUp + 0.2 * kForward, .apex = 0.1, .back = 0.04};
   const SwingCurve curve(target, {});
   double furthest_back = 0.0;
-  for (double t = 0.0; t < target.duration; t += kPeriod) {
-    const Motion<Vec3> now = curve.at(t), next = curve.at(t + kPeriod);
+  for (double t = 0.0; t < target.duration; t += test::kPeriod) {
+    const Motion<Vec3> now = curve.at(t), next = curve.at(t + test::kPeriod);
     furthest_back = std::max(furthest_back, -now.p.x());
-    ASSERT_LT((next.p - now.p - 0.5 * kPeriod * (now.v + next.v)).norm(), 1e-4) << t;
+    ASSERT_LT((next.p - now.p - 0.5 * test::kPeriod * (now.v + next.v)).norm(), 1e-4) << t;
     if (now.p.x() > 0.0 && t > 0.1) {
       ASSERT_GT(now.p.z() + 1e-6, std::min(1.08, next.p.z())) << "over it first";
     }
@@ -121,9 +122,9 @@ TEST(Reflex, TheCurveGoesBackWhileItRisesAndThenToItsGoal) {
 }
 
 /// Three feet carry meanwhile. (The reference of a foot that is caught jumps back to where it is.)
-void run(Puppet& puppet, double duration) {
+void run(test::Puppet& puppet, double duration) {
   puppet.run(duration, [&] {
-    ASSERT_TRUE(all_finite(puppet.plan())) << puppet.time();
+    ASSERT_TRUE(test::all_finite(puppet.plan())) << puppet.time();
     ASSERT_GE(puppet.plan().num_contacts(), 3) << puppet.time();
   });
 }
@@ -132,39 +133,39 @@ TEST(Planner, AFootThatARiserCatchesGoesOverIt) {
   for (const double edge : {0.38, 0.42, 0.46, 0.50}) {
     SCOPED_TRACE("edge at " + std::to_string(edge));
     const double height = 0.14;
-    Puppet puppet = walker({}, step_at(edge, height));
+    test::Puppet puppet = test::walker({}, test::step_at(edge, height));
     run(puppet, 40.0);
     EXPECT_FALSE(puppet.happenings(PlanEvent::caught).empty());
-    for (const Happening& landing : puppet.happenings(PlanEvent::touchdown)) {
+    for (const test::Happening& landing : puppet.happenings(PlanEvent::touchdown)) {
       EXPECT_NEAR(landing.p.z(), landing.p.x() > edge ? height : 0.0, 2e-3);
     }
-    stop(puppet);
+    test::stop(puppet);
     for (const Leg leg : kLegs) EXPECT_NEAR(puppet.foot(leg).z(), height, 2e-3) << "all went up";
   }
 }
 
 TEST(Planner, AFootThatWasCaughtLandsWellBehindTheEdge) {
   const double edge = 0.45;
-  Puppet puppet = walker({}, step_at(edge, 0.14));
+  test::Puppet puppet = test::walker({}, test::step_at(edge, 0.14));
   run(puppet, 30.0);
-  const std::vector<Happening> caught = puppet.happenings(PlanEvent::caught);
+  const std::vector<test::Happening> caught = puppet.happenings(PlanEvent::caught);
   ASSERT_FALSE(caught.empty());
-  const std::vector<Happening> landings = puppet.happenings(PlanEvent::touchdown);
+  const std::vector<test::Happening> landings = puppet.happenings(PlanEvent::touchdown);
   const auto landing = std::ranges::find_if(
-      landings, [&](const Happening& h) { return h.time > caught.front().time; });
+      landings, [&](const test::Happening& h) { return h.time > caught.front().time; });
   ASSERT_NE(landing, landings.end());
   EXPECT_GT(landing->p.x(), edge + 0.5 * ReflexOptions{}.beyond);
 }
 
 TEST(Planner, BeforeAWallAFootComesDownAfterAFewTries) {
   const double edge = 0.45;
-  Puppet puppet = walker({}, step_at(edge, 1.0));
+  test::Puppet puppet = test::walker({}, test::step_at(edge, 1.0));
   run(puppet, 30.0);
   const int most = ReflexOptions{}.most;
-  const std::vector<Happening> caught = puppet.happenings(PlanEvent::caught);
+  const std::vector<test::Happening> caught = puppet.happenings(PlanEvent::caught);
   ASSERT_GT(caught.size(), static_cast<std::size_t>(most));
   EXPECT_EQ(caught.front().leg, caught[static_cast<std::size_t>(most)].leg) << "one swing's tries";
-  for (const Happening& landing : puppet.happenings(PlanEvent::touchdown)) {
+  for (const test::Happening& landing : puppet.happenings(PlanEvent::touchdown)) {
     EXPECT_LT(landing.p.x(), edge);
     EXPECT_NEAR(landing.p.z(), 0.0, 2e-3);
   }
@@ -172,12 +173,12 @@ TEST(Planner, BeforeAWallAFootComesDownAfterAFewTries) {
 }
 
 TEST(Planner, AFootIsNotLiftedHigherThanItsLegFolds) {
-  Puppet puppet = walker({}, step_at(0.45, 1.0));
+  test::Puppet puppet = test::walker({}, test::step_at(0.45, 1.0));
   puppet.leg_length = 0.15;
   run(puppet, 30.0);
   ASSERT_GT(puppet.happenings(PlanEvent::caught).size(), 1u);
   bool caught = false;
-  for (const Happening& happening : puppet.happenings()) {
+  for (const test::Happening& happening : puppet.happenings()) {
     if (happening.event != PlanEvent::caught && happening.event != PlanEvent::touchdown) continue;
     EXPECT_FALSE(caught && happening.event == PlanEvent::caught) << happening.time;
     caught = happening.event == PlanEvent::caught;
@@ -186,4 +187,4 @@ TEST(Planner, AFootIsNotLiftedHigherThanItsLegFolds) {
 }
 
 }  // namespace
-}  // namespace surefoot::test
+}  // namespace surefoot::gaits

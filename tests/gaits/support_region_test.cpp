@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace surefoot {
+namespace surefoot::gaits {
 namespace {
 
 using test::RandomMatrices;
@@ -294,4 +294,4 @@ TEST(SupportRegion, WithNoFootDownHasNothingInside) {
 }
 
 }  // namespace
-}  // namespace surefoot
+}  // namespace surefoot::gaits

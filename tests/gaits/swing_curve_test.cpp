@@ -8,7 +8,7 @@
 #include <cmath>
 #include <string>
 
-namespace surefoot {
+namespace surefoot::gaits {
 namespace {
 
 using test::Random;
@@ -237,4 +237,4 @@ TEST(SwingCurve, HasAWindowToMoveInWhateverTheOptionsAndTheStep) {
 }
 
 }  // namespace
-}  // namespace surefoot
+}  // namespace surefoot::gaits

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <string>
 
-namespace surefoot {
+namespace surefoot::gaits {
 namespace {
 
 using test::Random;
@@ -17,8 +17,8 @@ using test::Random;
 constexpr double kPeriod = 0.0025;
 constexpr double kStance = 0.46;
 
-TerrainPlane sloped(double roll, double pitch, double yaw) {
-  TerrainPlane plane;
+estimation::TerrainPlane sloped(double roll, double pitch, double yaw) {
+  estimation::TerrainPlane plane;
   plane.normal = from_roll_pitch_yaw({roll, pitch, yaw}) * Vec3::UnitZ();
   return plane;
 }
@@ -38,13 +38,13 @@ struct Bench {
   explicit Bench(const TorsoOptions& options = {}) : torso(options, kPeriod) {
     torso.restart(level_state(kStance));
   }
-  const TorsoPlan& tick(const TerrainPlane& plane, double height = kStance) {
+  const TorsoPlan& tick(const estimation::TerrainPlane& plane, double height = kStance) {
     yaw += kPeriod * yaw_rate;
     com.p += kPeriod * com.v;
     torso.update(plane, yaw, yaw_rate, com, height);
     return torso.plan();
   }
-  void run(double duration, const TerrainPlane& plane, double height = kStance) {
+  void run(double duration, const estimation::TerrainPlane& plane, double height = kStance) {
     for (double t = 0.0; t < duration - 0.5 * kPeriod; t += kPeriod) tick(plane, height);
   }
   [[nodiscard]] Vec3 angles() const { return roll_pitch_yaw(torso.plan().q_WB.toRotationMatrix()); }
@@ -56,7 +56,7 @@ struct Bench {
 
 TEST(TorsoReference, StaysWhereItBeganOnLevelGround) {
   Bench bench;
-  bench.run(1.0, TerrainPlane{});
+  bench.run(1.0, estimation::TerrainPlane{});
   EXPECT_LT(box_minus(bench.torso.plan().q_WB, Quat::Identity()).norm(), 1e-12);
   EXPECT_NEAR(bench.torso.plan().height, kStance, 1e-12);
   EXPECT_LT(bench.torso.plan().w_WB.norm() + bench.torso.plan().wdot_WB.norm(), 1e-12);
@@ -68,7 +68,7 @@ TEST(TorsoReference, ComesToStandAlongTheTerrain) {
     Bench bench;
     bench.yaw = random.uniform(-3.0, 3.0);
     const double roll = random.uniform(-0.3, 0.3), pitch = random.uniform(-0.3, 0.3);
-    const TerrainPlane plane = sloped(roll, pitch, bench.yaw);
+    const estimation::TerrainPlane plane = sloped(roll, pitch, bench.yaw);
     bench.com.p = random.vector(1.0).head<2>();
     bench.run(4.0, plane, 0.5);
     EXPECT_LT((bench.torso.plan().q_WB * Vec3::UnitZ() - plane.normal).norm(), 1e-6);
@@ -81,7 +81,7 @@ TEST(TorsoReference, ComesToStandAlongTheTerrain) {
 TEST(TorsoReference, ApproachesItsGoalCriticallyDamped) {
   const TorsoOptions options;
   Bench bench;
-  const TerrainPlane plane = sloped(0.2, -0.1, 0.0);
+  const estimation::TerrainPlane plane = sloped(0.2, -0.1, 0.0);
   for (double t = kPeriod; t < 3.0; t += kPeriod) {
     bench.tick(plane, kStance + 0.1);
     const double w = options.frequency;
@@ -96,8 +96,8 @@ TEST(TorsoReference, ApproachesItsGoalCriticallyDamped) {
 TEST(TorsoReference, DoesNotJumpWhenTheTerrainDoesNorDoItsRatesAndAccelerations) {
   Random random(2);
   Bench bench;
-  TorsoPlan before = bench.tick(TerrainPlane{});
-  TerrainPlane plane;
+  TorsoPlan before = bench.tick(estimation::TerrainPlane{});
+  estimation::TerrainPlane plane;
   for (int tick = 0; tick < 4000; ++tick) {
     if (tick % 200 == 0) {
       plane = sloped(random.uniform(-0.35, 0.35), random.uniform(-0.35, 0.35), 0.0);
@@ -120,7 +120,8 @@ TEST(TorsoReference, AngularVelocityAndAccelerationAreRatesOfTheOrientation) {
     Bench bench;
     bench.yaw = random.uniform(-3.0, 3.0);
     bench.yaw_rate = random.uniform(-0.5, 0.5);
-    const TerrainPlane plane = sloped(random.uniform(-0.3, 0.3), random.uniform(-0.3, 0.3), 0.7);
+    const estimation::TerrainPlane plane =
+        sloped(random.uniform(-0.3, 0.3), random.uniform(-0.3, 0.3), 0.7);
     bench.run(random.uniform(0.05, 0.5), plane);
     const TorsoPlan before = bench.torso.plan();
     const TorsoPlan now = bench.tick(plane);
@@ -137,7 +138,7 @@ TEST(TorsoReference, AngularVelocityAndAccelerationAreRatesOfTheOrientation) {
 TEST(TorsoReference, HeightRateAndAccelerationAreRatesOfTheHeight) {
   Bench bench;
   bench.com.v = Vec2(0.1, -0.05);
-  const TerrainPlane plane = sloped(0.1, 0.2, 0.0);
+  const estimation::TerrainPlane plane = sloped(0.1, 0.2, 0.0);
   double height = bench.torso.plan().height, rate = 0.0;
   for (int tick = 0; tick < 800; ++tick) {
     const TorsoPlan& plan = bench.tick(plane, 0.5);
@@ -173,13 +174,13 @@ TEST(TorsoReference, AfterARestartTurnsAsFastAsTheTorsoDoes) {
   state.w_WB_B = Vec3(0.2, -0.1, 0.0);
   bench.torso.restart(state);
   bench.yaw = 0.8;
-  bench.tick(TerrainPlane{});
+  bench.tick(estimation::TerrainPlane{});
   EXPECT_LT((bench.torso.plan().w_WB - state.R_WB() * state.w_WB_B).norm(), 0.01);
 }
 
 TEST(TorsoReference, KeepsLevelWhereItShallNotFollowTheTerrain) {
   Bench bench(TorsoOptions{.follow_terrain = false});
-  const TerrainPlane plane = sloped(0.2, 0.2, 0.0);
+  const estimation::TerrainPlane plane = sloped(0.2, 0.2, 0.0);
   bench.com.p = Vec2(0.3, 0.1);
   bench.run(4.0, plane);
   EXPECT_LT(bench.angles().norm(), 1e-9);
@@ -187,4 +188,4 @@ TEST(TorsoReference, KeepsLevelWhereItShallNotFollowTheTerrain) {
 }
 
 }  // namespace
-}  // namespace surefoot
+}  // namespace surefoot::gaits

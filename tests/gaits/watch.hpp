@@ -17,13 +17,13 @@ inline UserCommand walking(double forward = 0.06, double lateral = 0.0, double y
   return {.walk = true, .velocity = {forward, lateral}, .yaw_rate = yaw_rate};
 }
 
-inline PlannerOptions probing() {
-  PlannerOptions options;
+inline gaits::PlannerOptions probing() {
+  gaits::PlannerOptions options;
   options.probe.enabled = true;
   return options;
 }
 
-inline Puppet walker(const PlannerOptions& options = {}, Ground ground = level_ground()) {
+inline Puppet walker(const gaits::PlannerOptions& options = {}, Ground ground = level_ground()) {
   Puppet puppet(options, std::move(ground));
   puppet.user = walking();
   return puppet;
@@ -44,8 +44,9 @@ inline bool all_finite(const MotionPlan& plan) {
 class Watch {
  public:
   /// The steepest of a smoothstep, 3/2 of its mean, in a tick.
-  static constexpr double kForceStep = 1.51 * ForceOptions{}.max * kPeriod /
-                                       std::min(ForceOptions{}.ramp_up, ForceOptions{}.ramp_down);
+  static constexpr double kForceStep =
+      1.51 * gaits::ForceOptions{}.max * kPeriod /
+      std::min(gaits::ForceOptions{}.ramp_up, gaits::ForceOptions{}.ramp_down);
 
   explicit Watch(const Puppet& puppet) : puppet_(puppet), before_(puppet.plan()) {}
 

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace surefoot {
+namespace surefoot::logging {
 namespace {
 
 constexpr double kPeriod = 0.0025;
@@ -73,4 +73,4 @@ TEST(AppliedForce, BodiesHaveTheNamesOfThePhysicsModel) {
 }
 
 }  // namespace
-}  // namespace surefoot
+}  // namespace surefoot::logging

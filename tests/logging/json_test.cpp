@@ -11,7 +11,7 @@
 #include <random>
 #include <string>
 
-namespace surefoot {
+namespace surefoot::logging {
 namespace {
 
 std::string written(double number) {
@@ -121,4 +121,4 @@ TEST(Json, WhatIsCutOffIsAnError) {
 }
 
 }  // namespace
-}  // namespace surefoot
+}  // namespace surefoot::logging

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-namespace surefoot {
+namespace surefoot::logging {
 namespace {
 
 /// Three levels with rows, of which the second was missed, and one without.
@@ -48,4 +48,4 @@ TEST(LevelStatus, WhereNothingWasSolvedNoLevelWas) {
 }
 
 }  // namespace
-}  // namespace surefoot
+}  // namespace surefoot::logging

@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-namespace surefoot {
+namespace surefoot::logging {
 namespace {
 
 using test::contents;
@@ -272,4 +272,4 @@ TEST(LogReader, AnotherVersionIsRefusedWithBothNumbers) {
 }
 
 }  // namespace
-}  // namespace surefoot
+}  // namespace surefoot::logging

@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-namespace surefoot {
+namespace surefoot::logging {
 namespace {
 
 using test::contents;
@@ -369,4 +369,4 @@ TEST(Mcap, AFileThatCannotBeOpenedIsNamed) {
 }
 
 }  // namespace
-}  // namespace surefoot
+}  // namespace surefoot::logging

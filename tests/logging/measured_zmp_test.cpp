@@ -4,7 +4,7 @@
 
 #include <random>
 
-namespace surefoot {
+namespace surefoot::logging {
 namespace {
 
 struct Feet {
@@ -60,4 +60,4 @@ TEST(MeasuredZmp, IsNotKnownWhileNothingCarriesOrNothingIsBelieved) {
 }
 
 }  // namespace
-}  // namespace surefoot
+}  // namespace surefoot::logging

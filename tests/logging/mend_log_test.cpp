@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-namespace surefoot {
+namespace surefoot::logging {
 namespace {
 
 using test::contents;
@@ -86,4 +86,4 @@ TEST(MendLog, WhatIsNoLogLeavesNoFile) {
 }
 
 }  // namespace
-}  // namespace surefoot
+}  // namespace surefoot::logging

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <optional>
 
-namespace surefoot {
+namespace surefoot::logging {
 namespace {
 
 using nlohmann::json;
@@ -179,4 +179,4 @@ TEST(Messages, WhatIsNotAMessageIsAnError) {
 }
 
 }  // namespace
-}  // namespace surefoot
+}  // namespace surefoot::logging

@@ -8,7 +8,7 @@
 
 #include <csignal>
 
-namespace surefoot {
+namespace surefoot::logging {
 namespace {
 
 using test::holds;
@@ -119,4 +119,4 @@ TEST(OutputFiles, a_file_is_written_whole_and_alone) {
 }
 
 }  // namespace
-}  // namespace surefoot
+}  // namespace surefoot::logging

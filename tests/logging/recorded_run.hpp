@@ -17,8 +17,8 @@ namespace surefoot::test {
 
 /// Records `ticks` of a synthetic run; the wall-clock times are slower by `delay`.
 inline std::vector<TickRecord> record(const std::string& path, int ticks, double delay = 0.0,
-                                      RecorderOptions options = {}) {
-  Recorder recorder(path, SyntheticRun::header(), options);
+                                      logging::RecorderOptions options = {}) {
+  logging::Recorder recorder(path, SyntheticRun::header(), options);
   SyntheticRun run(3, 0.5);
   std::vector<TickRecord> recorded;
   for (int i = 0; i < ticks; ++i) {
@@ -91,7 +91,7 @@ inline void expect_same(const TickRecord& a, const TickRecord& b) {
 }
 
 /// Number of ticks that a log gives before its end.
-inline int ticks_in(LogReader& log) {
+inline int ticks_in(logging::LogReader& log) {
   TickRecord tick;
   int count = 0;
   while (log.next(tick)) ++count;

@@ -19,7 +19,7 @@
 #include <utility>
 #include <vector>
 
-namespace surefoot {
+namespace surefoot::logging {
 namespace {
 
 using nlohmann::json;
@@ -328,4 +328,4 @@ TEST(Recorder, ALogWithAHoleIsNeverClosedAsWhole) {
 }
 
 }  // namespace
-}  // namespace surefoot
+}  // namespace surefoot::logging

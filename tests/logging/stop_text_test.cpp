@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <fstream>
 
-namespace surefoot {
+namespace surefoot::logging {
 namespace {
 
 /// What the program and films say of each cause and fault, and of one of LF_KFE.
@@ -45,4 +45,4 @@ TEST(StopText, IsOneOfTheTextsThatThePageKnowsByTheirNumbers) {
 }
 
 }  // namespace
-}  // namespace surefoot
+}  // namespace surefoot::logging

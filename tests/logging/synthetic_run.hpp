@@ -23,8 +23,8 @@ class SyntheticRun {
   explicit SyntheticRun(std::uint64_t seed = 1, double step_time = 1e9)
       : random_(seed), step_time_(step_time) {}
 
-  [[nodiscard]] static LogHeader header() {
-    LogHeader header;
+  [[nodiscard]] static logging::LogHeader header() {
+    logging::LogHeader header;
     header.version = "0.1.0";
     header.commit = "0123456789ab";
     header.command = "bin/surefoot run synthetic --seed 7 --set gait.swing_duration=0.5";
@@ -87,7 +87,7 @@ class SyntheticRun {
   }
 
   TickRecord tick;
-  GroundTruth truth;
+  simulation::GroundTruth truth;
   TickTiming timing;
 
  private:

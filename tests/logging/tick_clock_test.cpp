@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace surefoot {
+namespace surefoot::logging {
 namespace {
 
 constexpr double kPeriod = 0.0025, kBegin = 100.0;
@@ -34,4 +34,4 @@ TEST(TickClock, OfWhatIsLostBeforeTheFirstTickAtAnUnknownTimeNoTicksAreCounted) 
 }
 
 }  // namespace
-}  // namespace surefoot
+}  // namespace surefoot::logging

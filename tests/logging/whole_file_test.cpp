@@ -7,11 +7,11 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-namespace surefoot::test {
+namespace surefoot::logging {
 namespace {
 
 TEST(WholeFile, OfTwoProcessesThatWriteItTheFileIsThatOfOne) {
-  const TemporaryFolder folder;
+  const test::TemporaryFolder folder;
   const std::string path = folder / "a.json";
   WholeFile ours(path);
   ours.stream() << "ours, begun" << std::flush;
@@ -23,28 +23,28 @@ TEST(WholeFile, OfTwoProcessesThatWriteItTheFileIsThatOfOne) {
     _exit(0);
   }
   ASSERT_EQ(waitpid(other, nullptr, 0), other);
-  EXPECT_EQ(contents(path), "theirs");
+  EXPECT_EQ(test::contents(path), "theirs");
   ours.stream() << " and ended";
   ours.finish();
-  EXPECT_EQ(contents(path), "ours, begun and ended");
+  EXPECT_EQ(test::contents(path), "ours, begun and ended");
 }
 
 TEST(WholeFile, WithoutAnEndThereIsNone) {
-  const TemporaryFolder folder;
-  write_file(folder / "a.json", "before");
-  write_file(folder / "a.json.partial", "of another");
+  const test::TemporaryFolder folder;
+  test::write_file(folder / "a.json", "before");
+  test::write_file(folder / "a.json.partial", "of another");
   {
     WholeFile(folder / "a.json").stream() << "half of";
   }
-  EXPECT_EQ(contents(folder / "a.json"), "before");
-  EXPECT_EQ(contents(folder / "a.json.partial"), "of another");
+  EXPECT_EQ(test::contents(folder / "a.json"), "before");
+  EXPECT_EQ(test::contents(folder / "a.json.partial"), "of another");
   std::filesystem::remove(folder / "a.json");
   std::filesystem::remove(folder / "a.json.partial");
   EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
 }
 
 TEST(WholeFile, WhatCanNotBeWrittenIsNamed) {
-  const TemporaryFolder folder;
+  const test::TemporaryFolder folder;
   WholeFile file(folder / "none/a.json");
   file.stream() << "{}";
   try {
@@ -56,4 +56,4 @@ TEST(WholeFile, WhatCanNotBeWrittenIsNamed) {
 }
 
 }  // namespace
-}  // namespace surefoot::test
+}  // namespace surefoot::logging

@@ -8,7 +8,7 @@
 
 #include <optional>
 
-namespace surefoot::test {
+namespace surefoot::logging {
 namespace {
 
 std::string refusal(const std::string& path) {
@@ -21,7 +21,7 @@ std::string refusal(const std::string& path) {
 }
 
 TEST(WriteLock, ASecondWriterIsRefusedAndToldWhoTheFirstIs) {
-  const TemporaryFolder folder;
+  const test::TemporaryFolder folder;
   for (const std::string& path : {folder / "run.mcap.partial", folder.path()}) {
     std::optional<WriteLock> first;
     first.emplace(path, path);
@@ -34,7 +34,7 @@ TEST(WriteLock, ASecondWriterIsRefusedAndToldWhoTheFirstIs) {
 }
 
 TEST(WriteLock, AFileThatGotAnotherNameIsNotTheOneThatIsLocked) {
-  const TemporaryFolder folder;
+  const test::TemporaryFolder folder;
   const WriteLock first(folder / "run.mcap.partial", "run.mcap");
   std::filesystem::rename(folder / "run.mcap.partial", folder / "run.mcap");
   EXPECT_EQ(refusal(folder / "run.mcap.partial"), "");
@@ -42,9 +42,9 @@ TEST(WriteLock, AFileThatGotAnotherNameIsNotTheOneThatIsLocked) {
 }
 
 TEST(WriteLock, WhereNothingCanBeMadeNothingIsSaid) {
-  const TemporaryFolder folder;
+  const test::TemporaryFolder folder;
   EXPECT_EQ(refusal(folder / "none/run.mcap"), "");
 }
 
 }  // namespace
-}  // namespace surefoot::test
+}  // namespace surefoot::logging

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace surefoot {
+namespace surefoot::model {
 namespace {
 
 using test::anymal_b;
@@ -166,4 +166,4 @@ TEST(AnymalB, has_the_published_centre_of_mass_and_inertia_when_it_stands) {
 }
 
 }  // namespace
-}  // namespace surefoot
+}  // namespace surefoot::model

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace surefoot {
+namespace surefoot::model {
 namespace {
 
 using test::anymal_b;
@@ -164,4 +164,4 @@ TEST(BadRobot, refuses_a_base_without_mass) {
 }
 
 }  // namespace
-}  // namespace surefoot
+}  // namespace surefoot::model

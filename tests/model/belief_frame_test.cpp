@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace surefoot {
+namespace surefoot::model {
 namespace {
 
 const PerLeg<Vec3> kFeet{Vec3(0.36, 0.22, 0.0), Vec3(0.36, -0.22, 0.02), Vec3(-0.36, 0.22, 0.0),
@@ -33,4 +33,4 @@ TEST(BeliefFrame, AFootInTheAirPlaysNoPart) {
 }
 
 }  // namespace
-}  // namespace surefoot
+}  // namespace surefoot::model

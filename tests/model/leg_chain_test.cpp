@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-namespace surefoot {
+namespace surefoot::model {
 namespace {
 
 using test::anymal_b;
@@ -144,4 +144,4 @@ TEST(InverseKinematics, does_not_allocate) {
 }
 
 }  // namespace
-}  // namespace surefoot
+}  // namespace surefoot::model

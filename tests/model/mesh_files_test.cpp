@@ -8,7 +8,7 @@
 #include <filesystem>
 #include <fstream>
 
-namespace surefoot {
+namespace surefoot::model {
 namespace {
 
 namespace fs = std::filesystem;
@@ -78,4 +78,4 @@ TEST(MeshFiles, what_is_no_xml_is_told) {
 }
 
 }  // namespace
-}  // namespace surefoot
+}  // namespace surefoot::model

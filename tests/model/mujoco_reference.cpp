@@ -38,7 +38,7 @@ void free_root_without_dummy_inertia(mjSpec* spec, const std::string& root) {
 }  // namespace
 
 struct MujocoReference::Implementation {
-  explicit Implementation(const RobotDescription& robot) : description(robot) {
+  explicit Implementation(const model::RobotDescription& robot) : description(robot) {
     const std::string text = urdf_for_mujoco(robot.urdf_path);
     std::array<char, 1000> error{};
     mjSpec* spec = mj_parseXMLString(text.c_str(), nullptr, error.data(), 1000);
@@ -74,13 +74,13 @@ struct MujocoReference::Implementation {
   [[nodiscard]] GeneralizedVector velocity() const {
     return Eigen::Map<const GeneralizedVector>(data->qvel);
   }
-  [[nodiscard]] Jacobian3 in_our_order(const RowMajor3& J) const {
-    Jacobian3 result;
+  [[nodiscard]] model::Jacobian3 in_our_order(const RowMajor3& J) const {
+    model::Jacobian3 result;
     for (int i = 0; i < kNumVelocities; ++i) result.col(i) = J.col(columns[i]);
     return result;
   }
 
-  [[nodiscard]] PointKinematics point(int id, const Vec3& p_W) const {
+  [[nodiscard]] model::PointKinematics point(int id, const Vec3& p_W) const {
     RowMajor3 J = RowMajor3::Zero();
     RowMajor3 Jdot = RowMajor3::Zero();
     mj_jac(model, data, J.data(), nullptr, p_W.data(), id);
@@ -88,13 +88,13 @@ struct MujocoReference::Implementation {
     return {p_W, J * velocity(), in_our_order(J), Jdot * velocity()};
   }
 
-  RobotDescription description;
+  model::RobotDescription description;
   mjModel* model = nullptr;
   mjData* data = nullptr;
   Eigen::Matrix<int, kNumVelocities, 1> columns;  ///< MuJoCo's number of our velocities
 };
 
-MujocoReference::MujocoReference(const RobotDescription& description)
+MujocoReference::MujocoReference(const model::RobotDescription& description)
     : implementation_(std::make_unique<Implementation>(description)) {}
 
 MujocoReference::~MujocoReference() = default;
@@ -115,7 +115,7 @@ void MujocoReference::set_state(const RobotState& state) {
   mj_forward(implementation_->model, data);
 }
 
-MassMatrix MujocoReference::mass_matrix() const {
+model::MassMatrix MujocoReference::mass_matrix() const {
   RowMajorMass M;
   mj_fullM(implementation_->model, implementation_->data, M.data());
   return M(implementation_->columns, implementation_->columns);
@@ -128,11 +128,11 @@ GeneralizedVector MujocoReference::bias() const {
 
 double MujocoReference::mass() const { return mj_getTotalmass(implementation_->model); }
 
-PointKinematics MujocoReference::com() const {
-  PointKinematics sum;
+model::PointKinematics MujocoReference::com() const {
+  model::PointKinematics sum;
   for (int id = 1; id < implementation_->model->nbody; ++id) {
     const double weight = implementation_->model->body_mass[id] / mass();
-    const PointKinematics part =
+    const model::PointKinematics part =
         implementation_->point(id, Vec3(implementation_->data->xipos + 3 * id));
     sum.p += weight * part.p;
     sum.v += weight * part.v;
@@ -142,17 +142,18 @@ PointKinematics MujocoReference::com() const {
   return sum;
 }
 
-PointKinematics MujocoReference::point(const std::string& link, const Vec3& p_link) const {
+model::PointKinematics MujocoReference::point(const std::string& link, const Vec3& p_link) const {
   const int id = implementation_->body(link);
   const Vec3 origin(implementation_->data->xpos + 3 * id);
   return implementation_->point(id, origin + rotation(link).R * p_link);
 }
 
-PointKinematics MujocoReference::material_point(const std::string& link, const Vec3& p_W) const {
+model::PointKinematics MujocoReference::material_point(const std::string& link,
+                                                       const Vec3& p_W) const {
   return implementation_->point(implementation_->body(link), p_W);
 }
 
-RotationKinematics MujocoReference::rotation(const std::string& link) const {
+model::RotationKinematics MujocoReference::rotation(const std::string& link) const {
   const int id = implementation_->body(link);
   const mjData* data = implementation_->data;
   const Vec3 origin(data->xpos + 3 * id);

@@ -13,20 +13,21 @@ namespace surefoot::test {
 /// with. Its quantities are in our order of legs and with our u.
 class MujocoReference {
  public:
-  explicit MujocoReference(const RobotDescription& description);
+  explicit MujocoReference(const model::RobotDescription& description);
   ~MujocoReference();
 
   void set_state(const RobotState& state);
 
-  [[nodiscard]] MassMatrix mass_matrix() const;
+  [[nodiscard]] model::MassMatrix mass_matrix() const;
   [[nodiscard]] GeneralizedVector bias() const;
   [[nodiscard]] double mass() const;
-  [[nodiscard]] PointKinematics com() const;
+  [[nodiscard]] model::PointKinematics com() const;
   /// A point that is fixed to a link, given in the link's frame.
-  [[nodiscard]] PointKinematics point(const std::string& link, const Vec3& p_link) const;
+  [[nodiscard]] model::PointKinematics point(const std::string& link, const Vec3& p_link) const;
   /// A point of a link, given in W.
-  [[nodiscard]] PointKinematics material_point(const std::string& link, const Vec3& p_W) const;
-  [[nodiscard]] RotationKinematics rotation(const std::string& link) const;
+  [[nodiscard]] model::PointKinematics material_point(const std::string& link,
+                                                      const Vec3& p_W) const;
+  [[nodiscard]] model::RotationKinematics rotation(const std::string& link) const;
 
  private:
   struct Implementation;

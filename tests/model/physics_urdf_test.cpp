@@ -8,7 +8,7 @@
 
 #include <fstream>
 
-namespace surefoot {
+namespace surefoot::model {
 namespace {
 
 namespace fs = std::filesystem;
@@ -146,4 +146,4 @@ TEST_F(PhysicsUrdfTest, refuses_stops_that_cross_and_shapes_without_size) {
 }
 
 }  // namespace
-}  // namespace surefoot
+}  // namespace surefoot::model

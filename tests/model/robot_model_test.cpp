@@ -10,7 +10,7 @@
 
 #include <cmath>
 
-namespace surefoot {
+namespace surefoot::model {
 namespace {
 
 using test::anymal_b;
@@ -253,4 +253,4 @@ TEST(RobotModel, ALoadDoesTheWorkOfAWrenchOnTheBaseAtTheCentreOfMass) {
 }
 
 }  // namespace
-}  // namespace surefoot
+}  // namespace surefoot::model

@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-namespace surefoot {
+namespace surefoot::model {
 namespace {
 
 using test::all_contact_sets;
@@ -118,4 +118,4 @@ TEST(SupportDynamics, gives_the_forces_of_least_norm_where_they_are_not_unique) 
 }
 
 }  // namespace
-}  // namespace surefoot
+}  // namespace surefoot::model

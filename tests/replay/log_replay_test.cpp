@@ -13,7 +13,7 @@
 #include <cmath>
 #include <utility>
 
-namespace surefoot {
+namespace surefoot::replay {
 namespace {
 
 /// Ticks of a log whose torques a controller made from it alone does not give bit for bit, and all.
@@ -24,11 +24,12 @@ std::pair<int, int> replay(const std::string& path) {
   return {different, ticks};
 }
 
-void expect_replayed(const ScenarioRequest& request) {
+void expect_replayed(const config::ScenarioRequest& request) {
   const test::TemporaryFolder folder;
-  ClosedLoopOptions options;
+  closed_loop::ClosedLoopOptions options;
   options.record_path = folder / "run.mcap";
-  const RunResult result = run_closed_loop(load_scenario(request), options);
+  const closed_loop::RunResult result =
+      closed_loop::run_closed_loop(config::load_scenario(request), options);
   EXPECT_GT(result.metrics.steps_taken, 0);
   const auto [different, ticks] = replay(folder / "run.mcap");
   EXPECT_EQ(different, 0) << "of " << ticks;
@@ -66,13 +67,14 @@ TEST(LogReplay, also_of_a_run_whose_sensors_fail) {
 
 /// Runs a walk whose levels are switched from outside, and records it.
 void record_switched_walk(const std::string& path) {
-  const Scenario scenario =
-      load_scenario({"walk_flat_ideal", 0, {"duration=4", "stack=terrain_adaptation"}});
-  Plant plant(scenario.robot, scenario.plant);
-  Controller controller(scenario.robot, scenario.controller,
-                        std::make_unique<TruthEstimator>(plant.truth()));
+  const config::Scenario scenario =
+      config::load_scenario({"walk_flat_ideal", 0, {"duration=4", "stack=terrain_adaptation"}});
+  simulation::Plant plant(scenario.robot, scenario.plant);
+  control::Controller controller(scenario.robot, scenario.controller,
+                                 std::make_unique<simulation::TruthEstimator>(plant.truth()));
   controller.explain_levels(true);
-  Recorder recorder(path, log_header(scenario, controller, plant, RobotModel(scenario.robot)));
+  logging::Recorder recorder(path, closed_loop::log_header(scenario, controller, plant,
+                                                           model::RobotModel(scenario.robot)));
   for (int tick = 0; tick < 1000; ++tick) {
     if (tick == 301) {
       EXPECT_TRUE(controller.switch_levels({.remove = {"torso_yaw"}, .duration = 0.1 / 3.0}));
@@ -113,12 +115,13 @@ TEST(LogReplay, also_of_a_run_whose_levels_were_switched_from_outside) {
 /// Runs a walk whose controller is not called at one tick, as if it had been too late, and records
 /// it.
 void record_walk_without_a_call(const std::string& path) {
-  const Scenario scenario = load_scenario({"walk_flat_ideal", 0, {"duration=2"}});
-  Plant plant(scenario.robot, scenario.plant);
-  Controller controller(scenario.robot, scenario.controller,
-                        std::make_unique<TruthEstimator>(plant.truth()));
+  const config::Scenario scenario = config::load_scenario({"walk_flat_ideal", 0, {"duration=2"}});
+  simulation::Plant plant(scenario.robot, scenario.plant);
+  control::Controller controller(scenario.robot, scenario.controller,
+                                 std::make_unique<simulation::TruthEstimator>(plant.truth()));
   controller.explain_levels(true);
-  Recorder recorder(path, log_header(scenario, controller, plant, RobotModel(scenario.robot)));
+  logging::Recorder recorder(path, closed_loop::log_header(scenario, controller, plant,
+                                                           model::RobotModel(scenario.robot)));
   JointCommand command;
   for (int tick = 0; tick < 800; ++tick) {
     const SensorReading& reading = plant.read();
@@ -141,4 +144,4 @@ TEST(LogReplay, also_behind_a_tick_at_which_the_controller_was_not_called) {
 }
 
 }  // namespace
-}  // namespace surefoot
+}  // namespace surefoot::replay

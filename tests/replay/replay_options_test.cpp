@@ -11,17 +11,18 @@
 #include <algorithm>
 #include <cmath>
 
-namespace surefoot {
+namespace surefoot::replay {
 namespace {
 
-void record(const std::string& path, const ScenarioRequest& request) {
-  ClosedLoopOptions options;
+void record(const std::string& path, const config::ScenarioRequest& request) {
+  closed_loop::ClosedLoopOptions options;
   options.record_path = path;
-  (void)run_closed_loop(load_scenario(request), options);
+  (void)closed_loop::run_closed_loop(config::load_scenario(request), options);
 }
 
-const ScenarioRequest kSensors{"step_down", 3, {"duration=2", "planner.calibration.duration=0"}};
-const ScenarioRequest kTruth{"walk_flat_ideal", 0, {"duration=2"}};
+const config::ScenarioRequest kSensors{
+    "step_down", 3, {"duration=2", "planner.calibration.duration=0"}};
+const config::ScenarioRequest kTruth{"walk_flat_ideal", 0, {"duration=2"}};
 
 TEST(Verification, EstimatesTheStateOfARunWithSensorsAgain) {
   const test::TemporaryFolder folder;
@@ -44,7 +45,7 @@ TEST(Verification, BelievesTheLoggedStateWhereTheRunHadTheTruth) {
 TEST(StackComparison, OfTheRunsOwnStackFindsNoDifference) {
   const test::TemporaryFolder folder;
   record(folder / "run.mcap", kTruth);
-  const Scenario scenario = load_scenario(kTruth);
+  const config::Scenario scenario = config::load_scenario(kTruth);
   const StackComparison result = compare_stack(folder / "run.mcap", scenario.controller.stack.name);
   for (const JointComparison& joint : result.joints) {
     EXPECT_EQ(joint.rms, 0.0);
@@ -81,7 +82,7 @@ TEST(StackComparison, TellsItsObserverOfEachTick) {
   double square = 0.0;
   const StackComparison result = compare_stack(
       folder / "run.mcap", "crouch_first",
-      [&](const TickRecord& logged, const StackAnswer* other,
+      [&](const TickRecord& logged, const control::StackAnswer* other,
           const std::vector<OtherLevel>& levels) {
         ASSERT_NE(other, nullptr);
         EXPECT_EQ(static_cast<std::int32_t>(levels.size()), other->hierarchy.num_levels);
@@ -105,4 +106,4 @@ TEST(StackComparison, RefusesAStackThatIsNoneWithTheNamesThatExist) {
 }
 
 }  // namespace
-}  // namespace surefoot
+}  // namespace surefoot::replay

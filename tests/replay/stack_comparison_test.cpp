@@ -12,14 +12,15 @@
 #include <utility>
 #include <vector>
 
-namespace surefoot {
+namespace surefoot::replay {
 namespace {
 
 void record(const std::string& path, std::vector<std::string> changes) {
   changes.emplace_back("planner.calibration.duration=0");
-  ClosedLoopOptions options;
+  closed_loop::ClosedLoopOptions options;
   options.record_path = path;
-  (void)run_closed_loop(load_scenario({"step_down", 3, std::move(changes)}), options);
+  (void)closed_loop::run_closed_loop(config::load_scenario({"step_down", 3, std::move(changes)}),
+                                     options);
 }
 
 /// Presses the torso up with all that the joints have: torques that the sensors never felt, which
@@ -58,15 +59,16 @@ TEST(StackComparison, ItsTablesAreOfTicksThatBothAnswered) {
          {"duration=1.5", "sensors.faults.one={sensor: imu, kind: nan, time: 1.0}"});
   long ticks = 0, not_asked = 0;
   double square = 0.0;
-  const StackComparison result = compare_stack(
-      folder / "run.mcap", stiff_stack(folder),
-      [&](const TickRecord& logged, const StackAnswer* other, const std::vector<OtherLevel>&) {
-        not_asked += other == nullptr ? 1 : 0;
-        EXPECT_TRUE(logged.command.mode != CommandMode::sit || other == nullptr);
-        if (other == nullptr || logged.command.mode != CommandMode::optimal) return;
-        ++ticks;
-        square += std::pow(other->command.torque[0] - logged.command.torque[0], 2);
-      });
+  const StackComparison result =
+      compare_stack(folder / "run.mcap", stiff_stack(folder),
+                    [&](const TickRecord& logged, const control::StackAnswer* other,
+                        const std::vector<OtherLevel>&) {
+                      not_asked += other == nullptr ? 1 : 0;
+                      EXPECT_TRUE(logged.command.mode != CommandMode::sit || other == nullptr);
+                      if (other == nullptr || logged.command.mode != CommandMode::optimal) return;
+                      ++ticks;
+                      square += std::pow(other->command.torque[0] - logged.command.torque[0], 2);
+                    });
   EXPECT_GT(not_asked, 100);
   EXPECT_EQ(result.not_asked.ticks, not_asked);
   EXPECT_NEAR(result.not_asked.first, 1.02, 0.01);
@@ -88,4 +90,4 @@ TEST(StackComparison, TellsOfLevelsThatCameOrWentInTheRun) {
 }
 
 }  // namespace
-}  // namespace surefoot
+}  // namespace surefoot::replay

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <cstddef>
 
-namespace surefoot {
+namespace surefoot::runtime {
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -26,17 +26,17 @@ TEST(StageTimer, MeasuresEveryStageAndTheWholeTick) {
   const Clock::time_point begin = Clock::now();
   timer.tick_begins();
   spin(100.0);
-  timer.stage_ends(Stage::estimate);
+  timer.stage_ends(control::Stage::estimate);
   spin(200.0);
-  timer.stage_ends(Stage::model);
+  timer.stage_ends(control::Stage::model);
   spin(300.0);
-  timer.stage_ends(Stage::plan);
+  timer.stage_ends(control::Stage::plan);
   spin(400.0);
-  timer.stage_ends(Stage::stack);
+  timer.stage_ends(control::Stage::stack);
   spin(500.0);
-  timer.stage_ends(Stage::solve);
+  timer.stage_ends(control::Stage::solve);
   spin(600.0);
-  timer.stage_ends(Stage::command);
+  timer.stage_ends(control::Stage::command);
   const std::chrono::duration<double, std::micro> all = Clock::now() - begin;
   const TickTiming& timing = timer.timing();
   EXPECT_GE(timing.estimate, 100.0);
@@ -52,14 +52,15 @@ TEST(StageTimer, MeasuresEveryStageAndTheWholeTick) {
 TEST(StageTimer, AStageThatWasLeftOutTookNoTime) {
   StageTimer timer;
   timer.tick_begins();
-  for (const Stage stage :
-       {Stage::estimate, Stage::model, Stage::plan, Stage::stack, Stage::solve, Stage::command}) {
+  for (const control::Stage stage :
+       {control::Stage::estimate, control::Stage::model, control::Stage::plan,
+        control::Stage::stack, control::Stage::solve, control::Stage::command}) {
     spin(10.0);
     timer.stage_ends(stage);
   }
   timer.tick_begins();
-  timer.stage_ends(Stage::estimate);
-  timer.stage_ends(Stage::command);
+  timer.stage_ends(control::Stage::estimate);
+  timer.stage_ends(control::Stage::command);
   EXPECT_EQ(timer.timing().model, 0.0);
   EXPECT_EQ(timer.timing().plan, 0.0);
   EXPECT_EQ(timer.timing().stack, 0.0);
@@ -79,10 +80,10 @@ TEST(StageTimer, AllocatesNothing) {
   StageTimer timer;
   const test::MallocCounter counter;
   timer.tick_begins();
-  timer.stage_ends(Stage::estimate);
-  timer.stage_ends(Stage::command);
+  timer.stage_ends(control::Stage::estimate);
+  timer.stage_ends(control::Stage::command);
   EXPECT_EQ(counter.count(), 0u);
 }
 
 }  // namespace
-}  // namespace surefoot
+}  // namespace surefoot::runtime

@@ -47,7 +47,7 @@ TEST(Beginning, SensorsMayComeLate) {
         Loop loop(scenario(name, {late}, 3));
         const Beginning beginning = begin(loop);
         EXPECT_EQ(loop.record().command.mode, CommandMode::optimal);
-        EXPECT_LT(beginning.largest_change, SafetyOptions{}.max_torque_change + 1e-9);
+        EXPECT_LT(beginning.largest_change, control::SafetyOptions{}.max_torque_change + 1e-9);
         EXPECT_LT(beginning.tilt_error, 0.03);
       }
     }
@@ -94,7 +94,7 @@ TEST(Beginning, FirstReadingsMayBeWrong) {
       const Beginning beginning = begin(loop);
       EXPECT_EQ(loop.record().command.mode, CommandMode::optimal);
       EXPECT_LT(beginning.tilt_error, 0.03);
-      EXPECT_LT(beginning.largest_change, SafetyOptions{}.max_torque_change + 1e-9);
+      EXPECT_LT(beginning.largest_change, control::SafetyOptions{}.max_torque_change + 1e-9);
       EXPECT_EQ(loop.allocations(), 0U) << loop.last_allocation();
       EXPECT_EQ(loop.count(PlanEvent::begun_anew) > 0, wrong.begins_anew);
     }
@@ -117,7 +117,7 @@ TEST(Beginning, TheFirstClockMayBeWrong) {
     const Beginning beginning = begin(loop);
     EXPECT_EQ(loop.record().command.mode, CommandMode::optimal);
     EXPECT_LT(beginning.tilt_error, 0.03);
-    EXPECT_LT(beginning.largest_change, SafetyOptions{}.max_torque_change + 1e-9);
+    EXPECT_LT(beginning.largest_change, control::SafetyOptions{}.max_torque_change + 1e-9);
     EXPECT_EQ(loop.count(PlanEvent::begun_anew), 1);
     EXPECT_NEAR(loop.record().state.time, 2.0, 0.01);
   }

@@ -29,14 +29,15 @@ TEST(Diagnosis, ARobotThatIsPushedOverAtAnEdgeIsStoppedForNoSensor) {
 // A shank comes down hard on the edge, which stops the torso's turn within two ticks.
 TEST(Diagnosis, ABlowThatTheRobotGivesItselfStopsNothing) {
   const std::vector<std::string> changes{"planner.calibration.duration=0"};
-  const Scenario walk = scenario("step_down", changes, 2);
-  StackOptions soft = walk.controller.stack;
+  const config::Scenario walk = scenario("step_down", changes, 2);
+  control::StackOptions soft = walk.controller.stack;
   const auto named = [&](const char* name) {
-    return std::ranges::find(soft.levels, name, &LevelSpec::name);
+    return std::ranges::find(soft.levels, name, &control::LevelSpec::name);
   };
   std::iter_swap(named("torso_height"), named("torso_height") - 1);
-  const Scenario softer = scenario("step_down", {changes[0], "tasks.com_xy.kp=123"}, 2);
-  *named("com_xy") = *std::ranges::find(softer.controller.stack.levels, "com_xy", &LevelSpec::name);
+  const config::Scenario softer = scenario("step_down", {changes[0], "tasks.com_xy.kp=123"}, 2);
+  *named("com_xy") =
+      *std::ranges::find(softer.controller.stack.levels, "com_xy", &control::LevelSpec::name);
   Loop loop(walk);
   loop.run_until(5.2);
   ASSERT_TRUE(loop.controller().set_stack(soft, 0.3));

@@ -17,13 +17,13 @@ constexpr int kDegreesOfFreedom = 5;
 
 /// Mean of the normalised estimation error squared over one walk, twice a second. The filter's
 /// state is of the time at which the IMU was sampled, so it is held against the truth of then.
-double mean_nees(const Scenario& scenario, double begin, double end) {
-  Plant plant(scenario.robot, scenario.plant);
-  auto made = std::make_unique<LegInertialEstimator>(scenario.robot, scenario.estimator,
-                                                     scenario.controller.period);
-  const InvariantFilter& filter = made->filter();
-  Controller controller(scenario.robot, scenario.controller, std::move(made));
-  std::deque<GroundTruth> recent;
+double mean_nees(const config::Scenario& scenario, double begin, double end) {
+  simulation::Plant plant(scenario.robot, scenario.plant);
+  auto made = std::make_unique<estimation::LegInertialEstimator>(scenario.robot, scenario.estimator,
+                                                                 scenario.controller.period);
+  const estimation::InvariantFilter& filter = made->filter();
+  control::Controller controller(scenario.robot, scenario.controller, std::move(made));
+  std::deque<simulation::GroundTruth> recent;
   double sum = 0.0;
   int samples = 0;
   for (int tick = 0; plant.time() < end; ++tick) {
@@ -32,7 +32,7 @@ double mean_nees(const Scenario& scenario, double begin, double end) {
     if (recent.size() > 1 && recent[1].time < reading.imu_time + 1e-6) recent.pop_front();
     const JointCommand& command = controller.step(reading, scenario.user(reading.time));
     if (plant.time() >= begin && tick % 200 == 0) {
-      const GroundTruth& truth = recent.front();
+      const simulation::GroundTruth& truth = recent.front();
       EXPECT_NEAR(truth.time, reading.imu_time, 1e-6);
       sum += test::nees(filter, truth.q_WB.toRotationMatrix(), truth.v_WB);
       ++samples;
@@ -57,7 +57,7 @@ TEST_P(EstimatorConsistency, InAWalkItKnowsHowWrongItIs) {
   constexpr int kWalks = 6;
   double mean = 0.0;
   for (int seed = 1; seed <= kWalks; ++seed) {
-    const Scenario scenario =
+    const config::Scenario scenario =
         test::scenario(GetParam().scenario, {}, static_cast<std::uint64_t>(seed));
     mean += mean_nees(scenario, 12.0, 22.0) / kWalks;
   }

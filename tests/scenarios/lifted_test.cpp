@@ -25,7 +25,7 @@ struct Watch {
               health.joint_torques.fault == SampleFault::none;
     if (command.mode == CommandMode::lifted) lifted_for += 0.0025;
     const bool hangs = command.mode == CommandMode::lifted && lifted_for > 0.5 &&
-                       std::ranges::none_of(loop.truth().feet, &TrueContact::touching);
+                       std::ranges::none_of(loop.truth().feet, &simulation::TrueContact::touching);
     if (hangs) relaxed = std::max(relaxed, command.torque.cwiseAbs().maxCoeff());
     return !is_well;
   }

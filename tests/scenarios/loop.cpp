@@ -8,17 +8,18 @@
 
 namespace surefoot::test {
 
-Scenario scenario(const std::string& name, const std::vector<std::string>& changes,
-                  std::uint64_t seed) {
-  return load_scenario({.name_or_path = name, .seed = seed, .assignments = changes});
+config::Scenario scenario(const std::string& name, const std::vector<std::string>& changes,
+                          std::uint64_t seed) {
+  return config::load_scenario({.name_or_path = name, .seed = seed, .assignments = changes});
 }
 
-Loop::Loop(const Scenario& scenario)
+Loop::Loop(const config::Scenario& scenario)
     : scenario_(scenario),
       plant_(scenario.robot, scenario.plant),
       controller_(scenario.robot, scenario.controller,
-                  make_estimator(scenario.estimation, {scenario.robot, scenario.controller.period,
-                                                       plant_, scenario.estimator})) {}
+                  simulation::make_estimator(
+                      scenario.estimation,
+                      {scenario.robot, scenario.controller.period, plant_, scenario.estimator})) {}
 
 void Loop::tick() {
   SensorReading reading = plant_.read();

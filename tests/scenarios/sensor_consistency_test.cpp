@@ -22,7 +22,7 @@ using test::scenario;
 constexpr double kFaultTime = 2.5;    // in the walk, a foot in the air [s]
 constexpr double kHardLanding = 1.2;  // of the base [m/s]; a free fall gives 2.4
 constexpr double kLimit = 40.0;       // of every joint of the robot [N·m]
-constexpr double kMostChange = SafetyOptions{}.max_torque_change;
+constexpr double kMostChange = control::SafetyOptions{}.max_torque_change;
 constexpr double kMostOfAWalk = 12.0;  // that a torque changes by in a tick; 9 as measured [N·m]
 constexpr double kTooFar = 0.5;        // tilt of a robot that sat down [rad]
 
@@ -157,7 +157,7 @@ TEST(SensorConsistencyInWalks, SlowSensorsAreNoFault) {
        {"sensors.encoders.rate_hz=200", "sensors.encoders.rate_hz=100", "sensors.imu.rate_hz=200",
         "sensors.imu.rate_hz=100", "sensors.joint_torques.rate_hz=200",
         "sensors.joint_torques.rate_hz=100"}) {
-    const RunResult run = run_closed_loop(
+    const closed_loop::RunResult run = closed_loop::run_closed_loop(
         scenario("walk_flat", {"planner.calibration.duration=0", "duration=6", rate}, 1), {});
     EXPECT_FALSE(run.safety_stop) << rate;
     EXPECT_GE(run.metrics.steps_taken, 5) << rate;
@@ -208,7 +208,8 @@ TEST(SensorConsistencyInWalks, SamplesThatComeTwiceOrATickLateLeaveTheWalkAsItIs
       const std::string fault = std::string(sensor) + kind;
       std::vector<std::string> changes = again_and_again(fault, every, ticks);
       changes.insert(changes.end(), {"planner.calibration.duration=0", "duration=5"});
-      const RunResult run = run_closed_loop(scenario("walk_flat", changes, 2), {});
+      const closed_loop::RunResult run =
+          closed_loop::run_closed_loop(scenario("walk_flat", changes, 2), {});
       EXPECT_FALSE(run.safety_stop) << fault << " " << every;
       EXPECT_GE(run.metrics.steps_taken, 4) << fault << " " << every;
       EXPECT_EQ(run.metrics.false_touchdowns, 0) << fault << " " << every;

@@ -21,7 +21,7 @@ constexpr double kFaultTime = 2.5;     // in the walk, a foot in the air [s]
 constexpr double kLimit = 40.0;        // of every joint of the robot [N·m]
 constexpr double kHardLanding = 1.0;   // of the base [m/s]; a free fall gives 2.4 …
 constexpr double kBlindLanding = 2.0;  // … and without encoders nothing can be led down
-constexpr double kMostChange = SafetyOptions{}.max_torque_change;
+constexpr double kMostChange = control::SafetyOptions{}.max_torque_change;
 
 struct Fault {
   std::string sensor, kind, more, said;
@@ -132,8 +132,8 @@ TEST_P(SensorFault, ForLongMakesItSitDownOrDropWithoutItsEncoders) {
   EXPECT_LE(course.fastest_descent, GetParam().is_of_encoders() ? kBlindLanding : kHardLanding);
   EXPECT_LE(course.largest_change, kMostChange + 1e-9);
   EXPECT_LE(course.tilt_end, GetParam().is_of_encoders() ? 1.0 : 0.5);
-  const RunResult result =
-      run_closed_loop(scenario("walk_flat", walk(GetParam().option(1.0), 8.0)), {});
+  const closed_loop::RunResult result =
+      closed_loop::run_closed_loop(scenario("walk_flat", walk(GetParam().option(1.0), 8.0)), {});
   EXPECT_TRUE(result.safety_stop);
   EXPECT_FALSE(result.metrics.fell) << result.metrics.reason;
   EXPECT_NE(result.metrics.reason.find("the controller stopped for safety at 2.5"),
@@ -188,7 +188,8 @@ TEST_P(DeadSensor, IsNamedAndSatDownForWhereTheJointsAreKnown) {
   EXPECT_EQ(sat, !GetParam().is_of_encoders());
   EXPECT_EQ(loop.record().command.mode, CommandMode::damping) << "in the end";
   EXPECT_LE(fastest_descent, GetParam().is_of_encoders() ? 3.0 : 0.7);
-  const RunResult result = run_closed_loop(scenario("walk_flat", walk(fault, 2.0)), {});
+  const closed_loop::RunResult result =
+      closed_loop::run_closed_loop(scenario("walk_flat", walk(fault, 2.0)), {});
   EXPECT_TRUE(result.safety_stop);
   EXPECT_NE(result.metrics.reason.find(GetParam().said), std::string::npos)
       << result.metrics.reason;

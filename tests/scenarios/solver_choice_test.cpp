@@ -14,12 +14,12 @@ namespace {
 /// A scenario walked by one solver, while the others are asked the same at each tick.
 class ThreeSolvers {
  public:
-  explicit ThreeSolvers(const Scenario& scenario)
+  explicit ThreeSolvers(const config::Scenario& scenario)
       : scenario_(scenario),
         plant_(scenario.robot, scenario.plant),
         lexicographic_(controller({})),
         general_(controller({.structure = false})),
-        cascade_(controller({.method = SolverMethod::cascade})) {}
+        cascade_(controller({.method = control::SolverMethod::cascade})) {}
 
   /// Largest difference of a torque at the next tick [N·m].
   double tick() {
@@ -39,24 +39,25 @@ class ThreeSolvers {
   [[nodiscard]] int steps_taken() const { return lexicographic_.steps_taken(); }
 
  private:
-  [[nodiscard]] Controller controller(const SolverOptions& solver) const {
-    ControllerOptions options = scenario_.controller;
+  [[nodiscard]] control::Controller controller(const control::SolverOptions& solver) const {
+    control::ControllerOptions options = scenario_.controller;
     options.solver = solver;
     return {scenario_.robot, options,
-            make_estimator(scenario_.estimation,
-                           {scenario_.robot, options.period, plant_, scenario_.estimator})};
+            simulation::make_estimator(scenario_.estimation, {scenario_.robot, options.period,
+                                                              plant_, scenario_.estimator})};
   }
 
-  const Scenario& scenario_;
-  Plant plant_;
-  Controller lexicographic_, general_, cascade_;
+  const config::Scenario& scenario_;
+  simulation::Plant plant_;
+  control::Controller lexicographic_, general_, cascade_;
   bool optimal_ = true;
 };
 
 class SolverChoice : public testing::TestWithParam<const char*> {};
 
 TEST_P(SolverChoice, ChangesNoTorqueOfAWalk) {
-  const Scenario scenario = test::scenario(GetParam(), {"planner.calibration.duration=0"}, 4);
+  const config::Scenario scenario =
+      test::scenario(GetParam(), {"planner.calibration.duration=0"}, 4);
   ThreeSolvers loop(scenario);
   double largest = 0.0;
   for (int tick = 0; tick < 3200; ++tick) largest = std::max(largest, loop.tick());

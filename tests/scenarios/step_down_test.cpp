@@ -13,8 +13,9 @@ using test::Loop;
 using test::scenario;
 
 TEST(StepDown, FourteenCentimetresThatNobodyKnewOfAreWalkedDown) {
-  const RunResult result = run_closed_loop(scenario("step_down", {"goal.walk_on=0.0"}), {});
-  EXPECT_EQ(result.ending, Ending::goal_reached) << result.metrics.reason;
+  const closed_loop::RunResult result =
+      closed_loop::run_closed_loop(scenario("step_down", {"goal.walk_on=0.0"}), {});
+  EXPECT_EQ(result.ending, closed_loop::Ending::goal_reached) << result.metrics.reason;
   EXPECT_FALSE(result.metrics.fell);
   EXPECT_FALSE(result.safety_stop);
   EXPECT_TRUE(result.metrics.succeeded);

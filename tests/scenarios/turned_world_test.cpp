@@ -21,9 +21,9 @@ constexpr int kPoses = 3;  // of the world, beside the one as it is
 
 /// Believes what another estimator does, of a world that is turned and shifted: where a robot that
 /// feels its way is, and where it looks, nothing tells it.
-class TurnedEstimator final : public StateEstimator {
+class TurnedEstimator final : public estimation::StateEstimator {
  public:
-  TurnedEstimator(std::unique_ptr<StateEstimator> estimator, double yaw, Vec3 shift)
+  TurnedEstimator(std::unique_ptr<estimation::StateEstimator> estimator, double yaw, Vec3 shift)
       : estimator_(std::move(estimator)), turn_(rotation_about_z(yaw)), shift_(std::move(shift)) {}
 
   const RobotState& update(const SensorReading& reading,
@@ -37,7 +37,7 @@ class TurnedEstimator final : public StateEstimator {
   void begin_anew() noexcept override { estimator_->begin_anew(); }
 
  private:
-  std::unique_ptr<StateEstimator> estimator_;
+  std::unique_ptr<estimation::StateEstimator> estimator_;
   Mat3 turn_;
   Vec3 shift_;
   RobotState state_;
@@ -60,18 +60,19 @@ TEST_P(TurnedWorld, GetsTheSameTorques) {
   const Case& run = GetParam();
   std::vector<std::string> changes = run.changes;
   changes.push_back(std::string("planner.calibration.duration=") + run.calibration);
-  Scenario scenario = test::scenario(run.scenario, changes, 3);
+  config::Scenario scenario = test::scenario(run.scenario, changes, 3);
   if (run.push > 0.0) {
     scenario.plant.disturbances.pushes.push_back(
         {.body = "", .time = 3.5, .duration = 1.0, .force = Vec3(0.0, run.push, 0.0)});
   }
-  Plant plant(scenario.robot, scenario.plant);
+  simulation::Plant plant(scenario.robot, scenario.plant);
   const auto estimator = [&] {
-    return make_estimator(scenario.estimation,
-                          {scenario.robot, scenario.controller.period, plant, scenario.estimator});
+    return simulation::make_estimator(
+        scenario.estimation,
+        {scenario.robot, scenario.controller.period, plant, scenario.estimator});
   };
-  Controller here(scenario.robot, scenario.controller, estimator());
-  std::vector<std::unique_ptr<Controller>> elsewhere;
+  control::Controller here(scenario.robot, scenario.controller, estimator());
+  std::vector<std::unique_ptr<control::Controller>> elsewhere;
   test::RandomMatrices random(11);
   const auto pose = [&] {
     const double yaw = random.uniform(-kPi, kPi);
@@ -80,7 +81,8 @@ TEST_P(TurnedWorld, GetsTheSameTorques) {
     return std::make_unique<TurnedEstimator>(estimator(), yaw, shift);
   };
   for (int i = 0; i < kPoses; ++i) {
-    elsewhere.push_back(std::make_unique<Controller>(scenario.robot, scenario.controller, pose()));
+    elsewhere.push_back(
+        std::make_unique<control::Controller>(scenario.robot, scenario.controller, pose()));
   }
   double felt = 0.0;
   std::set<PlanEvent> events;

@@ -17,7 +17,8 @@ using test::Loop;
 using test::scenario;
 
 TEST(Walk, WithDelayLagAndNoiseItStillFollowsWithinAMillimetre) {
-  const Metrics metrics = run_closed_loop(scenario("walk_flat_sea", {"duration=5"}, 3), {}).metrics;
+  const evaluation::Metrics metrics =
+      closed_loop::run_closed_loop(scenario("walk_flat_sea", {"duration=5"}, 3), {}).metrics;
   EXPECT_FALSE(metrics.fell);
   EXPECT_LE(metrics.com_error_max_m, 0.001);
   EXPECT_GE(metrics.steps_taken, 5);
@@ -34,7 +35,7 @@ TEST(Walk, CommandsMayChangeAtAnyTime) {
       {forwards, back}, {left, right}, {forwards, left}, {forwards, mark_time}, {forwards, low}};
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     for (const double time : {3.0, 3.15, 3.3, 3.45}) {
-      Scenario changed = scenario("walk_flat", {"planner.calibration.duration=0"}, 1);
+      config::Scenario changed = scenario("walk_flat", {"planner.calibration.duration=0"}, 1);
       changed.commands = {
           {0.5, pairs[i].first}, {time, pairs[i].second}, {time + 1.0, pairs[i].first}};
       Loop loop(changed);
@@ -92,7 +93,7 @@ TEST(Walk, KnowsItsCenterOfMassBetterWhereItWeighsItsLegsInTheAir) {
 TEST(Walk, APushBeforeItDoesNotHideAPayload) {
   // Early in the turn it goes unnoticed beside what follows; later the robot does so once more.
   for (const auto& [time, again] : {std::pair("3", 0), std::pair("4.5", 1), std::pair("7.3", 1)}) {
-    const Scenario pushed =
+    const config::Scenario pushed =
         scenario("walk_flat",
                  {"disturbances.payload.mass=6", "duration=23",
                   std::string("disturbances.pushes.kick={duration: 1, force: [30, 20, 0], time: ") +
@@ -104,13 +105,13 @@ TEST(Walk, APushBeforeItDoesNotHideAPayload) {
     EXPECT_EQ(loop.count(PlanEvent::calibration), again) << time;
     EXPECT_NEAR(loop.record().model.load.mass, 6.0, 0.5) << time;
     EXPECT_GT(loop.count(PlanEvent::touchdown), 0) << time;
-    EXPECT_LT(run_closed_loop(pushed, {}).metrics.com_error_max_m, 0.0025)
+    EXPECT_LT(closed_loop::run_closed_loop(pushed, {}).metrics.com_error_max_m, 0.0025)
         << time << ": what it did not know yet counts apart";
   }
 }
 
 TEST(Walk, BeginsItsEstimateAnewWhenItIsAskedTo) {
-  Scenario asked = scenario("walk_flat", {"planner.calibration.duration=3"}, 4);
+  config::Scenario asked = scenario("walk_flat", {"planner.calibration.duration=3"}, 4);
   asked.commands.push_back(asked.commands.back());
   asked.commands.back().time = 9.0;
   asked.commands.back().user.calibrate = true;

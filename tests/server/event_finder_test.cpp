@@ -9,7 +9,7 @@
 #include <cmath>
 #include <functional>
 
-namespace surefoot {
+namespace surefoot::server {
 namespace {
 
 /// A force along y on the trunk or the shank [N], from a time to another.
@@ -29,8 +29,8 @@ logged::Change change(const std::string& kind, double time, double force, double
           .force = Vec3(0.0, force, 0.0)};
 }
 
-LogHeader header() {
-  LogHeader header;
+logging::LogHeader header() {
+  logging::LogHeader header;
   header.level_names = {"first"};
   return header;
 }
@@ -40,7 +40,7 @@ LogHeader header() {
 std::vector<nlohmann::json> events_of(const std::vector<Acts>& forces,
                                       const std::vector<logged::Change>& changes) {
   constexpr double kPeriod = 0.0025, kStep = 0.001;
-  GroundTruth truth;
+  simulation::GroundTruth truth;
   truth.xfrc_applied.assign(18, 0.0);
   const ViewChannels channels = tick_channels(header(), truth);
   const auto offset = [&](const char* name) {
@@ -110,9 +110,9 @@ TEST(EventFinder, WhateverTheOperatorDoesAForceOfTheScenarioIsToldAsItIs) {
 }
 
 TEST(EventFinder, AStopIsToldWithWhatWasWrongThenAndInOlderLogsNow) {
-  const ViewChannels channels = tick_channels(header(), GroundTruth());
+  const ViewChannels channels = tick_channels(header(), simulation::GroundTruth());
   const logged::Hierarchy hierarchy;
-  const std::optional<FrictionCone> cone;
+  const std::optional<tasks::FrictionCone> cone;
   for (const bool is_older : {false, true}) {
     EventFinder finder(channels);
     ViewFrame frame;
@@ -133,4 +133,4 @@ TEST(EventFinder, AStopIsToldWithWhatWasWrongThenAndInOlderLogsNow) {
 }
 
 }  // namespace
-}  // namespace surefoot
+}  // namespace surefoot::server

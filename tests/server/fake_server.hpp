@@ -17,9 +17,9 @@
 namespace surefoot::test {
 
 /// A live run that is none: its blocks are as large as they are asked to be.
-class FakeContent final : public WebContent {
+class FakeContent final : public server::WebContent {
  public:
-  WebAnswer get(std::string_view path, const Query& query) override {
+  server::WebAnswer get(std::string_view path, const Query& query) override {
     const auto bytes = query.find("bytes"), value = query.find("value");
     most_at_once = std::max(most_at_once.load(), ++answers_);
     std::this_thread::sleep_for(answer_time.load());
@@ -28,10 +28,10 @@ class FakeContent final : public WebContent {
   }
   [[nodiscard]] std::string start() const override { return "this one"; }
   [[nodiscard]] bool is_live() const override { return true; }
-  std::vector<SharedBlock> blocks() override {
+  std::vector<server::SharedBlock> blocks() override {
     ++calls;
     answers_ = 0;
-    std::vector<SharedBlock> blocks;
+    std::vector<server::SharedBlock> blocks;
     const auto bytes = std::make_shared<std::string>(block_bytes.load(), 'x');
     if (!bytes->empty()) blocks.push_back({.frames = 1, .bytes = bytes});
     return blocks;
@@ -44,9 +44,9 @@ class FakeContent final : public WebContent {
   std::string status(std::size_t clients) override {
     return R"({"type":"status","clients":)" + std::to_string(clients) + "}";
   }
-  std::string command(const ViewCommand& command) override {
+  std::string command(const server::ViewCommand& command) override {
     ++commands;
-    return command.type == ViewCommandType::reset ? "there is nothing to reset" : "";
+    return command.type == server::ViewCommandType::reset ? "there is nothing to reset" : "";
   }
 
   void drawn() override { ++drawings; }
@@ -88,7 +88,7 @@ class WebServerTest : public ::testing::Test {
   [[nodiscard]] bool is_well() const { return status_of(get("/api/session", host())) == 200; }
 
   FakeContent content_;
-  WebServer server_{{}, content_};
+  server::WebServer server_{{}, content_};
 };
 
 }  // namespace surefoot::test

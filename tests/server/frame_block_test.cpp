@@ -6,7 +6,7 @@
 
 #include <random>
 
-namespace surefoot {
+namespace surefoot::server {
 namespace {
 
 constexpr std::size_t kFloats = 7;
@@ -87,4 +87,4 @@ TEST(FrameBlock, bytes_that_are_cut_off_or_no_block_are_told) {
 }
 
 }  // namespace
-}  // namespace surefoot
+}  // namespace surefoot::server

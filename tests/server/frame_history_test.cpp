@@ -8,7 +8,7 @@
 #include <cmath>
 #include <random>
 
-namespace surefoot {
+namespace surefoot::server {
 namespace {
 
 constexpr std::size_t kFloats = 5;
@@ -169,4 +169,4 @@ TEST_P(FrameHistories, have_the_newest_blocks_for_whoever_comes) {
 INSTANTIATE_TEST_SUITE_P(Seeds, FrameHistories, ::testing::Range(1u, 9u));
 
 }  // namespace
-}  // namespace surefoot
+}  // namespace surefoot::server

@@ -15,7 +15,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace surefoot {
+namespace surefoot::server {
 namespace {
 
 using test::changes_of;
@@ -30,7 +30,8 @@ TEST(LiveControl, a_run_whose_control_was_changed_is_replayed_to_the_bit) {
   const test::TemporaryFolder folder;
   LiveTestRun run({"duration=4"});
   std::vector<std::string> order;
-  for (const LevelSpec& level : run.scenario.controller.stack.levels) order.push_back(level.name);
+  for (const control::LevelSpec& level : run.scenario.controller.stack.levels)
+    order.push_back(level.name);
   const auto yaw = std::ranges::find(order, "torso_yaw");
   std::iter_swap(yaw, yaw - 1);
   run.at(300, gain("com_xy", "kp", 60.0));
@@ -49,7 +50,7 @@ TEST(LiveControl, a_run_whose_control_was_changed_is_replayed_to_the_bit) {
   EXPECT_TRUE(test::holds(run.changes[0], "com_xy kp "));
   EXPECT_EQ(run.changes[4], "friction 0.3 → 0.5");
 
-  LogReplay replay(folder / "run.mcap");
+  replay::LogReplay replay(folder / "run.mcap");
   int different = 0, ticks = 0, going_on = 0;
   for (; replay.step(); ++ticks) {
     different += replay.is_same() ? 0 : 1;
@@ -64,15 +65,16 @@ TEST(LiveControl, levels_keep_their_names_and_numbers_when_their_order_is_change
   const test::TemporaryFolder folder;
   LiveTestRun run({"duration=1.2"});
   std::vector<std::string> names;
-  for (const LevelSpec& level : run.scenario.controller.stack.levels) names.push_back(level.name);
+  for (const control::LevelSpec& level : run.scenario.controller.stack.levels)
+    names.push_back(level.name);
   std::vector<std::string> order = names;
   const auto yaw = std::ranges::find(order, "torso_yaw");
   std::iter_swap(yaw, yaw - 1);
   run.at(100, ViewCommand{.type = Type::order, .levels = order});
   run.run(folder / "run.mcap");
   std::vector<std::string> last;
-  McapReader file(folder / "run.mcap");
-  for (McapMessage message; file.next(message);) {
+  logging::McapReader file(folder / "run.mcap");
+  for (logging::McapMessage message; file.next(message);) {
     if (message.channel->topic != "/hierarchy") continue;
     logged::Hierarchy hierarchy;
     logged::Decoder::decode(message.data, hierarchy);
@@ -81,7 +83,7 @@ TEST(LiveControl, levels_keep_their_names_and_numbers_when_their_order_is_change
     for (const logged::Row& row : hierarchy.active) EXPECT_NE(row.row, "?");
   }
   EXPECT_EQ(last, order) << "as they stand above each other";
-  LogReader log(folder / "run.mcap");
+  logging::LogReader log(folder / "run.mcap");
   TickRecord tick;
   const auto number =
       static_cast<std::size_t>(std::ranges::find(names, "torso_yaw") - names.begin());
@@ -94,40 +96,40 @@ TEST(LiveControl, levels_keep_their_names_and_numbers_when_their_order_is_change
 TEST(LiveControl, an_explained_tick_has_the_order_that_its_levels_had) {
   const test::TemporaryFolder folder;
   LiveTestRun run({"duration=0.5"});
-  std::vector<std::string> order = level_names(run.scenario.controller.stack);
+  std::vector<std::string> order = config::level_names(run.scenario.controller.stack);
   std::swap(order[order.size() - 1], order[order.size() - 2]);
   run.at(100, {.type = Type::order, .levels = order});
   run.run(folder / "run.mcap");
   const auto names = [&](double time) {
-    const TickExplanation tick = read_tick(folder / "run.mcap", time);
+    const explain::TickExplanation tick = explain::read_tick(folder / "run.mcap", time);
     std::vector<std::string> list;
     for (const std::int16_t level : tick.order) {
       list.push_back(tick.header.level_names.at(static_cast<std::size_t>(level)));
     }
     return list;
   };
-  EXPECT_EQ(names(0.1), level_names(run.scenario.controller.stack));
+  EXPECT_EQ(names(0.1), config::level_names(run.scenario.controller.stack));
   EXPECT_EQ(names(0.49), order);
-  const std::string text = read_tick(folder / "run.mcap", 0.49).text();
+  const std::string text = explain::read_tick(folder / "run.mcap", 0.49).text();
   EXPECT_LT(text.find(" " + order[order.size() - 2]), text.find(" " + order.back()));
 }
 
 TEST(LiveControl, an_explained_tick_between_two_orders_says_so_and_what_those_beside_it_gave) {
   const test::TemporaryFolder folder;
   LiveTestRun run({"duration=1.5"});
-  std::vector<std::string> order = level_names(run.scenario.controller.stack);
+  std::vector<std::string> order = config::level_names(run.scenario.controller.stack);
   const auto yaw = std::ranges::find(order, "torso_yaw");
   std::iter_swap(yaw, yaw - 1);
   run.at(100, {.type = Type::order, .levels = order});
   run.run(folder / "run.mcap");
-  const auto at = [&](double time) { return read_tick(folder / "run.mcap", time); };
+  const auto at = [&](double time) { return explain::read_tick(folder / "run.mcap", time); };
   for (const double time : {0.1, 0.2475, 0.55, 1.45}) {
     EXPECT_FALSE(at(time).blend) << time;
     EXPECT_FALSE(test::holds(at(time).sentence(), "blended")) << time;
     EXPECT_TRUE(at(time).json().at("blend").is_null());
   }
   for (const double time : {0.25, 0.4, 0.5475}) {
-    const TickExplanation tick = at(time);
+    const explain::TickExplanation tick = at(time);
     ASSERT_TRUE(tick.blend && tick.blend->before && tick.blend->after) << time;
     const std::string text = tick.sentence();
     EXPECT_TRUE(text.starts_with("Two hierarchies are blended until 0.5500 s (order: ")) << text;
@@ -145,7 +147,7 @@ TEST(LiveControl, of_a_blend_that_the_log_ends_in_it_is_not_said_until_when) {
   LiveTestRun run({"duration=0.4"});
   run.at(100, gain("com_xy", "kp", 60.0));
   run.run(folder / "run.mcap");
-  const std::string text = read_tick(folder / "run.mcap", 0.39).sentence();
+  const std::string text = explain::read_tick(folder / "run.mcap", 0.39).sentence();
   EXPECT_TRUE(text.starts_with("Two hierarchies are blended (com_xy kp ")) << text;
   EXPECT_TRUE(test::holds(text, "Before it, at 0.2475 s: ")) << text;
   EXPECT_FALSE(test::holds(text, "Behind")) << text;
@@ -169,4 +171,4 @@ TEST(LiveControl, torques_do_not_jump_when_a_gain_does) {
 }
 
 }  // namespace
-}  // namespace surefoot
+}  // namespace surefoot::server

@@ -16,25 +16,25 @@
 #include <mutex>
 #include <thread>
 
-namespace surefoot {
+namespace surefoot::server {
 namespace {
 
 constexpr std::size_t kPlaces = 1024;    // of the queue to the server
 constexpr std::size_t kFirstTicks = 20;  // at the first the view learns where the run begins
 
 /// Steers as a live view does, and counts what its calls allocate and lock.
-class CountedView final : public RunSteering {
+class CountedView final : public closed_loop::RunSteering {
  public:
   explicit CountedView(LiveView& view) : view_(view) {}
 
-  void begin(const RunParts& parts) override { view_.begin(parts); }
-  RunOrder before_tick(double time) override {
-    RunOrder order{};
+  void begin(const closed_loop::RunParts& parts) override { view_.begin(parts); }
+  closed_loop::RunOrder before_tick(double time) override {
+    closed_loop::RunOrder order{};
     count([&] { order = view_.before_tick(time); });
     return order;
   }
   UserCommand user(const UserCommand& planned) override { return view_.user(planned); }
-  void after_tick(const TickRecord& tick, const GroundTruth& truth,
+  void after_tick(const TickRecord& tick, const simulation::GroundTruth& truth,
                   const TickTiming& timing) override {
     count([&] { view_.after_tick(tick, truth, timing); });
     ++ticks;
@@ -56,7 +56,7 @@ class CountedView final : public RunSteering {
 };
 
 struct WatchedRun {
-  Scenario scenario = load_scenario({"walk_flat_ideal", 0, {"duration=4"}});
+  config::Scenario scenario = config::load_scenario({"walk_flat_ideal", 0, {"duration=4"}});
   LiveOperator wishes{scenario, ViewLimits()};
   LiveFeed feed{scenario, wishes, ""};
   LiveView view{wishes, feed, [] { return false; }};
@@ -65,10 +65,10 @@ struct WatchedRun {
   /// `ready` is called when pages may be served.
   void run(std::function<void()> ready = {}) {
     (void)wishes.command({.type = ViewCommandType::speed, .factor = 8.0});
-    ClosedLoopOptions options;
+    closed_loop::ClosedLoopOptions options;
     options.steering = &counted;
     options.ready = std::move(ready);
-    (void)run_closed_loop(scenario, options);
+    (void)closed_loop::run_closed_loop(scenario, options);
   }
 };
 
@@ -147,11 +147,12 @@ TEST(LiveFeed, a_run_that_is_steered_before_a_busy_server_waits_for_no_lock) {
 
 TEST(LiveFeed, a_tick_is_packed_with_what_was_new_before_it_and_a_status_never_mixes_two_runs) {
   WatchedRun watched;
-  ClosedLoopOptions options;
+  closed_loop::ClosedLoopOptions options;
   options.steering = &watched.counted;
   (void)watched.wishes.command({.type = ViewCommandType::speed, .factor = 8.0});
-  (void)run_closed_loop(watched.scenario, options);
-  (void)run_closed_loop(watched.scenario, options);  // begun again; nobody has read yet
+  (void)closed_loop::run_closed_loop(watched.scenario, options);
+  (void)closed_loop::run_closed_loop(watched.scenario,
+                                     options);  // begun again; nobody has read yet
   const std::vector<SharedBlock> blocks = watched.feed.blocks();
   ASSERT_EQ(blocks.size(), 1u) << "what found room is of the first run";
   EXPECT_EQ(blocks.front().generation, 0u);
@@ -169,7 +170,7 @@ TEST(LiveFeed, a_speed_that_was_asked_for_just_now_is_not_said_to_be_missed) {
   std::atomic<bool> ends{false};
   std::vector<nlohmann::json> told;
   std::thread server;
-  ClosedLoopOptions options;
+  closed_loop::ClosedLoopOptions options;
   options.steering = &watched.counted;
   options.ready = [&] {
     server = std::thread([&] {
@@ -181,7 +182,7 @@ TEST(LiveFeed, a_speed_that_was_asked_for_just_now_is_not_said_to_be_missed) {
       }
     });
   };
-  (void)run_closed_loop(watched.scenario, options);
+  (void)closed_loop::run_closed_loop(watched.scenario, options);
   ends = true;
   server.join();
   const auto number = [](const char* key) {
@@ -197,9 +198,9 @@ TEST(LiveFeed, a_speed_that_was_asked_for_just_now_is_not_said_to_be_missed) {
 TEST(LiveFeed, the_first_status_of_a_run_knows_no_speed_however_long_the_machine_has_been_up) {
   WatchedRun watched;
   watched.scenario.duration = 0.1;
-  ClosedLoopOptions options;
+  closed_loop::ClosedLoopOptions options;
   options.steering = &watched.counted;
-  (void)run_closed_loop(watched.scenario, options);
+  (void)closed_loop::run_closed_loop(watched.scenario, options);
   (void)watched.feed.blocks();
   const auto status = nlohmann::json::parse(watched.feed.status(1));
   EXPECT_GT(status.at("time").get<double>(), 0.0);
@@ -243,4 +244,4 @@ TEST(LiveFeed, changes_of_a_run_before_are_not_told_with_those_of_the_run_that_h
 }
 
 }  // namespace
-}  // namespace surefoot
+}  // namespace surefoot::server

@@ -16,7 +16,7 @@
 #include <cmath>
 #include <thread>
 
-namespace surefoot {
+namespace surefoot::server {
 namespace {
 
 using test::changes_of;
@@ -86,7 +86,7 @@ std::vector<nlohmann::json> told_by_log(const std::string& path) {
 std::vector<std::string> told_by_explain(const std::string& path, double time,
                                          const std::string& whose) {
   std::vector<std::string> texts;
-  for (const NearbyEvent& event : read_tick(path, time).events)
+  for (const explain::NearbyEvent& event : explain::read_tick(path, time).events)
     if (event.by == whose) texts.push_back(event.text);
   return texts;
 }
@@ -137,11 +137,11 @@ struct ForcesOfLog {
   std::size_t other_states = 0;  // ticks at which that plant's robot is elsewhere
 };
 
-ForcesOfLog forces_of(const std::string& path, const Scenario& scenario) {
-  std::vector<GroundTruth> truths;
+ForcesOfLog forces_of(const std::string& path, const config::Scenario& scenario) {
+  std::vector<simulation::GroundTruth> truths;
   std::vector<logged::Change> changes;
   std::vector<JointCommand> commands;
-  LogReader log(path, [&](const McapMessage& message) {
+  logging::LogReader log(path, [&](const logging::McapMessage& message) {
     if (message.channel->topic == "/truth")
       logged::Decoder::decode(message.data, truths.emplace_back());
     if (message.channel->topic == "/changes")
@@ -149,7 +149,7 @@ ForcesOfLog forces_of(const std::string& path, const Scenario& scenario) {
   });
   for (TickRecord tick; log.next(tick);) commands.push_back(tick.command);
   ForcesOfLog forces;
-  Plant plant(scenario.robot, scenario.plant);
+  simulation::Plant plant(scenario.robot, scenario.plant);
   auto next = changes.begin();
   for (std::size_t i = 0; i < std::min(truths.size(), commands.size()); ++i) {
     for (; next != changes.end() && next->time <= plant.time() + 1e-9; ++next) {
@@ -210,4 +210,4 @@ TEST(LiveForces, pushes_that_are_pressed_while_it_is_paused_do_not_add_up_beyond
 }
 
 }  // namespace
-}  // namespace surefoot
+}  // namespace surefoot::server

@@ -9,7 +9,7 @@
 
 #include <algorithm>
 
-namespace surefoot {
+namespace surefoot::server {
 namespace {
 
 using Type = ViewCommandType;
@@ -32,7 +32,8 @@ class LiveOperatorTest : public ::testing::Test {
     return wishes;
   }
 
-  Scenario scenario_ = load_scenario({"walk_flat_ideal", 0, {"stack=terrain_adaptation"}});
+  config::Scenario scenario_ =
+      config::load_scenario({"walk_flat_ideal", 0, {"stack=terrain_adaptation"}});
   LiveOperator operator_{scenario_, ViewLimits()};
 };
 
@@ -82,7 +83,7 @@ TEST_F(LiveOperatorTest, a_refusal_names_the_level_and_gives_every_number_its_un
   EXPECT_TRUE(test::holds(gain("com_xy", "kp", 1e6), "com_xy kp is 1e+06 1/s²; valid is 0 to "));
   EXPECT_TRUE(test::holds(push("base", Vec3(200, 0, 0), 0.2),
                           "the impulse's size is 200 N·s; valid is more than 0, up to 60 N·s"));
-  LevelSpec merged = scenario_.controller.stack.levels.back();
+  control::LevelSpec merged = scenario_.controller.stack.levels.back();
   merged.name = "motion";
   EXPECT_EQ(task_title(merged, merged.tasks.at(0)), "motion, " + merged.tasks.at(0).task);
 }
@@ -93,16 +94,18 @@ TEST_F(LiveOperatorTest, a_bound_beyond_the_robots_reach_is_refused_as_a_scenari
   EXPECT_EQ(gain("limb_extension_limits", "max", 0.57), "");
   EXPECT_TRUE(test::holds(
       test::message_of([] {
-        (void)load_scenario({"walk_flat_ideal",
-                             0,
-                             {"stack=terrain_adaptation", "tasks.limb_extension_limits.max=5.2"}});
+        (void)config::load_scenario(
+            {"walk_flat_ideal",
+             0,
+             {"stack=terrain_adaptation", "tasks.limb_extension_limits.max=5.2"}});
       }),
       "tasks: limb_extension_limits: max is 5.2, but this robot reaches only 0.5713 m"));
 }
 
 TEST_F(LiveOperatorTest, an_order_must_have_all_levels_and_those_of_the_physics_above) {
   std::vector<std::string> order;
-  for (const LevelSpec& level : scenario_.controller.stack.levels) order.push_back(level.name);
+  for (const control::LevelSpec& level : scenario_.controller.stack.levels)
+    order.push_back(level.name);
   const auto asked = [&](const std::vector<std::string>& levels) {
     return operator_.command({.type = Type::order, .levels = levels});
   };
@@ -127,4 +130,4 @@ TEST_F(LiveOperatorTest, after_its_end_a_run_can_only_be_begun_again) {
 }
 
 }  // namespace
-}  // namespace surefoot
+}  // namespace surefoot::server

@@ -22,25 +22,25 @@ class LiveTestRun {
   explicit LiveTestRun(const std::vector<std::string>& assignments,
                        const std::string& scenario_name = "walk_flat_ideal",
                        bool waits_for_page = false)
-      : scenario(load_scenario({scenario_name, 0, over_many_levels(assignments)})),
-        wishes(scenario, ViewLimits()),
+      : scenario(config::load_scenario({scenario_name, 0, over_many_levels(assignments)})),
+        wishes(scenario, server::ViewLimits()),
         feed(scenario, wishes, ""),
         view(wishes, feed, [this] { return turn(); }, waits_for_page) {
-    ViewCommand fast{.type = ViewCommandType::speed, .factor = 8.0};
+    server::ViewCommand fast{.type = server::ViewCommandType::speed, .factor = 8.0};
     (void)wishes.command(fast);
   }
 
   /// Before the tick with this number.
   void at(long tick, std::function<void()> action) { actions_[tick].push_back(std::move(action)); }
-  void at(long tick, const ViewCommand& command) {
+  void at(long tick, const server::ViewCommand& command) {
     at(tick, [this, command] { errors.push_back(wishes.command(command)); });
   }
 
-  RunResult run(const std::string& record = "") {
-    ClosedLoopOptions options;
+  closed_loop::RunResult run(const std::string& record = "") {
+    closed_loop::ClosedLoopOptions options;
     options.record_path = record;
     options.steering = &view;
-    const RunResult result = run_closed_loop(scenario, options);
+    const closed_loop::RunResult result = closed_loop::run_closed_loop(scenario, options);
     drain();
     return result;
   }
@@ -48,19 +48,20 @@ class LiveTestRun {
   /// The values of a channel, one a tick.
   [[nodiscard]] std::vector<double> of(const std::string& channel, std::size_t place = 0) const {
     std::vector<double> values;
-    for (const ViewChannel& entry : channels.channels) {
+    for (const server::ViewChannel& entry : channels.channels) {
       if (entry.name != channel) continue;
-      for (const ViewFrame& frame : frames) values.push_back(frame.floats.at(entry.offset + place));
+      for (const server::ViewFrame& frame : frames)
+        values.push_back(frame.floats.at(entry.offset + place));
     }
     return values;
   }
 
-  Scenario scenario;
-  LiveOperator wishes;
-  LiveFeed feed;
-  LiveView view;
-  ViewChannels channels;
-  std::vector<ViewFrame> frames;            // of all that the pages got
+  config::Scenario scenario;
+  server::LiveOperator wishes;
+  server::LiveFeed feed;
+  server::LiveView view;
+  server::ViewChannels channels;
+  std::vector<server::ViewFrame> frames;    // of all that the pages got
   std::vector<std::uint32_t> generations;   // of each frame
   std::vector<std::string> events;          // messages of these
   std::vector<std::string> changes;         // texts of those of them that are changes
@@ -87,13 +88,13 @@ class LiveTestRun {
   }
 
   void drain() {
-    for (const SharedBlock& block : feed.blocks()) {
-      LogHeader header;
+    for (const server::SharedBlock& block : feed.blocks()) {
+      logging::LogHeader header;
       header.level_names = names();
-      if (channels.floats == 0) channels = tick_channels(header, truth_of(block));
-      const auto head = packed({block.frames, 0, block.generation});
-      const ReadBlock read =
-          read_block(std::string(head.data(), head.size()) + *block.bytes, channels.floats);
+      if (channels.floats == 0) channels = server::tick_channels(header, truth_of(block));
+      const auto head = server::packed({block.frames, 0, block.generation});
+      const server::ReadBlock read =
+          server::read_block(std::string(head.data(), head.size()) + *block.bytes, channels.floats);
       frames.insert(frames.end(), read.frames.begin(), read.frames.end());
       generations.insert(generations.end(), read.frames.size(), block.generation);
     }
@@ -108,13 +109,14 @@ class LiveTestRun {
 
   [[nodiscard]] std::vector<std::string> names() const {
     std::vector<std::string> list;
-    for (const LevelSpec& level : scenario.controller.stack.levels) list.push_back(level.name);
+    for (const control::LevelSpec& level : scenario.controller.stack.levels)
+      list.push_back(level.name);
     return list;
   }
 
   /// With MuJoCo's vectors as long as they must be for this block.
-  [[nodiscard]] GroundTruth truth_of(const SharedBlock&) const {
-    return Plant(scenario.robot, scenario.plant).truth();
+  [[nodiscard]] simulation::GroundTruth truth_of(const server::SharedBlock&) const {
+    return simulation::Plant(scenario.robot, scenario.plant).truth();
   }
 
   std::map<long, std::vector<std::function<void()>>> actions_;

@@ -18,7 +18,7 @@
 #include <cmath>
 #include <thread>
 
-namespace surefoot {
+namespace surefoot::server {
 namespace {
 
 using nlohmann::json;
@@ -29,7 +29,7 @@ constexpr double kPeriod = 0.0025;
 
 /// Torques of a log, tick by tick.
 std::vector<JointVector> torques(const std::string& path) {
-  LogReader log(path);
+  logging::LogReader log(path);
   TickRecord tick;
   std::vector<JointVector> list;
   while (log.next(tick)) list.push_back(tick.command.torque);
@@ -40,9 +40,9 @@ TEST(LiveView, a_run_that_is_only_watched_is_the_same_to_the_bit) {
   const test::TemporaryFolder folder;
   LiveTestRun watched({"duration=2"});
   watched.run(folder / "watched.mcap");
-  ClosedLoopOptions options;
+  closed_loop::ClosedLoopOptions options;
   options.record_path = folder / "alone.mcap";
-  (void)run_closed_loop(watched.scenario, options);
+  (void)closed_loop::run_closed_loop(watched.scenario, options);
   EXPECT_EQ(torques(folder / "watched.mcap"), torques(folder / "alone.mcap"));
   ASSERT_EQ(watched.frames.size(), 800u);
   for (std::size_t i = 0; i < watched.frames.size(); ++i) {
@@ -100,7 +100,8 @@ TEST(LiveView, first_ticks_without_a_state_do_not_end_the_hurry_through_the_cali
     run.feed.drawn();
   };
   (void)run.run();
-  EXPECT_EQ(run.of("hierarchy.status").front(), static_cast<int>(SolveStatus::invalid_input));
+  EXPECT_EQ(run.of("hierarchy.status").front(),
+            static_cast<int>(solver::SolveStatus::invalid_input));
   EXPECT_NEAR(held_at, 5.0, 0.02);
 }
 
@@ -108,7 +109,7 @@ TEST(LiveView, the_frames_say_what_the_log_says) {
   const test::TemporaryFolder folder;
   LiveTestRun run({"duration=1.5"});
   run.run(folder / "run.mcap");
-  LogReader log(folder / "run.mcap");
+  logging::LogReader log(folder / "run.mcap");
   TickRecord tick;
   const std::vector<double> x = run.of("plan.com.p"), foot = run.of("plan.feet.LH.p_WF", 2),
                             mode = run.of("command.mode"),
@@ -146,7 +147,7 @@ TEST(LiveView, the_frames_say_what_the_log_says) {
 TEST(LiveView, the_estimate_is_counted_from_the_first_tick) {
   const test::TemporaryFolder folder;
   LiveTestRun run({"duration=2", "estimation=sensors", "initial.x=3", "initial.yaw=0.7"});
-  const RunResult result = run.run(folder / "run.mcap");
+  const closed_loop::RunResult result = run.run(folder / "run.mcap");
   const auto off = run.of("estimate.position_error"), turned = run.of("estimate.heading_error");
   ASSERT_EQ(off.size(), 800u);
   EXPECT_LT(off.front(), 1e-6);
@@ -156,9 +157,9 @@ TEST(LiveView, the_estimate_is_counted_from_the_first_tick) {
             1.0);
   EXPECT_NEAR(off.back(), result.metrics.position_drift_m, 1e-6);
   EXPECT_NEAR(std::abs(turned.back()), result.metrics.heading_drift_rad, 1e-6);
-  const TickExplanation last = read_tick(folder / "run.mcap", 1.9975);
+  const explain::TickExplanation last = explain::read_tick(folder / "run.mcap", 1.9975);
   EXPECT_NEAR(last.estimate->position_error, off.back(), 1e-6);
-  LogFrames log(folder / "run.mcap", LogReader(folder / "run.mcap").header());
+  LogFrames log(folder / "run.mcap", logging::LogReader(folder / "run.mcap").header());
   ASSERT_EQ(log.channels().channels.back().name, "estimate.heading_error");
   for (const std::uint32_t tick : {0u, 400u, 799u})
     EXPECT_EQ(log.frame(tick)->floats.back(), static_cast<float>(turned[tick]));
@@ -168,11 +169,11 @@ TEST(LiveView, what_is_counted_from_the_start_is_not_known_where_the_first_tick_
   const test::TemporaryFolder folder;
   LiveTestRun run({"duration=3", "estimation=sensors"});
   run.run(folder / "run.mcap");
-  const McapChunk first = McapChunks(folder / "run.mcap").chunks().at(0);
+  const logging::McapChunk first = logging::McapChunks(folder / "run.mcap").chunks().at(0);
   std::string bytes = test::contents(folder / "run.mcap");
   bytes.at(first.offset + first.size / 2) ^= '\xFF';
   test::write_file(folder / "run.mcap", bytes);
-  LogFrames log(folder / "run.mcap", LogReader(folder / "run.mcap").header());
+  LogFrames log(folder / "run.mcap", logging::LogReader(folder / "run.mcap").header());
   const ViewFrame* frame = log.frame(1199);
   ASSERT_NE(frame, nullptr);
   ASSERT_EQ(log.channels().channels.back().name, "estimate.heading_error");
@@ -188,7 +189,7 @@ TEST(LiveView, pages_of_a_run_and_of_its_log_are_told_of_the_same_events) {
     const json events = json::parse(message).at("events");
     live.insert(live.end(), events.begin(), events.end());
   }
-  LogSummary summary(folder / "run.mcap", LogReader(folder / "run.mcap").header());
+  LogSummary summary(folder / "run.mcap", logging::LogReader(folder / "run.mcap").header());
   while (summary.end_tick() < 2400) std::this_thread::sleep_for(std::chrono::milliseconds(5));
   const json logged = json::parse(summary.events_json());
   EXPECT_EQ(json(live), logged);
@@ -254,14 +255,14 @@ TEST(LiveView, a_paused_run_that_begins_again_makes_its_first_tick) {
   LiveTestRun run({"duration=0.5"});
   run.at(20, ViewCommand{.type = Type::pause});
   run.at(20, ViewCommand{.type = Type::reset});
-  EXPECT_EQ(run.run().ending, Ending::reset);
+  EXPECT_EQ(run.run().ending, closed_loop::Ending::reset);
   const std::size_t before = run.frames.size();
   int turns = 0;
   run.each_turn = [&] {
     if (run.frames.size() == before + 1 && ++turns == 3)
       (void)run.wishes.command({.type = Type::resume});
   };
-  EXPECT_EQ(run.run().ending, Ending::finished);
+  EXPECT_EQ(run.run().ending, closed_loop::Ending::finished);
   EXPECT_EQ(turns, 3) << "and then waits";
 }
 
@@ -272,12 +273,12 @@ TEST(LiveView, a_reset_begins_the_same_run_again) {
       ViewCommand{
           .type = Type::gain, .level = "com_xy", .task = "com_xy", .name = "kp", .value = 150.0});
   run.at(150, ViewCommand{.type = Type::reset});
-  EXPECT_EQ(run.run().ending, Ending::reset);
+  EXPECT_EQ(run.run().ending, closed_loop::Ending::reset);
   const std::size_t first = run.frames.size();
   const json before = json::parse(run.feed.get("/api/session", {}).body);
   EXPECT_EQ(before.at("begun"), 0);
   EXPECT_FALSE(run.feed.welcome().empty());
-  EXPECT_EQ(run.run().ending, Ending::finished);
+  EXPECT_EQ(run.run().ending, closed_loop::Ending::finished);
   EXPECT_EQ(first, 150u);
   ASSERT_EQ(run.frames.size(), first + 200);
   EXPECT_EQ(run.frames[first].tick, 0u);
@@ -321,4 +322,4 @@ TEST(LiveView, the_status_tells_pause_and_the_operators_walk_before_any_tick_has
 }
 
 }  // namespace
-}  // namespace surefoot
+}  // namespace surefoot::server

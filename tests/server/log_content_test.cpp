@@ -7,7 +7,7 @@
 #include <array>
 #include <cstring>
 
-namespace surefoot {
+namespace surefoot::server {
 namespace {
 
 using nlohmann::json;
@@ -82,7 +82,7 @@ TEST_F(DamagedLog, a_log_that_was_not_closed_says_so_and_has_a_mark_at_its_end) 
   test::write_file(path(), bytes.substr(0, bytes.size() / 2));
   LogContent content(path());
   const json session = whole_session(content);
-  LogReader reader(path());
+  logging::LogReader reader(path());
   TickRecord tick;
   while (reader.next(tick)) {
   }
@@ -140,7 +140,7 @@ TEST_F(DamagedLog, one_whose_clock_begins_late_begins_there) {
 }
 
 TEST_F(DamagedLog, damaged_timings_cost_no_tick) {
-  damage(McapChunks(path()).chunks().size() - 1);
+  damage(logging::McapChunks(path()).chunks().size() - 1);
   LogContent content(path());
   const json session = whole_session(content);
   EXPECT_EQ(frames(content, 0, kTicks).size(), kTicks);
@@ -159,9 +159,9 @@ TEST_F(DamagedLog, one_that_another_writer_put_into_one_long_chunk_has_all_its_t
   record(4800);  // 12 s
   const std::string rewritten = folder_ / "one_chunk.mcap";
   {
-    McapWriter writer(
+    logging::McapWriter writer(
         rewritten, {.profile = "", .chunk_bytes = 1U << 30U, .chunk_nanoseconds = UINT64_MAX / 2});
-    const McapReader source(path());
+    const logging::McapReader source(path());
     for (const auto& [name, data] : source.attachments())
       writer.attach(name, "application/json", data);
     std::map<std::string, std::uint16_t> channels;
@@ -173,7 +173,7 @@ TEST_F(DamagedLog, one_that_another_writer_put_into_one_long_chunk_has_all_its_t
     }
     writer.close();
   }
-  ASSERT_EQ(McapChunks(rewritten).chunks().size(), 1u);
+  ASSERT_EQ(logging::McapChunks(rewritten).chunks().size(), 1u);
   LogContent content(rewritten);
   EXPECT_EQ(session(content).at("ticks"), 4800);
   EXPECT_EQ(frames(content, 800, 4000).size(), 4000u);
@@ -202,7 +202,7 @@ TEST_F(DamagedLog, a_tick_of_which_a_part_is_lost_is_lost) {
   LogContent whole(path());
   const auto all = frames(whole, 0, kTicks);
   ASSERT_EQ(all.size(), kTicks);
-  const std::vector<McapChunk> chunks = McapChunks(path()).chunks();
+  const std::vector<logging::McapChunk> chunks = logging::McapChunks(path()).chunks();
   std::size_t end = 1;  // behind the ticks, where the timings begin
   while (chunks.at(end).first_time >= chunks[end - 1].first_time) ++end;
   ASSERT_GT(end, 5u);
@@ -231,7 +231,7 @@ TEST_F(DamagedLog, a_change_whose_stack_is_no_yaml_is_told) {
 }
 
 TEST_F(DamagedLog, nothing_that_can_be_read_is_refused_with_what_to_do) {
-  const std::size_t all = McapChunks(path()).chunks().size();
+  const std::size_t all = logging::McapChunks(path()).chunks().size();
   for (std::size_t i = 0; i < all; ++i) damage(i);
   try {
     const LogContent content(path());
@@ -258,4 +258,4 @@ TEST_F(DamagedLog, long_strides_are_answered_from_the_summary_at_once) {
 }
 
 }  // namespace
-}  // namespace surefoot
+}  // namespace surefoot::server

@@ -11,7 +11,7 @@ namespace surefoot::test {
 /// What was changed from outside in a run, as its log has it.
 inline std::vector<logged::Change> changes_of(const std::string& path) {
   std::vector<logged::Change> changes;
-  LogReader log(path, [&](const McapMessage& message) {
+  logging::LogReader log(path, [&](const logging::McapMessage& message) {
     if (message.channel->topic != "/changes") return;
     logged::Decoder::decode(message.data, changes.emplace_back());
   });

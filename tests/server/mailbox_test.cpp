@@ -5,7 +5,7 @@
 #include <string>
 #include <thread>
 
-namespace surefoot {
+namespace surefoot::server {
 namespace {
 
 TEST(Mailbox, letters_come_out_once_and_in_order) {
@@ -31,4 +31,4 @@ TEST(Mailbox, none_is_lost_or_turned_while_another_thread_takes_them) {
 }
 
 }  // namespace
-}  // namespace surefoot
+}  // namespace surefoot::server

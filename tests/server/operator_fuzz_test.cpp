@@ -15,7 +15,7 @@
 #include <string>
 #include <vector>
 
-namespace surefoot {
+namespace surefoot::server {
 namespace {
 
 /// A message of every type, each once as a page sends it.
@@ -45,7 +45,7 @@ bool is_within(const OperatorWishes& wishes, const ViewLimits& limits) {
               wishes.steps >= 0 && wishes.steps <= 4000 &&
               wishes.control.friction >= limits.friction_min &&
               wishes.control.friction <= limits.friction_max;
-  for (const Push& push : wishes.pushes) {
+  for (const simulation::Push& push : wishes.pushes) {
     good = good && is_force(push.force) && push.duration > 0.0 &&
            push.duration <= limits.push_duration;
   }
@@ -59,7 +59,8 @@ bool is_within(const OperatorWishes& wishes, const ViewLimits& limits) {
 
 TEST(OperatorFuzz, whatever_a_page_says_what_is_wanted_of_the_run_stays_within_the_limits) {
   const ViewLimits limits;
-  LiveOperator wishes(load_scenario({"walk_flat_ideal", 0, {"stack=terrain_adaptation"}}), limits);
+  LiveOperator wishes(config::load_scenario({"walk_flat_ideal", 0, {"stack=terrain_adaptation"}}),
+                      limits);
   wishes.begin({"base", "LF_SHANK"});
   const std::vector<std::string> messages = good_messages();
   std::mt19937 random(13);
@@ -94,8 +95,8 @@ TEST(OperatorFuzz, a_run_that_is_asked_for_anything_goes_on_within_the_limits) {
       (void)run.wishes.command({.type = ViewCommandType::speed, .factor = 8.0});
     });
   }
-  const RunResult result = run.run();
-  EXPECT_NE(result.ending, Ending::reset);
+  const closed_loop::RunResult result = run.run();
+  EXPECT_NE(result.ending, closed_loop::Ending::reset);
   const std::vector<double> x = run.of("truth.xfrc_applied", 6),
                             y = run.of("truth.xfrc_applied", 7);
   for (std::size_t i = 0; i < x.size(); ++i) ASSERT_LE(std::hypot(x[i], y[i]), 300.0 + 1e-3) << i;
@@ -104,7 +105,7 @@ TEST(OperatorFuzz, a_run_that_is_asked_for_anything_goes_on_within_the_limits) {
 TEST(LogContentFuzz, requests_that_make_no_sense_get_an_answer) {
   const test::TemporaryFolder folder;
   {
-    Recorder recorder(folder / "run.mcap", test::SyntheticRun::header());
+    logging::Recorder recorder(folder / "run.mcap", test::SyntheticRun::header());
     test::SyntheticRun synthetic(3);
     for (int i = 0; i < 600; ++i) {
       synthetic.step();
@@ -153,7 +154,7 @@ TEST(LogContentFuzz, requests_that_make_no_sense_get_an_answer) {
 TEST(LogContentFuzz, a_log_whose_bytes_make_no_sense_is_shown_or_refused) {
   const test::TemporaryFolder folder;
   {
-    Recorder recorder(folder / "good.mcap", test::SyntheticRun::header());
+    logging::Recorder recorder(folder / "good.mcap", test::SyntheticRun::header());
     test::SyntheticRun synthetic(4);
     for (int i = 0; i < 30; ++i) {
       synthetic.step();
@@ -183,4 +184,4 @@ TEST(LogContentFuzz, a_log_whose_bytes_make_no_sense_is_shown_or_refused) {
 }
 
 }  // namespace
-}  // namespace surefoot
+}  // namespace surefoot::server

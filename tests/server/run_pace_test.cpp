@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace surefoot {
+namespace surefoot::server {
 namespace {
 
 using Clock = RunPace::Clock;
@@ -30,4 +30,4 @@ TEST(RunPace, a_short_delay_is_made_up_for_and_a_long_one_is_not) {
 }
 
 }  // namespace
-}  // namespace surefoot
+}  // namespace surefoot::server

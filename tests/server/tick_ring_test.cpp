@@ -4,7 +4,7 @@
 
 #include <thread>
 
-namespace surefoot {
+namespace surefoot::server {
 namespace {
 
 TEST(TickRing, holds_so_many_and_has_no_room_for_more) {
@@ -60,4 +60,4 @@ TEST(TickRing, what_one_thread_writes_another_reads_in_order_and_whole) {
 }
 
 }  // namespace
-}  // namespace surefoot
+}  // namespace surefoot::server

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-namespace surefoot {
+namespace surefoot::server {
 namespace {
 
 const ViewChannel& channel(const ViewChannels& table, const std::string& name) {
@@ -38,7 +38,7 @@ TEST(ViewChannels, a_field_has_the_logs_name_unit_and_description) {
 }
 
 TEST(ViewChannels, a_list_whose_numbers_have_several_units_has_none_and_says_which_they_are) {
-  GroundTruth truth;
+  simulation::GroundTruth truth;
   truth.qvel.resize(18);
   truth.ctrl.resize(kNumJoints);
   ViewChannels table;
@@ -106,4 +106,4 @@ TEST(ViewChannels, the_page_can_read_what_they_are) {
 }
 
 }  // namespace
-}  // namespace surefoot
+}  // namespace surefoot::server

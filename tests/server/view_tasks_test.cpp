@@ -7,11 +7,11 @@
 #include <string>
 #include <vector>
 
-namespace surefoot {
+namespace surefoot::server {
 namespace {
 
-StackOptions stack(const std::vector<std::string>& names) {
-  StackOptions stack;
+control::StackOptions stack(const std::vector<std::string>& names) {
+  control::StackOptions stack;
   for (const std::string& name : names) stack.levels.push_back({.name = name, .tasks = {}});
   return stack;
 }
@@ -45,4 +45,4 @@ TEST(ViewTasks, what_was_moved_alone_is_told_alone_from_anywhere_to_anywhere) {
 }
 
 }  // namespace
-}  // namespace surefoot
+}  // namespace surefoot::server

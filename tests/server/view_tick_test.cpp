@@ -7,11 +7,11 @@
 #include <algorithm>
 #include <string>
 
-namespace surefoot {
+namespace surefoot::server {
 namespace {
 
-LogHeader header() {
-  LogHeader header;
+logging::LogHeader header() {
+  logging::LogHeader header;
   header.level_names = {"physics", "com_xy", "torque_minimisation"};
   header.level_units = {"N", "m/s²", "N·m"};
   return header;
@@ -21,7 +21,7 @@ LogHeader header() {
 struct Tick {
   TickRecord record;
   logged::Hierarchy hierarchy;
-  ViewChannels channels = tick_channels(header(), GroundTruth());
+  ViewChannels channels = tick_channels(header(), simulation::GroundTruth());
 
   explicit Tick(std::vector<double> residuals) {
     for (std::size_t k = 0; k < residuals.size(); ++k) {
@@ -32,14 +32,14 @@ struct Tick {
     }
   }
 
-  void solved(SolveStatus status, int failed_level) {
+  void solved(solver::SolveStatus status, int failed_level) {
     record.hierarchy.status = hierarchy.status = static_cast<std::int32_t>(status);
     hierarchy.failed_level = failed_level;
   }
 
   [[nodiscard]] std::string word(const std::string& name) const {
     ViewFrame frame;
-    const std::optional<FrictionCone> cone;
+    const std::optional<tasks::FrictionCone> cone;
     to_frame({.number = 0, .record = record, .hierarchy = hierarchy, .cone = cone}, channels,
              frame);
     const auto channel = std::ranges::find(channels.channels, name, &ViewChannel::name);
@@ -70,9 +70,9 @@ TEST(ViewTick, ALevelThatIsMetMayBeAtALimitAndOneWithoutRowsAsksForNothing) {
 
 TEST(ViewTick, OfASolveThatWasCutOffNothingIsToldOfTheLevelItWasInAndThoseBelow) {
   Tick tick({0.0, 7.0, 7.0});
-  tick.solved(SolveStatus::iteration_cap, 1);
+  tick.solved(solver::SolveStatus::iteration_cap, 1);
   EXPECT_EQ(tick.states(), (Words{"met", "not solved", "not solved"}));
-  tick.solved(SolveStatus::iteration_cap, 3);
+  tick.solved(solver::SolveStatus::iteration_cap, 3);
   EXPECT_EQ(tick.states(), (Words{"met", "gives way", "minimised"}))
       << "only x is not the shortest";
   EXPECT_EQ(tick.word("told.unused"), "");
@@ -85,7 +85,7 @@ TEST(ViewTick, OfASolutionThatCommandsNothingNoLevelIsToldAndWhy) {
   EXPECT_EQ(tick.states(), Words(3, "not solved"));
   EXPECT_EQ(tick.word("told.unused"), "The controller stopped, and what was solved was not used");
   EXPECT_EQ(tick.word("told.because"), "the torso tilted too far");
-  tick.solved(SolveStatus::invalid_input, -1);
+  tick.solved(solver::SolveStatus::invalid_input, -1);
   EXPECT_EQ(tick.word("told.unused"), "No hierarchy was solved");
   tick.record.command = {};
   tick.record.command.mode = CommandMode::rise;
@@ -93,4 +93,4 @@ TEST(ViewTick, OfASolutionThatCommandsNothingNoLevelIsToldAndWhy) {
 }
 
 }  // namespace
-}  // namespace surefoot
+}  // namespace surefoot::server

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace surefoot {
+namespace surefoot::server {
 namespace {
 
 const OwnNames kNames({"127.0.0.1", "localhost", "[::1]"}, 7373);
@@ -65,4 +65,4 @@ TEST(WebGuard, messages_beyond_the_rate_are_refused_and_later_ones_not) {
 }
 
 }  // namespace
-}  // namespace surefoot
+}  // namespace surefoot::server

@@ -15,7 +15,7 @@
 #include <thread>
 #include <vector>
 
-namespace surefoot {
+namespace surefoot::server {
 namespace {
 
 using test::RawClient;
@@ -182,4 +182,4 @@ TEST_F(WebServerTest, deeply_nested_json_does_no_harm) {
 }
 
 }  // namespace
-}  // namespace surefoot
+}  // namespace surefoot::server

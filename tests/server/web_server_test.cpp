@@ -27,7 +27,7 @@ extern "C" int accept(int listener, sockaddr* address, socklen_t* size) {
   return static_cast<int>(syscall(SYS_accept, listener, address, size));
 }
 
-namespace surefoot {
+namespace surefoot::server {
 namespace {
 
 using test::RawClient;
@@ -294,4 +294,4 @@ TEST_F(WebServerTest, says_that_it_is_there_and_which_start_of_the_program_it_is
 }
 
 }  // namespace
-}  // namespace surefoot
+}  // namespace surefoot::server

@@ -7,7 +7,7 @@
 #include <functional>
 #include <limits>
 
-namespace surefoot {
+namespace surefoot::simulation {
 namespace {
 
 using test::ChangedUrdf;
@@ -120,14 +120,14 @@ INSTANTIATE_TEST_SUITE_P(
 TEST(Options, OfTheDefaultAreValid) { EXPECT_EQ(test::error_of(test::anymal_b(), {}), ""); }
 
 TEST(RobotDescription, WithAMissingUrdfIsAnErrorThatNamesTheFile) {
-  RobotDescription robot = test::anymal_b();
+  model::RobotDescription robot = test::anymal_b();
   robot.urdf_path = "/nowhere/robot.urdf";
   EXPECT_EQ(test::error_of(robot, {}),
             "/nowhere/robot.urdf: the URDF can't be read; does the file exist?");
 }
 
 TEST(RobotDescription, WithAnUnknownNameIsAnErrorThatListsWhatThereIs) {
-  RobotDescription robot = test::anymal_b();
+  model::RobotDescription robot = test::anymal_b();
   robot.legs[2].foot_frame = "LH_FOT";
   EXPECT_NE(test::error_of(robot, {}).find("unknown foot frame \"LH_FOT\"; the robot has: base"),
             std::string::npos);
@@ -142,7 +142,7 @@ TEST(RobotDescription, WithAnUnknownNameIsAnErrorThatListsWhatThereIs) {
 }
 
 TEST(RobotDescription, ThatContradictsTheFootSphereOfTheUrdfIsAnError) {
-  RobotDescription robot = test::anymal_b();
+  model::RobotDescription robot = test::anymal_b();
   robot.foot_radius = 0.025;
   EXPECT_NE(test::error_of(robot, {}).find("the foot sphere of LF has radius 0.031 m"),
             std::string::npos);
@@ -176,4 +176,4 @@ TEST(Urdf, ThatIsSomethingElseIsAnErrorThatSaysSo) {
 }
 
 }  // namespace
-}  // namespace surefoot
+}  // namespace surefoot::simulation

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace surefoot {
+namespace surefoot::simulation {
 namespace {
 
 using test::HeldRobot;
@@ -124,7 +124,7 @@ PushResult push_forwards(double friction, double push_per_weight) {
   options.terrain.friction = friction;
   options.control_period = options.timestep;
   options.disturbances.pushes = {{"", 0.3, 2.0, Vec3(push_per_weight * kWeight, 0.0, 0.0)}};
-  RobotDescription description = test::anymal_b();
+  model::RobotDescription description = test::anymal_b();
   description.torque_limit.setConstant(200.0);
   HeldRobot robot(options, description);
   robot.stiffness = 2000.0;
@@ -288,4 +288,4 @@ TEST(Contact, OnASlopeTheNormalIsThatOfTheSlope) {
 }
 
 }  // namespace
-}  // namespace surefoot
+}  // namespace surefoot::simulation

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace surefoot {
+namespace surefoot::simulation {
 namespace {
 
 using test::kMass;
@@ -195,4 +195,4 @@ TEST(WrongLengths, AreThoseThatWereAskedFor) {
 }
 
 }  // namespace
-}  // namespace surefoot
+}  // namespace surefoot::simulation

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace surefoot {
+namespace surefoot::simulation {
 namespace {
 
 using test::kMass;
@@ -50,4 +50,4 @@ TEST(LivePush, a_body_that_does_not_exist_is_told_with_those_that_do) {
 }
 
 }  // namespace
-}  // namespace surefoot
+}  // namespace surefoot::simulation

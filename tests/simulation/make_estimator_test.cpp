@@ -6,14 +6,14 @@
 
 #include <set>
 
-namespace surefoot {
+namespace surefoot::simulation {
 namespace {
 
 TEST(MakeEstimator, MakesOneOfEveryKindThatFollowsThePlant) {
-  for (const Estimation estimation : kEstimations) {
+  for (const estimation::Estimation estimation : estimation::kEstimations) {
     Plant plant(test::anymal_b(), test::falling_options());
     const auto estimator = make_estimator(estimation, {test::anymal_b(), 0.0025, plant});
-    ASSERT_NE(estimator, nullptr) << name(estimation);
+    ASSERT_NE(estimator, nullptr) << estimation::name(estimation);
     TickContext falling;
     for (FootContact& contact : falling.contacts) contact.carries = false;
     for (int tick = 0; tick < 10; ++tick) {
@@ -21,24 +21,25 @@ TEST(MakeEstimator, MakesOneOfEveryKindThatFollowsThePlant) {
       plant.write({});
     }
     const RobotState& state = estimator->update(plant.read(), falling);
-    EXPECT_EQ(state.time, plant.time()) << name(estimation);
-    EXPECT_LT((state.q - plant.truth().q).norm(), 0.01) << name(estimation);
-    EXPECT_LT((state.v_WB - plant.truth().v_WB).norm(), 0.01) << name(estimation);
+    EXPECT_EQ(state.time, plant.time()) << estimation::name(estimation);
+    EXPECT_LT((state.q - plant.truth().q).norm(), 0.01) << estimation::name(estimation);
+    EXPECT_LT((state.v_WB - plant.truth().v_WB).norm(), 0.01) << estimation::name(estimation);
   }
 }
 
 TEST(MakeEstimator, ForAKindThatThereIsNotIsAnError) {
   const Plant plant(test::anymal_b(), test::falling_options());
-  EXPECT_THROW((void)make_estimator(static_cast<Estimation>(99), {test::anymal_b(), 0.0025, plant}),
+  EXPECT_THROW((void)make_estimator(static_cast<estimation::Estimation>(99),
+                                    {test::anymal_b(), 0.0025, plant}),
                Error);
 }
 
 TEST(Estimation, EveryKindHasItsOwnName) {
   std::set<std::string_view> names{"unknown"};
-  for (const Estimation estimation : kEstimations) {
-    EXPECT_TRUE(names.insert(name(estimation)).second) << name(estimation);
+  for (const estimation::Estimation estimation : estimation::kEstimations) {
+    EXPECT_TRUE(names.insert(estimation::name(estimation)).second) << estimation::name(estimation);
   }
 }
 
 }  // namespace
-}  // namespace surefoot
+}  // namespace surefoot::simulation

@@ -8,7 +8,7 @@
 #include <filesystem>
 #include <map>
 
-namespace surefoot {
+namespace surefoot::simulation {
 namespace {
 
 using test::ChangedUrdf;
@@ -45,7 +45,7 @@ TEST(PhysicsModel, EveryLinkHasItsMassCenterAndInertia) {
   const Plant plant(test::anymal_b(), test::standing_options());
   const StockMujoco mujoco = stock(plant);
   int compared = 0;
-  for (const UrdfLink& link : read_urdf(test::anymal_b().urdf_path).links) {
+  for (const model::UrdfLink& link : model::read_urdf(test::anymal_b().urdf_path).links) {
     if (link.inertia.mass == 0.0) continue;
     SCOPED_TRACE(link.name);
     const int body = mujoco.body(link.name);
@@ -95,7 +95,7 @@ TEST(PhysicsModel, FeetStandWhereThePublishedKinematicsPutThem) {
 }
 
 TEST(PhysicsModel, JointsAreMappedByNameWhateverTheOrderOfTheDescription) {
-  RobotDescription swapped = test::anymal_b();
+  model::RobotDescription swapped = test::anymal_b();
   std::swap(swapped.legs[index(Leg::RF)], swapped.legs[index(Leg::LH)]);
   PlantOptions options = test::falling_options();
   for (Eigen::Index i = 0; i < kNumJoints; ++i)
@@ -215,8 +215,8 @@ TEST(PhysicsModel, AMeshThatCollidesIsInTheModelItself) {
 }
 
 TEST(PhysicsModel, AFootSphereThatTheUrdfLacksIsAddedWithoutMass) {
-  RobotDescription robot = test::anymal_b();
-  for (LegDescription& leg : robot.legs) leg.foot_frame.replace(3, 4, "ADAPTER");
+  model::RobotDescription robot = test::anymal_b();
+  for (model::LegDescription& leg : robot.legs) leg.foot_frame.replace(3, 4, "ADAPTER");
   robot.foot_center = Vec3(0.0, 0.0, -0.298);
   const Plant plant(robot, test::standing_options());
   EXPECT_EQ(plant.notes().size(), 5U) << "dummy inertia, four feet";
@@ -224,4 +224,4 @@ TEST(PhysicsModel, AFootSphereThatTheUrdfLacksIsAddedWithoutMass) {
 }
 
 }  // namespace
-}  // namespace surefoot
+}  // namespace surefoot::simulation

@@ -16,8 +16,8 @@ namespace surefoot::test {
 inline constexpr double kMass = 30.475396462;  ///< sum over the URDF's links without the dummy [kg]
 
 /// Sensors that add nothing to the truth.
-inline SensorOptions exact_sensors() {
-  SensorOptions sensors;
+inline simulation::SensorOptions exact_sensors() {
+  simulation::SensorOptions sensors;
   sensors.encoders.resolution = 0.0;
   sensors.joint_torques.noise = 0.0;
   sensors.imu.gyro_noise = sensors.imu.gyro_bias = 0.0;
@@ -27,16 +27,16 @@ inline SensorOptions exact_sensors() {
 }
 
 /// Nominal posture on the terrain, exact sensors.
-inline PlantOptions standing_options() {
-  PlantOptions options;
+inline simulation::PlantOptions standing_options() {
+  simulation::PlantOptions options;
   options.sensors = exact_sensors();
   options.initial.q = anymal_b().q_nominal;
   return options;
 }
 
 /// The same robot, high above the ground.
-inline PlantOptions falling_options() {
-  PlantOptions options = standing_options();
+inline simulation::PlantOptions falling_options() {
+  simulation::PlantOptions options = standing_options();
   options.initial.position.z() = 50.0;
   return options;
 }
@@ -54,7 +54,7 @@ inline mjModel* load_model(const std::string& xml) {
 
 /// The logged model as stock MuJoCo loads it, brought to the state of a truth.
 struct StockMujoco {
-  StockMujoco(const std::string& xml, const GroundTruth& truth)
+  StockMujoco(const std::string& xml, const simulation::GroundTruth& truth)
       : model(load_model(xml), &mj_deleteModel), data(mj_makeData(model.get()), &mj_deleteData) {
     std::copy(truth.qpos.begin(), truth.qpos.end(), data->qpos);
     std::copy(truth.qvel.begin(), truth.qvel.end(), data->qvel);
@@ -71,7 +71,7 @@ struct StockMujoco {
 };
 
 /// Vertical forces of least norm on four feet that carry the weight at the centre of mass.
-inline Eigen::Vector4d carrying_forces(const GroundTruth& truth, double weight) {
+inline Eigen::Vector4d carrying_forces(const simulation::GroundTruth& truth, double weight) {
   Eigen::Matrix<double, 3, 4> balance;
   for (std::size_t leg = 0; leg < kNumLegs; ++leg) {
     balance.col(static_cast<Eigen::Index>(leg)) << 1.0, truth.p_WF[leg].x(), truth.p_WF[leg].y();
@@ -81,7 +81,7 @@ inline Eigen::Vector4d carrying_forces(const GroundTruth& truth, double weight) 
 }
 
 /// Joint torques that carry the robot's weight in its present posture, from stock MuJoCo.
-inline JointVector carrying_torques(const Plant& plant) {
+inline JointVector carrying_torques(const simulation::Plant& plant) {
   const StockMujoco stock(plant.model_xml(), plant.truth());
   const mjModel& model = *stock.model;
   std::fill_n(stock.data->qvel, model.nv, 0.0);
@@ -101,7 +101,8 @@ inline JointVector carrying_torques(const Plant& plant) {
 
 /// A robot whose joints hold a posture by springs, with its weight fed forward.
 struct HeldRobot {
-  explicit HeldRobot(const PlantOptions& options, const RobotDescription& robot = anymal_b())
+  explicit HeldRobot(const simulation::PlantOptions& options,
+                     const model::RobotDescription& robot = anymal_b())
       : plant(robot, options), q_hold(options.initial.q), feedforward(carrying_torques(plant)) {}
 
   void tick() {
@@ -113,15 +114,15 @@ struct HeldRobot {
     const double end = plant.time() + duration - 1e-9;
     while (plant.time() < end) tick();
   }
-  [[nodiscard]] const GroundTruth& truth() const { return plant.truth(); }
+  [[nodiscard]] const simulation::GroundTruth& truth() const { return plant.truth(); }
   /// Sum of the ground's forces on the feet, in W [N].
   [[nodiscard]] Vec3 ground_force() const {
     Vec3 sum = Vec3::Zero();
-    for (const TrueContact& foot : truth().feet) sum += foot.force;
+    for (const simulation::TrueContact& foot : truth().feet) sum += foot.force;
     return sum;
   }
 
-  Plant plant;
+  simulation::Plant plant;
   JointVector q_hold;
   JointVector feedforward;
   double stiffness = 400.0;  ///< [N·m/rad]
@@ -129,9 +130,10 @@ struct HeldRobot {
 };
 
 /// The message of the Error that building a plant throws; empty if it throws none.
-inline std::string error_of(const RobotDescription& robot, const PlantOptions& options) {
+inline std::string error_of(const model::RobotDescription& robot,
+                            const simulation::PlantOptions& options) {
   try {
-    const Plant plant(robot, options);
+    const simulation::Plant plant(robot, options);
   } catch (const Error& error) {
     return error.what();
   }

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace surefoot {
+namespace surefoot::simulation {
 namespace {
 
 PlantOptions noisy_options() {
@@ -236,4 +236,4 @@ TEST(LoggedModel, NeedsNoFileBesideIt) {
 }
 
 }  // namespace
-}  // namespace surefoot
+}  // namespace surefoot::simulation

@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-namespace surefoot {
+namespace surefoot::simulation {
 namespace {
 
 /// Hills of ±5 cm under a robot that carries a load off its middle.
@@ -83,4 +83,4 @@ TEST(StandUp, OverAnAbyssItEnds) {
 }
 
 }  // namespace
-}  // namespace surefoot
+}  // namespace surefoot::simulation

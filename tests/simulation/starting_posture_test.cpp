@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace surefoot {
+namespace surefoot::simulation {
 namespace {
 
 using test::ChangedUrdf;
@@ -76,7 +76,7 @@ TEST(StartingPosture, a_robot_that_does_not_stand_may_have_its_feet_up) {
 }
 
 TEST(StartingPosture, HyQ_has_the_same_mass_in_both_models_and_stands) {
-  const RobotModel model(test::hyq());
+  const model::RobotModel model(test::hyq());
   PlantOptions options;
   options.initial.q = test::hyq().q_nominal;
   options.initial.settle = 0.6;
@@ -88,4 +88,4 @@ TEST(StartingPosture, HyQ_has_the_same_mass_in_both_models_and_stands) {
 }
 
 }  // namespace
-}  // namespace surefoot
+}  // namespace surefoot::simulation

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace surefoot {
+namespace surefoot::simulation {
 namespace {
 
 PlantOptions above(std::vector<TerrainElement> elements) {
@@ -106,7 +106,7 @@ TEST(GeneratedHeights, FillTheChosenAmplitude) {
   field.size_y = 2.0;
   field.amplitude = 0.07;
   field.wavelength = 0.5;
-  const TerrainHeightField filled = simulation::with_heights(field);
+  const TerrainHeightField filled = with_heights(field);
   EXPECT_EQ(filled.heights.size(), static_cast<std::size_t>(filled.rows * filled.columns));
   const auto [lowest, highest] = std::minmax_element(filled.heights.begin(), filled.heights.end());
   EXPECT_NEAR(std::max(-*lowest, *highest), 0.07, 1e-12);
@@ -120,7 +120,7 @@ TEST(GeneratedHeights, AreSmoothAtTheScaleOfTheirWavelength) {
   field.columns = field.rows = 201;  // 2 cm
   field.amplitude = 0.05;
   field.wavelength = 0.5;
-  const TerrainHeightField filled = simulation::with_heights(field);
+  const TerrainHeightField filled = with_heights(field);
   double steepest = 0.0;
   int crossings = 0;
   for (std::size_t i = 1; i < 201; ++i) {
@@ -136,10 +136,10 @@ TEST(GeneratedHeights, AreTheSameForASeedAndOthersForAnother) {
   TerrainHeightField field;
   field.amplitude = 0.05;
   field.seed = 3;
-  const std::vector<double> first = simulation::with_heights(field).heights;
-  EXPECT_EQ(first, simulation::with_heights(field).heights);
+  const std::vector<double> first = with_heights(field).heights;
+  EXPECT_EQ(first, with_heights(field).heights);
   field.seed = 4;
-  EXPECT_NE(first, simulation::with_heights(field).heights);
+  EXPECT_NE(first, with_heights(field).heights);
 }
 
 TEST(RandomBoxes, HaveTopsBetweenZeroAndTheirMaximum) {
@@ -227,4 +227,4 @@ TEST(InitialHeight, IsTheGivenOneWhenThereIsOne) {
 }
 
 }  // namespace
-}  // namespace surefoot
+}  // namespace surefoot::simulation

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace surefoot {
+namespace surefoot::simulation {
 namespace {
 
 TEST(TruthEstimator, SensesJointPositionsAndTorquesAndTakesTheRestFromTheTruth) {
@@ -44,4 +44,4 @@ TEST(TruthEstimator, TakesJointsThatComeLateOnToNow) {
 }
 
 }  // namespace
-}  // namespace surefoot
+}  // namespace surefoot::simulation

@@ -14,7 +14,7 @@
 #include <tuple>
 #include <vector>
 
-namespace surefoot::test {
+namespace surefoot::solver {
 namespace {
 
 using Eigen::Index;
@@ -23,15 +23,16 @@ using Eigen::RowVector2d;
 using Eigen::VectorXd;
 
 /// A mass of 2 kg, x = (acceleration, force), a limit on the force, a wish for the acceleration.
-HierarchyData pushed_mass(double wish) {
-  return {equalities(RowVector2d(2.0, -1.0), number(0.0)),
-          between(RowVector2d(0.0, 1.0), number(-10.0), number(10.0)),
-          equalities(RowVector2d(1.0, 0.0), number(wish))};
+test::HierarchyData pushed_mass(double wish) {
+  return {test::equalities(RowVector2d(2.0, -1.0), test::number(0.0)),
+          test::between(RowVector2d(0.0, 1.0), test::number(-10.0), test::number(10.0)),
+          test::equalities(RowVector2d(1.0, 0.0), test::number(wish))};
 }
 
 struct Solved {
-  Solved(Index unknowns, const HierarchyData& levels, const LexicographicOptions& options = {})
-      : hierarchy(make_hierarchy(unknowns, levels)), solver(hierarchy, options) {
+  Solved(Index unknowns, const test::HierarchyData& levels,
+         const LexicographicOptions& options = {})
+      : hierarchy(test::make_hierarchy(unknowns, levels)), solver(hierarchy, options) {
     (void)solver.solve(hierarchy);
     blockers = solver.blockers();
   }
@@ -41,17 +42,17 @@ struct Solved {
 };
 
 /// No leading levels: a first row that is an inequality without meaning.
-HierarchyData with_a_choice(Index unknowns, HierarchyData levels) {
+test::HierarchyData with_a_choice(Index unknowns, test::HierarchyData levels) {
   MatrixXd row = MatrixXd::Ones(1, unknowns);
-  levels.insert(levels.begin(), at_most(row, number(1e6)));
+  levels.insert(levels.begin(), test::at_most(row, test::number(1e6)));
   return levels;
 }
 
-HierarchyData random_case(int seed) {
-  RandomMatrices random(static_cast<std::uint64_t>(seed));
+test::HierarchyData random_case(int seed) {
+  test::RandomMatrices random(static_cast<std::uint64_t>(seed));
   return with_a_choice(
-      6,
-      random_levels(random, {.unknowns = 6, .levels = 4, .max_rows = 4, .inequality_share = 0.6}));
+      6, test::random_levels(random,
+                             {.unknowns = 6, .levels = 4, .max_rows = 4, .inequality_share = 0.6}));
 }
 
 const Blocker* find(const LevelBlockers& level, RowIndex at) {
@@ -95,10 +96,10 @@ TEST(Blockers, AreNoneWhereTheWishIsMet) {
 }
 
 TEST(Blockers, OfDuplicatedRowsHaveNoCostByThemselves) {
-  const Solved solved(
-      1, {between(MatrixXd::Ones(2, 1), Eigen::Vector2d(-1.0, -1.0), Eigen::Vector2d(1.0, 1.0)),
-          between(MatrixXd::Ones(1, 1), number(0.0), number(1.0)),
-          equalities(MatrixXd::Ones(1, 1), number(3.0))});
+  const Solved solved(1, {test::between(MatrixXd::Ones(2, 1), Eigen::Vector2d(-1.0, -1.0),
+                                        Eigen::Vector2d(1.0, 1.0)),
+                          test::between(MatrixXd::Ones(1, 1), test::number(0.0), test::number(1.0)),
+                          test::equalities(MatrixXd::Ones(1, 1), test::number(3.0))});
   ASSERT_GT(solved.blockers[2].count, 0u);
   for (const Blocker& blocker : solved.blockers[2].rows()) {
     EXPECT_EQ(blocker.cost, 0.0);
@@ -107,9 +108,10 @@ TEST(Blockers, OfDuplicatedRowsHaveNoCostByThemselves) {
 }
 
 TEST(Blockers, OfThoseThatCostTheSameLimitsComeFirst) {
-  const Solved solved(2, with_a_choice(2, {equalities(RowVector2d(-0.1, 0.1), number(0.0)),
-                                           at_most(RowVector2d(1.0, 0.0), number(1.0)),
-                                           equalities(RowVector2d(0.0, 1.0), number(3.0))}));
+  const Solved solved(
+      2, with_a_choice(2, {test::equalities(RowVector2d(-0.1, 0.1), test::number(0.0)),
+                           test::at_most(RowVector2d(1.0, 0.0), test::number(1.0)),
+                           test::equalities(RowVector2d(0.0, 1.0), test::number(3.0))}));
   ASSERT_EQ(solved.blockers[3].count, 2u);
   const auto [limit, equality] =
       std::tie(solved.blockers[3].dearest[0], solved.blockers[3].dearest[1]);
@@ -145,9 +147,10 @@ TEST(Blockers, HaveTheMultipliersThatExplainFinds) {
 /// Residual of the last level, its rows that count as equalities, below all rows that hold x but
 /// one, as equalities.
 double last_residual_without(const Hierarchy& hierarchy, const Solution& solution, RowIndex row) {
-  HierarchyData levels(2);
+  test::HierarchyData levels(2);
   const auto append = [&](std::size_t to, std::size_t k, Index i, double bound) {
-    levels[to] = joined(levels[to], equalities(hierarchy.level(k).A().row(i), number(bound)));
+    levels[to] = test::joined(levels[to],
+                              test::equalities(hierarchy.level(k).A().row(i), test::number(bound)));
   };
   const std::size_t last = hierarchy.num_levels() - 1;
   for (std::size_t k = 0; k <= last; ++k) {
@@ -162,7 +165,7 @@ double last_residual_without(const Hierarchy& hierarchy, const Solution& solutio
       }
     }
   }
-  return solve(hierarchy.unknowns(), levels).levels[1].residual;
+  return test::solve(hierarchy.unknowns(), levels).levels[1].residual;
 }
 
 TEST(Blockers, CostWhatIsGainedWithoutTheRowWhenAllElseStaysWhatItIs) {
@@ -209,7 +212,7 @@ TEST(Blockers, OftenCostWhatExplainFinds) {
 TEST(Blockers, AllocateNothing) {
   for (int seed = 0; seed < 20; ++seed) {
     Solved solved(6, random_case(seed));
-    const MallocCounter counter;
+    const test::MallocCounter counter;
     (void)solved.solver.blockers();
     ASSERT_EQ(counter.count(), 0u);
   }
@@ -224,9 +227,9 @@ TEST(Blockers, AreNotKnownWhereTheCascadeSolved) {
 }
 
 TEST(Blockers, AreNotKnownOfALeadingLevelWithAResidual) {
-  const HierarchyData levels{equalities(MatrixXd::Ones(1, 1), number(1.0)),
-                             equalities(MatrixXd::Ones(1, 1), number(2.0)),
-                             at_most(MatrixXd::Ones(1, 1), number(5.0))};
+  const test::HierarchyData levels{test::equalities(MatrixXd::Ones(1, 1), test::number(1.0)),
+                                   test::equalities(MatrixXd::Ones(1, 1), test::number(2.0)),
+                                   test::at_most(MatrixXd::Ones(1, 1), test::number(5.0))};
   const Solved solved(1, levels);
   EXPECT_TRUE(solved.blockers[0].is_known);
   EXPECT_FALSE(solved.blockers[1].is_known);
@@ -245,7 +248,7 @@ TEST(Solution, HasTheTimeOfTheClockThatTheSolverWasGiven) {
 }
 
 TEST(Solution, OfTheCascadeHasTheTimeOfEachLevelToo) {
-  const Hierarchy hierarchy = make_hierarchy(2, pushed_mass(8.0));
+  const Hierarchy hierarchy = test::make_hierarchy(2, pushed_mass(8.0));
   CascadeSolver silent(hierarchy);
   EXPECT_EQ(silent.solve(hierarchy).time, 0.0);
   EXPECT_EQ(silent.solution().levels[0].time, 0.0);
@@ -257,4 +260,4 @@ TEST(Solution, OfTheCascadeHasTheTimeOfEachLevelToo) {
 }
 
 }  // namespace
-}  // namespace surefoot::test
+}  // namespace surefoot::solver

@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace surefoot::test {
+namespace surefoot::solver {
 namespace {
 
 using Eigen::Index;
@@ -49,9 +49,9 @@ bool is_beaten(const Hierarchy& hierarchy, const VectorXd& x, const VectorXd& ot
 }
 
 Hierarchy straight_legged(std::uint64_t seed) {
-  RandomMatrices random(seed);
+  test::RandomMatrices random(seed);
   const int feet = random.integer(2, 4);
-  return make_hierarchy(30, straight_legged_levels(random, feet));
+  return test::make_hierarchy(30, test::straight_legged_levels(random, feet));
 }
 
 /// Of the cascade, with what it takes for independent as usual, sooner and later.
@@ -66,7 +66,7 @@ std::vector<VectorXd> other_answers(const Hierarchy& hierarchy) {
 }
 
 TEST(Borderline, AnAnswerThatIsBeatenSaysSo) {
-  const int problems = trials(2000);
+  const int problems = test::trials(2000);
   int flagged = 0;
   for (int seed = 0; seed < problems; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
@@ -87,7 +87,7 @@ TEST(Borderline, AnAnswerThatIsBeatenSaysSo) {
 }
 
 TEST(Borderline, TheCascadeNeverHasABetterAnswer) {
-  for (int seed = 0; seed < trials(1000); ++seed) {
+  for (int seed = 0; seed < test::trials(1000); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     const Hierarchy hierarchy = straight_legged(static_cast<std::uint64_t>(seed));
     LexicographicSolver solver(hierarchy);
@@ -101,36 +101,37 @@ TEST(Borderline, TheCascadeNeverHasABetterAnswer) {
 TEST(Borderline, ClearAnswersAreNotFlagged) {
   for (int seed = 0; seed < 300; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
-    RandomMatrices random(static_cast<std::uint64_t>(seed));
-    const HierarchyData levels = table_one_levels(random, 2 + seed % 3, random.uniform(0.0, 0.8));
-    EXPECT_FALSE(solve<LexicographicSolver>(30, levels).borderline);
-    EXPECT_FALSE(solve<CascadeSolver>(30, levels).borderline);
+    test::RandomMatrices random(static_cast<std::uint64_t>(seed));
+    const test::HierarchyData levels =
+        test::table_one_levels(random, 2 + seed % 3, random.uniform(0.0, 0.8));
+    EXPECT_FALSE(test::solve<LexicographicSolver>(30, levels).borderline);
+    EXPECT_FALSE(test::solve<CascadeSolver>(30, levels).borderline);
   }
 }
 
 /// (1, 0) x = 0 and (1, weak) x = 1, above x = 0.
-HierarchyData nearly_parallel(double weak) {
+test::HierarchyData nearly_parallel(double weak) {
   const MatrixXd A = (MatrixXd(2, 2) << 1.0, 0.0, 1.0, weak).finished();
-  return {equalities(A, Vector2d(0.0, 1.0)), close_to(Vector2d::Zero())};
+  return {test::equalities(A, Vector2d(0.0, 1.0)), test::close_to(Vector2d::Zero())};
 }
 
 TEST(Borderline, ADirectionThatDoublesCanHardlyTellIsFlagged) {
   for (const double weak : {3e-10, 5e-11, 3e-12}) {
-    EXPECT_TRUE(solve<LexicographicSolver>(2, nearly_parallel(weak)).borderline) << weak;
-    EXPECT_TRUE(solve<CascadeSolver>(2, nearly_parallel(weak)).borderline) << weak;
+    EXPECT_TRUE(test::solve<LexicographicSolver>(2, nearly_parallel(weak)).borderline) << weak;
+    EXPECT_TRUE(test::solve<CascadeSolver>(2, nearly_parallel(weak)).borderline) << weak;
   }
   for (const double weak : {1.0, 1e-3, 0.0}) {
-    EXPECT_FALSE(solve<LexicographicSolver>(2, nearly_parallel(weak)).borderline) << weak;
-    EXPECT_FALSE(solve<CascadeSolver>(2, nearly_parallel(weak)).borderline) << weak;
+    EXPECT_FALSE(test::solve<LexicographicSolver>(2, nearly_parallel(weak)).borderline) << weak;
+    EXPECT_FALSE(test::solve<CascadeSolver>(2, nearly_parallel(weak)).borderline) << weak;
   }
 }
 
 TEST(Borderline, AWeakDirectionIsClearOnceTheCascadeAgreesAndABudgetLeavesNoTimeToAskIt) {
-  const HierarchyData levels = nearly_parallel(1e-6);
-  EXPECT_FALSE(solve<LexicographicSolver>(2, levels).borderline);
+  const test::HierarchyData levels = nearly_parallel(1e-6);
+  EXPECT_FALSE(test::solve<LexicographicSolver>(2, levels).borderline);
   LexicographicOptions limited;
   limited.budget.flops = 1e6;
-  const Solution solution = solve<LexicographicSolver>(2, levels, limited);
+  const Solution solution = test::solve<LexicographicSolver>(2, levels, limited);
   EXPECT_EQ(solution.status, SolveStatus::optimal);
   EXPECT_TRUE(solution.borderline);
 }
@@ -139,11 +140,11 @@ TEST(Borderline, ASecondAnswerDoesNotAllocate) {
   for (std::uint64_t seed = 0; seed < 50; ++seed) {
     const Hierarchy hierarchy = straight_legged(seed);
     LexicographicSolver solver(hierarchy);
-    const MallocCounter counter;
+    const test::MallocCounter counter;
     (void)solver.solve(hierarchy);
     EXPECT_EQ(counter.count(), 0u);
   }
 }
 
 }  // namespace
-}  // namespace surefoot::test
+}  // namespace surefoot::solver

@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <string>
 
-namespace surefoot::test {
+namespace surefoot::solver {
 namespace {
 
 using Eigen::Index;
@@ -49,32 +49,32 @@ double bound(const Hierarchy& hierarchy) {
   return basis + kSweeps * sweep + kDescents * (descent_flops(hierarchy) + products);
 }
 
-HierarchyData degenerate(RandomMatrices& random, Index unknowns) {
-  return random_levels(random, {.unknowns = unknowns,
-                                .levels = 4,
-                                .max_rows = 12,
-                                .inequality_share = 0.9,
-                                .duplicate_share = 0.2,
-                                .dependent_share = 0.1,
-                                .tight_share = 0.8,
-                                .integer_share = 0.8});
+test::HierarchyData degenerate(test::RandomMatrices& random, Index unknowns) {
+  return test::random_levels(random, {.unknowns = unknowns,
+                                      .levels = 4,
+                                      .max_rows = 12,
+                                      .inequality_share = 0.9,
+                                      .duplicate_share = 0.2,
+                                      .dependent_share = 0.1,
+                                      .tight_share = 0.8,
+                                      .integer_share = 0.8});
 }
 
 TEST(Bound, OfSweepsAndFlopsIsKeptWhateverTheGuess) {
   int most_sweeps = 0;
   for (int seed = 0; seed < 1000; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
-    RandomMatrices random(static_cast<std::uint64_t>(seed));
+    test::RandomMatrices random(static_cast<std::uint64_t>(seed));
     const Index n = random.integer(2, 12);
-    const HierarchyData levels = degenerate(random, n);
-    const Hierarchy hierarchy = named(n, levels);
+    const test::HierarchyData levels = degenerate(random, n);
+    const Hierarchy hierarchy = test::named(n, levels);
     for (const int max_sweeps : {LexicographicOptions{}.max_sweeps, 1}) {
       LexicographicSolver solver(hierarchy, {.max_sweeps = max_sweeps});
       for (int side = -1; side <= 1; ++side) {
         const auto choose = [&](std::size_t, Index) {
           return side != 0 ? side : random.integer(-1, 1);
         };
-        (void)solver.solve(named(n, guess(levels, choose)));
+        (void)solver.solve(test::named(n, test::guess(levels, choose)));
         ASSERT_EQ(solver.solve(hierarchy).status, SolveStatus::optimal);
         ASSERT_LE(solver.num_sweeps(), max_sweeps + 1);
         ASSERT_LE(solver.flops(), bound(hierarchy));
@@ -88,9 +88,9 @@ TEST(Bound, OfSweepsAndFlopsIsKeptWhateverTheGuess) {
 TEST(Bound, OfIterationsOfTheCascadeIsKeptInEachLevel) {
   for (int seed = 0; seed < 1000; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
-    RandomMatrices random(static_cast<std::uint64_t>(seed));
+    test::RandomMatrices random(static_cast<std::uint64_t>(seed));
     const Index n = random.integer(2, 12);
-    const Solution solution = solve<CascadeSolver>(n, degenerate(random, n));
+    const Solution solution = test::solve<CascadeSolver>(n, degenerate(random, n));
     Index so_far = 0;
     for (const LevelResult& level : solution.levels) {
       so_far += level.num_rows;
@@ -100,4 +100,4 @@ TEST(Bound, OfIterationsOfTheCascadeIsKeptInEachLevel) {
 }
 
 }  // namespace
-}  // namespace surefoot::test
+}  // namespace surefoot::solver

@@ -11,7 +11,7 @@
 #include <cstdint>
 #include <string>
 
-namespace surefoot::test {
+namespace surefoot::solver {
 namespace {
 
 using Eigen::Index;
@@ -40,24 +40,24 @@ constexpr std::array kGuesses{Guess::none, Guess::stale, Guess::inverted, Guess:
                               Guess::of_a_solve_cut_short};
 
 /// Every second one leaves x open: there the shortest x is asked for.
-HierarchyData random_case(std::uint64_t seed, Basis basis) {
-  RandomMatrices random(seed);
-  HierarchyData levels = table_one_levels(random, 4, seed % 3 == 0 ? 0.5 : 1.0);
+test::HierarchyData random_case(std::uint64_t seed, Basis basis) {
+  test::RandomMatrices random(seed);
+  test::HierarchyData levels = test::table_one_levels(random, 4, seed % 3 == 0 ? 0.5 : 1.0);
   if (seed % 2 == 0) levels.resize(6);
   if (basis == Basis::identity) levels.erase(levels.begin(), levels.begin() + kPhysics);
   return levels;
 }
 
 /// All x that satisfy the first two levels.
-Substitution substitution_of(const HierarchyData& levels, Basis basis) {
-  const LevelData both = joined(levels[0], levels[1]);
+Substitution substitution_of(const test::HierarchyData& levels, Basis basis) {
+  const test::LevelData both = test::joined(levels[0], levels[1]);
   const MatrixXd Q = Eigen::HouseholderQR<MatrixXd>(both.A.transpose()).householderQ();
   Substitution result;
   result.num_levels = kPhysics;
   result.basis = Q.rightCols(kUnknowns - both.A.rows());
   result.offset = both.A.completeOrthogonalDecomposition().solve(both.upper);
   if (basis == Basis::skew) {
-    RandomMatrices random(3);
+    test::RandomMatrices random(3);
     result.basis *= random.matrix(result.basis.cols(), result.basis.cols());
     result.offset += result.basis * random.vector(result.basis.cols());
   }
@@ -72,7 +72,7 @@ class Case {
         basis_(basis),
         guess_(guess),
         levels_(random_case(seed, basis)),
-        hierarchy_(named(kUnknowns, levels_)),
+        hierarchy_(test::named(kUnknowns, levels_)),
         optimum_(LexicographicSolver(hierarchy_).solve(hierarchy_)),
         solver_(hierarchy_, options()) {}
 
@@ -117,8 +117,8 @@ class Case {
     return options;
   }
 
-  const Solution& solve(const HierarchyData& levels) {
-    hierarchy_ = named(kUnknowns, levels);
+  const Solution& solve(const test::HierarchyData& levels) {
+    hierarchy_ = test::named(kUnknowns, levels);
     if (basis_ == Basis::orthonormal || basis_ == Basis::skew) {
       return solver_.solve(hierarchy_, substitution_of(levels, basis_));
     }
@@ -127,7 +127,7 @@ class Case {
 
   void guess() {
     Clock::stand_still();
-    RandomMatrices random(seed_);
+    test::RandomMatrices random(seed_);
     switch (guess_) {
       case Guess::none:
         return solver_.forget();
@@ -141,20 +141,20 @@ class Case {
       case Guess::random:
         return guess_sides([&](std::size_t k, Index i) {
           const int state = static_cast<int>(optimum_.levels[k].rows[static_cast<std::size_t>(i)]);
-          return guess_ == Guess::inverted ? -sign(state) : random.integer(-1, 1);
+          return guess_ == Guess::inverted ? -test::sign(state) : random.integer(-1, 1);
         });
     }
   }
 
   template <typename Choice>
   void guess_sides(Choice&& side_of) {
-    (void)solver_.solve(named(kUnknowns, test::guess(levels_, side_of)));
+    (void)solver_.solve(test::named(kUnknowns, test::guess(levels_, side_of)));
   }
 
   std::uint64_t seed_;
   Basis basis_;
   Guess guess_;
-  HierarchyData levels_;
+  test::HierarchyData levels_;
   Hierarchy hierarchy_;
   Solution optimum_;
   LexicographicSolver solver_;
@@ -199,4 +199,4 @@ TEST(BudgetAndGuess, WhereverItEndsTheFinishedLevelsAreOptimalAndTheNextSolveIs)
 }
 
 }  // namespace
-}  // namespace surefoot::test
+}  // namespace surefoot::solver

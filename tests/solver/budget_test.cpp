@@ -11,7 +11,7 @@
 #include <cstdint>
 #include <string>
 
-namespace surefoot::test {
+namespace surefoot::solver {
 namespace {
 
 constexpr Eigen::Index kUnknowns = 30;
@@ -44,9 +44,9 @@ TEST(Budget, WhereverItEndsTheFinishedLevelsAreOptimal) {
   int num_early = 0, most_finished = 0;
   for (int seed = 0; seed < 60; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
-    RandomMatrices random(static_cast<std::uint64_t>(seed));
-    const Hierarchy hierarchy =
-        make_hierarchy(kUnknowns, table_one_levels(random, 2 + seed % 3, 0.5 * (seed % 3)));
+    test::RandomMatrices random(static_cast<std::uint64_t>(seed));
+    const Hierarchy hierarchy = test::make_hierarchy(
+        kUnknowns, test::table_one_levels(random, 2 + seed % 3, 0.5 * (seed % 3)));
     const Solution optimum = LexicographicSolver(hierarchy).solve(hierarchy);
     int finished = 0;
     for (double flops = 0.0; flops < 1e6; flops += 4e3) {
@@ -70,13 +70,13 @@ TEST(Budget, WhereverItEndsTheFinishedLevelsAreOptimal) {
 TEST(Budget, EqualitiesAreSolvedInAnyCaseSoTheyAreOptimalWithoutOne) {
   for (int seed = 0; seed < 20; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
-    RandomMatrices random(static_cast<std::uint64_t>(seed));
-    HierarchyData levels;
+    test::RandomMatrices random(static_cast<std::uint64_t>(seed));
+    test::HierarchyData levels;
     for (const Eigen::Index rows : {6, 8, 1 + seed}) {
       const Eigen::VectorXd b = random.vector(rows);
       levels.push_back({random.matrix(rows, kUnknowns), b, b});
     }
-    const Hierarchy hierarchy = make_hierarchy(kUnknowns, levels);
+    const Hierarchy hierarchy = test::make_hierarchy(kUnknowns, levels);
     const Solution optimum = LexicographicSolver(hierarchy).solve(hierarchy);
     const Solution solution = LexicographicSolver(hierarchy, with_flops(0.0)).solve(hierarchy);
     EXPECT_EQ(solution.status, SolveStatus::optimal);
@@ -89,9 +89,9 @@ TEST(Budget, SpentBetweenTheLastLevelAndTheProofTheOptimumIsCalledIt) {
   int num_before_the_end = 0;
   for (int seed = 0; seed < 60; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
-    RandomMatrices random(static_cast<std::uint64_t>(seed));
+    test::RandomMatrices random(static_cast<std::uint64_t>(seed));
     const Hierarchy hierarchy =
-        make_hierarchy(kUnknowns, table_one_levels(random, 2 + seed % 3, 1.0));
+        test::make_hierarchy(kUnknowns, test::table_one_levels(random, 2 + seed % 3, 1.0));
     LexicographicSolver whole(hierarchy);
     const Solution optimum = whole.solve(hierarchy);
     const double all = whole.flops();
@@ -119,8 +119,9 @@ TEST(Budget, ThatIsNoNumberFromZeroOnIsRefused) {
 }
 
 TEST(Budget, ItsEndIsTheSameToTheBit) {
-  RandomMatrices random(2);
-  const Hierarchy hierarchy = make_hierarchy(kUnknowns, table_one_levels(random, 3, 1.0));
+  test::RandomMatrices random(2);
+  const Hierarchy hierarchy =
+      test::make_hierarchy(kUnknowns, test::table_one_levels(random, 3, 1.0));
   const Solution first = LexicographicSolver(hierarchy, with_flops(2e4)).solve(hierarchy);
   const Solution second = LexicographicSolver(hierarchy, with_flops(2e4)).solve(hierarchy);
   ASSERT_EQ(first.status, SolveStatus::iteration_cap);
@@ -134,13 +135,14 @@ double late_clock() {
 }
 
 TEST(Budget, WithNoTimeAtAllTheLeadingEqualitiesHold) {
-  RandomMatrices random(5);
-  const Hierarchy hierarchy = make_hierarchy(kUnknowns, table_one_levels(random, 3, 1.0));
+  test::RandomMatrices random(5);
+  const Hierarchy hierarchy =
+      test::make_hierarchy(kUnknowns, test::table_one_levels(random, 3, 1.0));
   LexicographicOptions options;
   options.budget.seconds = 1e-3;
   options.clock = late_clock;
   LexicographicSolver solver(hierarchy, options);
-  const MallocCounter counter;
+  const test::MallocCounter counter;
   const Solution& solution = solver.solve(hierarchy);
   EXPECT_EQ(counter.count(), 0u);
   ASSERT_EQ(solution.status, SolveStatus::iteration_cap);
@@ -153,9 +155,9 @@ TEST(Budget, ALevelThatIsCutShortLaterIsNoWorse) {
   // More of a budget never makes the level worse that is being solved.
   int num_compared = 0;
   for (int seed = 0; seed < 60; ++seed) {
-    RandomMatrices random(static_cast<std::uint64_t>(seed));
-    const HierarchyData levels = table_one_levels(random, 2 + seed % 3, 1.0);
-    const Hierarchy hierarchy = make_hierarchy(kUnknowns, levels);
+    test::RandomMatrices random(static_cast<std::uint64_t>(seed));
+    const test::HierarchyData levels = test::table_one_levels(random, 2 + seed % 3, 1.0);
+    const Hierarchy hierarchy = test::make_hierarchy(kUnknowns, levels);
     double last = 0.0;
     int last_level = -1;
     for (double flops = 0.0; flops < 4e5; flops += 4e3) {
@@ -187,9 +189,9 @@ TEST(Budget, IsKeptButForTheLeadingEqualitiesAndWhatHadBegun) {
   int num_early = 0;
   for (int seed = 0; seed < 60; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
-    RandomMatrices random(static_cast<std::uint64_t>(seed));
+    test::RandomMatrices random(static_cast<std::uint64_t>(seed));
     const Hierarchy hierarchy =
-        make_hierarchy(kUnknowns, table_one_levels(random, 2 + seed % 3, 1.0));
+        test::make_hierarchy(kUnknowns, test::table_one_levels(random, 2 + seed % 3, 1.0));
     LexicographicSolver none(hierarchy, with_flops(0.0));
     ASSERT_EQ(none.solve(hierarchy).status, SolveStatus::iteration_cap);
     ASSERT_EQ(none.num_sweeps(), 0);
@@ -212,8 +214,9 @@ TEST(Budget, IsKeptButForTheLeadingEqualitiesAndWhatHadBegun) {
 }
 
 TEST(Budget, IsKeptWhereTheCascadeWasAskedForWhichHasNone) {
-  RandomMatrices random(2);
-  const Hierarchy hierarchy = make_hierarchy(kUnknowns, table_one_levels(random, 3, 1.0));
+  test::RandomMatrices random(2);
+  const Hierarchy hierarchy =
+      test::make_hierarchy(kUnknowns, test::table_one_levels(random, 3, 1.0));
   LexicographicOptions options = with_flops(1.0);
   options.max_sweeps = 0;
   EXPECT_EQ(LexicographicSolver(hierarchy, options).solve(hierarchy).status,
@@ -223,8 +226,8 @@ TEST(Budget, IsKeptWhereTheCascadeWasAskedForWhichHasNone) {
 }
 
 /// All x that satisfy the first two levels, in a skew basis.
-Substitution skew_substitution(const HierarchyData& levels, RandomMatrices& random) {
-  const LevelData both = joined(levels[0], levels[1]);
+Substitution skew_substitution(const test::HierarchyData& levels, test::RandomMatrices& random) {
+  const test::LevelData both = test::joined(levels[0], levels[1]);
   const Eigen::MatrixXd Q =
       Eigen::HouseholderQR<Eigen::MatrixXd>(both.A.transpose()).householderQ();
   const Eigen::MatrixXd N = Q.rightCols(kUnknowns - both.A.rows());
@@ -240,10 +243,10 @@ TEST(Budget, WhereverItEndsXIsReadInTheBasisInWhichItWasFound) {
   int num_early = 0, most_finished = 0;
   for (int seed = 0; seed < 60; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
-    RandomMatrices random(static_cast<std::uint64_t>(seed));
-    HierarchyData levels = table_one_levels(random, 2 + seed % 3, 1.0);
+    test::RandomMatrices random(static_cast<std::uint64_t>(seed));
+    test::HierarchyData levels = test::table_one_levels(random, 2 + seed % 3, 1.0);
     levels.resize(5);  // x is left open: the basis is made orthonormal on the way
-    const Hierarchy hierarchy = make_hierarchy(kUnknowns, levels);
+    const Hierarchy hierarchy = test::make_hierarchy(kUnknowns, levels);
     const Substitution substitution = skew_substitution(levels, random);
     const Solution optimum = LexicographicSolver(hierarchy).solve(hierarchy);
     for (double flops = 0.0; flops < 1e6; flops += 4e3) {
@@ -260,4 +263,4 @@ TEST(Budget, WhereverItEndsXIsReadInTheBasisInWhichItWasFound) {
 }
 
 }  // namespace
-}  // namespace surefoot::test
+}  // namespace surefoot::solver

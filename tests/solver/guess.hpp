@@ -8,12 +8,12 @@
 namespace surefoot::test {
 
 /// A level for each of `levels`, called "level 0" and so on, whose rows have the ids 0, 1, ….
-inline Hierarchy named(Eigen::Index unknowns, const HierarchyData& levels) {
-  Hierarchy hierarchy(unknowns);
+inline solver::Hierarchy named(Eigen::Index unknowns, const HierarchyData& levels) {
+  solver::Hierarchy hierarchy(unknowns);
   for (const LevelData& data : levels) {
     const std::size_t k =
         hierarchy.add_level("level " + std::to_string(hierarchy.num_levels()), data.lower.size());
-    Rows rows = hierarchy.level(k).add(data.lower.size(), 0);
+    solver::Rows rows = hierarchy.level(k).add(data.lower.size(), 0);
     if (data.lower.size() > 0) rows.A = data.A;
     rows.lower = data.lower;
     rows.upper = data.upper;

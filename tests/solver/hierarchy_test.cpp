@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-namespace surefoot::test {
+namespace surefoot::solver {
 namespace {
 
 /// Two levels of room for two rows each, over three unknowns.
@@ -32,7 +32,7 @@ void fill(Rows rows, double number) {
 
 template <typename Solver>
 class LevelCapacity : public testing::Test {};
-TYPED_TEST_SUITE(LevelCapacity, Solvers);
+TYPED_TEST_SUITE(LevelCapacity, test::Solvers);
 
 TYPED_TEST(LevelCapacity, RowsBeyondItCanBeFilledAndAreInvalidInput) {
   Hierarchy hierarchy = small_hierarchy();
@@ -164,4 +164,4 @@ TYPED_TEST(LevelCapacity, WithoutUnknownsEveryRowIsMissedByItsBound) {
 }
 
 }  // namespace
-}  // namespace surefoot::test
+}  // namespace surefoot::solver

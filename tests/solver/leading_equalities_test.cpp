@@ -11,7 +11,7 @@
 #include <cstdint>
 #include <string>
 
-namespace surefoot::test {
+namespace surefoot::solver {
 namespace {
 
 using Eigen::Index;
@@ -19,8 +19,8 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 /// Equalities whose rows are zero from some column on.
-LevelData short_rows(RandomMatrices& random, Index rows, Index unknowns) {
-  LevelData level = equalities(random.matrix(rows, unknowns), random.vector(rows));
+test::LevelData short_rows(test::RandomMatrices& random, Index rows, Index unknowns) {
+  test::LevelData level = test::equalities(random.matrix(rows, unknowns), random.vector(rows));
   for (Index i = 0; i < rows; ++i) {
     const Index end = random.integer(static_cast<int>(unknowns) / 3, static_cast<int>(unknowns));
     level.A.row(i).tail(unknowns - end).setZero();
@@ -28,8 +28,8 @@ LevelData short_rows(RandomMatrices& random, Index rows, Index unknowns) {
   return level;
 }
 
-HierarchyData leading_levels(RandomMatrices& random, Index unknowns) {
-  HierarchyData levels;
+test::HierarchyData leading_levels(test::RandomMatrices& random, Index unknowns) {
+  test::HierarchyData levels;
   for (int k = 0; k < 3; ++k) {
     levels.push_back(
         short_rows(random, random.integer(0, static_cast<int>(unknowns) / 4), unknowns));
@@ -40,12 +40,12 @@ HierarchyData leading_levels(RandomMatrices& random, Index unknowns) {
 TEST(LeadingEqualities, WithRowsOfAnyLengthLeaveTheOptimumAndTheFreedomOfTheirOrder) {
   for (int seed = 0; seed < 300; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
-    RandomMatrices random(static_cast<std::uint64_t>(seed));
+    test::RandomMatrices random(static_cast<std::uint64_t>(seed));
     const Index n = random.integer(3, 40);
-    HierarchyData levels = leading_levels(random, n);
-    levels.push_back(at_most(random.matrix(4, n), random.vector(4)));
-    levels.push_back(close_to(random.vector(n)));
-    const Hierarchy hierarchy = make_hierarchy(n, levels);
+    test::HierarchyData levels = leading_levels(random, n);
+    levels.push_back(test::at_most(random.matrix(4, n), random.vector(4)));
+    levels.push_back(test::close_to(random.vector(n)));
+    const Hierarchy hierarchy = test::make_hierarchy(n, levels);
     CascadeSolver cascade(hierarchy);
     const Solution& expected = cascade.solve(hierarchy);
     for (const SweepKernels* kernels : all_kernels()) {
@@ -65,12 +65,12 @@ TEST(LeadingEqualities, WithRowsOfAnyLengthLeaveTheOptimumAndTheFreedomOfTheirOr
 TEST(LeadingEqualities, WithRowsOfAnyLengthLeaveTheShortestX) {
   for (int seed = 0; seed < 300; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
-    RandomMatrices random(static_cast<std::uint64_t>(seed));
+    test::RandomMatrices random(static_cast<std::uint64_t>(seed));
     const Index n = random.integer(4, 40);
-    HierarchyData levels = leading_levels(random, n);
+    test::HierarchyData levels = leading_levels(random, n);
     MatrixXd A(0, n);
     VectorXd b(0);
-    for (const LevelData& level : levels) {
+    for (const test::LevelData& level : levels) {
       A.conservativeResize(A.rows() + level.A.rows(), n);
       b.conservativeResize(A.rows());
       A.bottomRows(level.A.rows()) = level.A;
@@ -78,8 +78,8 @@ TEST(LeadingEqualities, WithRowsOfAnyLengthLeaveTheShortestX) {
     }
     const VectorXd shortest = A.rows() > 0 ? VectorXd(A.completeOrthogonalDecomposition().solve(b))
                                            : VectorXd(VectorXd::Zero(n));
-    levels.push_back(at_most(random.matrix(1, n), VectorXd::Constant(1, kInfinity)));
-    const Hierarchy hierarchy = make_hierarchy(n, levels);
+    levels.push_back(test::at_most(random.matrix(1, n), VectorXd::Constant(1, kInfinity)));
+    const Hierarchy hierarchy = test::make_hierarchy(n, levels);
     for (const SweepKernels* kernels : all_kernels()) {
       SCOPED_TRACE(kernels->name);
       LexicographicSolver solver(hierarchy, {.kernels = kernels});
@@ -91,12 +91,12 @@ TEST(LeadingEqualities, WithRowsOfAnyLengthLeaveTheShortestX) {
 TEST(LeadingEqualities, ThatContradictEachOtherGiveWayByOrderAndNotByLength) {
   for (int seed = 0; seed < 100; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
-    RandomMatrices random(static_cast<std::uint64_t>(seed));
+    test::RandomMatrices random(static_cast<std::uint64_t>(seed));
     const Index n = random.integer(6, 30);
-    const LevelData second = short_rows(random, 1, n);
-    LevelData first = equalities(random.matrix(2, n), random.vector(2));
+    const test::LevelData second = short_rows(random, 1, n);
+    test::LevelData first = test::equalities(random.matrix(2, n), random.vector(2));
     first.A.row(1) = first.A.row(0) + second.A;
-    const Solution solution = solve<LexicographicSolver>(n, {first, second});
+    const Solution solution = test::solve<LexicographicSolver>(n, {first, second});
     const double missed = std::abs(first.upper[1] - first.upper[0] - second.upper[0]);
     ASSERT_LE(solution.levels[0].residual, 1e-9);
     ASSERT_NEAR(solution.levels[1].residual, missed, 1e-9);
@@ -105,4 +105,4 @@ TEST(LeadingEqualities, ThatContradictEachOtherGiveWayByOrderAndNotByLength) {
 }
 
 }  // namespace
-}  // namespace surefoot::test
+}  // namespace surefoot::solver

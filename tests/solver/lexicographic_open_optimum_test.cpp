@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <string>
 
-namespace surefoot::test {
+namespace surefoot::solver {
 namespace {
 
 using Eigen::Index;
@@ -13,20 +13,20 @@ using Eigen::VectorXd;
 
 constexpr Index kUnknowns = 10;
 
-HierarchyData open_case(int seed) {
-  RandomMatrices random(static_cast<std::uint64_t>(seed));
-  return random_levels(
+test::HierarchyData open_case(int seed) {
+  test::RandomMatrices random(static_cast<std::uint64_t>(seed));
+  return test::random_levels(
       random, {.unknowns = kUnknowns, .levels = 3, .max_rows = 4, .inequality_share = 0.7});
 }
 
 TEST(LexicographicOpenOptimum, IsTheShortestOfAll) {
   for (int seed = 0; seed < 300; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
-    const HierarchyData levels = open_case(seed);
-    HierarchyData shortest = levels;
-    shortest.push_back(close_to(VectorXd::Zero(kUnknowns)));
-    const VectorXd expected = solve<CascadeSolver>(kUnknowns, shortest).x;
-    const VectorXd x = solve<LexicographicSolver>(kUnknowns, levels).x;
+    const test::HierarchyData levels = open_case(seed);
+    test::HierarchyData shortest = levels;
+    shortest.push_back(test::close_to(VectorXd::Zero(kUnknowns)));
+    const VectorXd expected = test::solve<CascadeSolver>(kUnknowns, shortest).x;
+    const VectorXd x = test::solve<LexicographicSolver>(kUnknowns, levels).x;
     ASSERT_LE((x - expected).norm(), 1e-9 * (1.0 + expected.norm()));
   }
 }
@@ -35,7 +35,7 @@ TEST(LexicographicOpenOptimum, IsTheShortestWhereTheCascadeHadToSolve) {
   int num_by_cascade = 0;
   for (int seed = 0; seed < 300; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
-    const Hierarchy hierarchy = make_hierarchy(kUnknowns, open_case(seed));
+    const Hierarchy hierarchy = test::make_hierarchy(kUnknowns, open_case(seed));
     const VectorXd expected = LexicographicSolver(hierarchy).solve(hierarchy).x;
     LexicographicOptions options;
     options.max_sweeps = 1;
@@ -50,15 +50,15 @@ TEST(LexicographicOpenOptimum, IsTheShortestWhereTheCascadeHadToSolve) {
 TEST(LexicographicOpenOptimum, DoesNotDependOnTheGuess) {
   for (int seed = 0; seed < 300; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
-    const Hierarchy hierarchy = make_hierarchy(kUnknowns, open_case(seed));
-    HierarchyData other_levels = open_case(seed);
-    for (LevelData& level : other_levels) level.A *= -1.0;
+    const Hierarchy hierarchy = test::make_hierarchy(kUnknowns, open_case(seed));
+    test::HierarchyData other_levels = open_case(seed);
+    for (test::LevelData& level : other_levels) level.A *= -1.0;
     LexicographicSolver solver(hierarchy);
     const VectorXd cold = solver.solve(hierarchy).x;
-    (void)solver.solve(make_hierarchy(kUnknowns, other_levels));
+    (void)solver.solve(test::make_hierarchy(kUnknowns, other_levels));
     ASSERT_LE((solver.solve(hierarchy).x - cold).norm(), 1e-9 * (1.0 + cold.norm()));
   }
 }
 
 }  // namespace
-}  // namespace surefoot::test
+}  // namespace surefoot::solver

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <string>
 
-namespace surefoot::test {
+namespace surefoot::solver {
 namespace {
 
 using Eigen::Index;
@@ -23,7 +23,7 @@ void expect_basis(const MatrixXd& A, const MatrixXd& Z, Index dimension) {
 TEST(NullSpace, IsOrthonormalAndComplete) {
   for (int seed = 0; seed < 200; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
-    RandomMatrices random(static_cast<std::uint64_t>(seed));
+    test::RandomMatrices random(static_cast<std::uint64_t>(seed));
     const Index n = random.integer(1, 12);
     const Index rank = random.integer(0, static_cast<int>(n));
     const Index rows = rank + random.integer(0, 4);
@@ -33,7 +33,7 @@ TEST(NullSpace, IsOrthonormalAndComplete) {
 }
 
 TEST(NullSpace, OfAFullRankMatrixHasZeroColumns) {
-  RandomMatrices random(1);
+  test::RandomMatrices random(1);
   EXPECT_EQ(null_space(random.matrix(5, 5)).cols(), 0);
   EXPECT_EQ(null_space(random.matrix(9, 5)).cols(), 0);
 }
@@ -44,7 +44,7 @@ TEST(NullSpace, OfNoRowsOrZeroRowsIsEverything) {
 }
 
 TEST(NullSpace, DoesNotDependOnTheScaleOfRows) {
-  RandomMatrices random(2);
+  test::RandomMatrices random(2);
   MatrixXd A = random.matrix(3, 6);
   A.row(0) *= 1e-9;
   A.row(2) *= 1e9;
@@ -63,7 +63,7 @@ TEST(NullSpace, LosesADirectionAtTheTolerance) {
 TEST(NullSpace, StageByStageIsTheNullSpaceOfTheStack) {
   for (int seed = 0; seed < 100; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
-    RandomMatrices random(static_cast<std::uint64_t>(seed));
+    test::RandomMatrices random(static_cast<std::uint64_t>(seed));
     const MatrixXd A1 = random.matrix(3, 9);
     MatrixXd A2 = random.matrix(4, 9);
     A2.row(1) = A1.row(0) - 2.0 * A1.row(2);  // in conflict with the first stage
@@ -75,11 +75,11 @@ TEST(NullSpace, StageByStageIsTheNullSpaceOfTheStack) {
 }
 
 TEST(NullSpace, WithinAnEmptyNullSpaceIsEmpty) {
-  RandomMatrices random(3);
+  test::RandomMatrices random(3);
   const MatrixXd Z = null_space_within(random.matrix(2, 4), MatrixXd(4, 0));
   EXPECT_EQ(Z.rows(), 4);
   EXPECT_EQ(Z.cols(), 0);
 }
 
 }  // namespace
-}  // namespace surefoot::test
+}  // namespace surefoot::solver

@@ -14,17 +14,17 @@
 namespace surefoot::test {
 
 /// All that promise the lexicographic optimum; each passes the same tests.
-using Solvers = testing::Types<CascadeSolver, LexicographicSolver>;
+using Solvers = testing::Types<solver::CascadeSolver, solver::LexicographicSolver>;
 
 template <typename Solver>
 struct OptionsOf;
 template <>
-struct OptionsOf<CascadeSolver> {
-  using Type = CascadeOptions;
+struct OptionsOf<solver::CascadeSolver> {
+  using Type = solver::CascadeOptions;
 };
 template <>
-struct OptionsOf<LexicographicSolver> {
-  using Type = LexicographicOptions;
+struct OptionsOf<solver::LexicographicSolver> {
+  using Type = solver::LexicographicOptions;
 };
 template <typename Solver>
 using Options = typename OptionsOf<Solver>::Type;
@@ -34,7 +34,7 @@ using Options = typename OptionsOf<Solver>::Type;
 template <typename Solver>
 Options<Solver> limited(int iterations) {
   Options<Solver> options;
-  if constexpr (std::is_same_v<Solver, LexicographicSolver>) {
+  if constexpr (std::is_same_v<Solver, solver::LexicographicSolver>) {
     options.budget.flops = 3e3 * iterations;
   } else {
     options.max_iterations = iterations;
@@ -43,17 +43,17 @@ Options<Solver> limited(int iterations) {
 }
 
 /// A fresh solver's answer.
-template <typename Solver = CascadeSolver>
-Solution solve(Eigen::Index unknowns, const HierarchyData& levels,
-               const Options<Solver>& options = {}) {
-  const Hierarchy hierarchy = make_hierarchy(unknowns, levels);
+template <typename Solver = solver::CascadeSolver>
+solver::Solution solve(Eigen::Index unknowns, const HierarchyData& levels,
+                       const Options<Solver>& options = {}) {
+  const solver::Hierarchy hierarchy = make_hierarchy(unknowns, levels);
   Solver solver(hierarchy, options);
   return solver.solve(hierarchy);
 }
 
-inline std::vector<double> residuals(const Solution& solution) {
+inline std::vector<double> residuals(const solver::Solution& solution) {
   std::vector<double> all;
-  for (const LevelResult& level : solution.levels) all.push_back(level.residual);
+  for (const solver::LevelResult& level : solution.levels) all.push_back(level.residual);
   return all;
 }
 
@@ -66,7 +66,7 @@ inline constexpr double kProven = 1e-9;
 /// Largest distance of any level from its optimality conditions.
 inline double optimality_error(Eigen::Index unknowns, const HierarchyData& levels,
                                const Eigen::VectorXd& x) {
-  return worst_stationarity(certify(make_hierarchy(unknowns, levels), x));
+  return solver::worst_stationarity(solver::certify(make_hierarchy(unknowns, levels), x));
 }
 
 /// A last level that leaves no freedom: x close to `reference`. The optimum is unique then.

@@ -11,7 +11,7 @@
 #include <limits>
 #include <string>
 
-namespace surefoot::test {
+namespace surefoot::solver {
 namespace {
 
 using Eigen::Index;
@@ -21,8 +21,8 @@ using Eigen::VectorXd;
 constexpr Index kUnknowns = 30;
 
 /// All solutions of the first two levels, in a skew basis and from an arbitrary one of them.
-Substitution skew_substitution(const HierarchyData& levels, RandomMatrices& random) {
-  const LevelData both = joined(levels[0], levels[1]);
+Substitution skew_substitution(const test::HierarchyData& levels, test::RandomMatrices& random) {
+  const test::LevelData both = test::joined(levels[0], levels[1]);
   const Eigen::HouseholderQR<MatrixXd> qr(both.A.transpose());
   const MatrixXd Q = qr.householderQ();
   const MatrixXd N = Q.rightCols(kUnknowns - both.A.rows());
@@ -34,9 +34,9 @@ Substitution skew_substitution(const HierarchyData& levels, RandomMatrices& rand
   return result;
 }
 
-void expect_same(const HierarchyData& levels, RandomMatrices& random) {
+void expect_same(const test::HierarchyData& levels, test::RandomMatrices& random) {
   const Substitution substitution = skew_substitution(levels, random);
-  const Hierarchy hierarchy = make_hierarchy(kUnknowns, levels);
+  const Hierarchy hierarchy = test::make_hierarchy(kUnknowns, levels);
   const Solution expected = LexicographicSolver(hierarchy).solve(hierarchy);
   LexicographicSolver solver(hierarchy);
   const Solution& solution = solver.solve(hierarchy, substitution);
@@ -49,27 +49,27 @@ void expect_same(const HierarchyData& levels, RandomMatrices& random) {
 TEST(Substitution, GivesTheSameX) {
   for (int seed = 0; seed < 200; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
-    RandomMatrices random(static_cast<std::uint64_t>(seed));
+    test::RandomMatrices random(static_cast<std::uint64_t>(seed));
     const double aggression = 0.5 * (seed % 3);
-    expect_same(table_one_levels(random, 2 + seed % 3, aggression), random);
+    expect_same(test::table_one_levels(random, 2 + seed % 3, aggression), random);
   }
 }
 
 TEST(Substitution, GivesTheShortestXWhereItIsOpen) {
   for (int seed = 0; seed < 200; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
-    RandomMatrices random(static_cast<std::uint64_t>(seed));
-    HierarchyData levels = table_one_levels(random, 2 + seed % 3, 0.5 * (seed % 3));
+    test::RandomMatrices random(static_cast<std::uint64_t>(seed));
+    test::HierarchyData levels = test::table_one_levels(random, 2 + seed % 3, 0.5 * (seed % 3));
     levels.resize(5);
     expect_same(levels, random);
   }
 }
 
 TEST(Substitution, IsNotUsedWhereItDoesNotFit) {
-  RandomMatrices random(1);
-  const HierarchyData levels = table_one_levels(random, 3, 0.3);
+  test::RandomMatrices random(1);
+  const test::HierarchyData levels = test::table_one_levels(random, 3, 0.3);
   const Substitution good = skew_substitution(levels, random);
-  const Hierarchy hierarchy = make_hierarchy(kUnknowns, levels);
+  const Hierarchy hierarchy = test::make_hierarchy(kUnknowns, levels);
   LexicographicSolver solver(hierarchy);
   const VectorXd expected = solver.solve(hierarchy).x;
   Substitution bad = good;
@@ -92,13 +92,13 @@ TEST(Substitution, IsNotUsedWhereItDoesNotFit) {
 }
 
 TEST(Substitution, DoesNotAllocate) {
-  RandomMatrices random(1);
-  HierarchyData levels = table_one_levels(random, 3, 1.0);
+  test::RandomMatrices random(1);
+  test::HierarchyData levels = test::table_one_levels(random, 3, 1.0);
   levels.resize(5);
   const Substitution substitution = skew_substitution(levels, random);
-  const Hierarchy hierarchy = make_hierarchy(kUnknowns, levels);
+  const Hierarchy hierarchy = test::make_hierarchy(kUnknowns, levels);
   LexicographicSolver solver(hierarchy);
-  const MallocCounter counter;
+  const test::MallocCounter counter;
   (void)solver.solve(hierarchy, substitution);
   EXPECT_EQ(counter.count(), 0u);
 }
@@ -106,10 +106,10 @@ TEST(Substitution, DoesNotAllocate) {
 TEST(Substitution, TheLengthOfItsColumnsDoesNotMatter) {
   for (int seed = 0; seed < 60; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
-    RandomMatrices random(static_cast<std::uint64_t>(seed));
-    HierarchyData levels = table_one_levels(random, 2 + seed % 3, 0.5 * (seed % 3));
+    test::RandomMatrices random(static_cast<std::uint64_t>(seed));
+    test::HierarchyData levels = test::table_one_levels(random, 2 + seed % 3, 0.5 * (seed % 3));
     if (seed % 2 == 1) levels.resize(5);
-    const Hierarchy hierarchy = make_hierarchy(kUnknowns, levels);
+    const Hierarchy hierarchy = test::make_hierarchy(kUnknowns, levels);
     const Solution expected = LexicographicSolver(hierarchy).solve(hierarchy);
     Substitution substitution = skew_substitution(levels, random);
     for (Index j = 0; j < substitution.basis.cols(); ++j) {
@@ -126,4 +126,4 @@ TEST(Substitution, TheLengthOfItsColumnsDoesNotMatter) {
 }
 
 }  // namespace
-}  // namespace surefoot::test
+}  // namespace surefoot::solver

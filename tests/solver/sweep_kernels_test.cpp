@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace surefoot::test {
+namespace surefoot::solver {
 namespace {
 
 using Eigen::Index;
@@ -19,8 +19,8 @@ using Eigen::VectorXd;
 TEST(SweepKernels, TheWidestThatTheProcessorHasAreUsedUnlessOthersAreAskedFor) {
   const std::vector<const SweepKernels*> all = all_kernels();
   EXPECT_TRUE(std::ranges::is_sorted(all, std::less_equal{}, &SweepKernels::pack));
-  RandomMatrices random(3);
-  const Hierarchy hierarchy = make_hierarchy(30, table_one_levels(random, 3, 1.0));
+  test::RandomMatrices random(3);
+  const Hierarchy hierarchy = test::make_hierarchy(30, test::table_one_levels(random, 3, 1.0));
   const auto x = [&](const SweepKernels* kernels) -> VectorXd {
     return LexicographicSolver(hierarchy, {.kernels = kernels}).solve(hierarchy).x;
   };
@@ -45,12 +45,12 @@ void expect_same_x(const Hierarchy& hierarchy, const VectorXd& expected) {
 TEST(SweepKernels, AllInstructionSetsGiveTheSameAnswer) {
   for (int seed = 0; seed < 200; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
-    RandomMatrices random(static_cast<std::uint64_t>(seed));
+    test::RandomMatrices random(static_cast<std::uint64_t>(seed));
     const Index n = random.integer(1, 40);
-    HierarchyData levels =
-        random_levels(random, {.unknowns = n, .levels = 5, .max_rows = 9, .inequality_share = 0.6});
-    levels.push_back(close_to(random.vector(n)));
-    const Hierarchy hierarchy = make_hierarchy(n, levels);
+    test::HierarchyData levels = test::random_levels(
+        random, {.unknowns = n, .levels = 5, .max_rows = 9, .inequality_share = 0.6});
+    levels.push_back(test::close_to(random.vector(n)));
+    const Hierarchy hierarchy = test::make_hierarchy(n, levels);
     expect_same_x(hierarchy, CascadeSolver(hierarchy).solve(hierarchy).x);
   }
 }
@@ -58,8 +58,9 @@ TEST(SweepKernels, AllInstructionSetsGiveTheSameAnswer) {
 TEST(SweepKernels, AllInstructionSetsAgreeOnManyActiveRows) {
   for (int seed = 0; seed < 100; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
-    RandomMatrices random(static_cast<std::uint64_t>(seed));
-    const Hierarchy hierarchy = make_hierarchy(30, table_one_levels(random, 2 + seed % 3, 1.0));
+    test::RandomMatrices random(static_cast<std::uint64_t>(seed));
+    const Hierarchy hierarchy =
+        test::make_hierarchy(30, test::table_one_levels(random, 2 + seed % 3, 1.0));
     expect_same_x(hierarchy, CascadeSolver(hierarchy).solve(hierarchy).x);
   }
 }
@@ -68,9 +69,9 @@ TEST(SweepKernels, AllInstructionSetsSeeNumbersThatAreNone) {
   for (const SweepKernels* kernels : all_kernels()) {
     SCOPED_TRACE(kernels->name);
     for (Index column = 0; column < 11; ++column) {
-      HierarchyData levels{equalities(Eigen::MatrixXd::Ones(1, 11), VectorXd::Ones(1))};
+      test::HierarchyData levels{test::equalities(Eigen::MatrixXd::Ones(1, 11), VectorXd::Ones(1))};
       levels[0].A(0, column) = std::numeric_limits<double>::quiet_NaN();
-      const Hierarchy hierarchy = make_hierarchy(11, levels);
+      const Hierarchy hierarchy = test::make_hierarchy(11, levels);
       LexicographicSolver solver(hierarchy, {.kernels = kernels});
       ASSERT_EQ(solver.solve(hierarchy).status, SolveStatus::invalid_input) << column;
     }
@@ -78,4 +79,4 @@ TEST(SweepKernels, AllInstructionSetsSeeNumbersThatAreNone) {
 }
 
 }  // namespace
-}  // namespace surefoot::test
+}  // namespace surefoot::solver

@@ -7,7 +7,7 @@
 
 #include <string>
 
-namespace surefoot::test {
+namespace surefoot::solver {
 namespace {
 
 using Eigen::Index;
@@ -22,7 +22,7 @@ VectorXd fresh_step(const MatrixXd& B, const VectorXd& r, Index free) {
 TEST(TurningLeastSquares, FollowsRotationsStepsAndAChangingNumberOfFreeColumns) {
   for (int seed = 0; seed < 100; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
-    RandomMatrices random(static_cast<std::uint64_t>(seed));
+    test::RandomMatrices random(static_cast<std::uint64_t>(seed));
     const Index n = random.integer(2, 12);
     MatrixXd B = random.matrix(n + random.integer(0, 5), n);
     VectorXd r = random.vector(B.rows());
@@ -46,7 +46,7 @@ TEST(TurningLeastSquares, FollowsRotationsStepsAndAChangingNumberOfFreeColumns) 
 }
 
 TEST(TurningLeastSquares, DoesNotStartWithoutFullColumnRank) {
-  RandomMatrices random(1);
+  test::RandomMatrices random(1);
   TurningLeastSquares least_squares(20, 12);
   EXPECT_FALSE(least_squares.start(random.matrix(4, 5), random.vector(4)));
   EXPECT_FALSE(least_squares.start(random.matrix(9, 3) * random.matrix(3, 5), random.vector(9)));
@@ -59,12 +59,12 @@ TEST(TurningLeastSquares, DoesNotStartWithoutFullColumnRank) {
 TEST(CascadeWithLargeLevels, LeastSquaresUnderManyLimitsIsOptimal) {
   for (int seed = 0; seed < 30; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
-    RandomMatrices random(static_cast<std::uint64_t>(seed));
+    test::RandomMatrices random(static_cast<std::uint64_t>(seed));
     const Index n = random.integer(10, 40);
-    const HierarchyData levels = least_squares_under_limits(random, n);
-    const Solution solution = solve(n, levels);
+    const test::HierarchyData levels = test::least_squares_under_limits(random, n);
+    const Solution solution = test::solve(n, levels);
     ASSERT_EQ(solution.status, SolveStatus::optimal);
-    ASSERT_LE(optimality_error(n, levels, solution.x), 1e-9);
+    ASSERT_LE(test::optimality_error(n, levels, solution.x), 1e-9);
     ASSERT_GE(solution.levels[1].num_active(), 1);
   }
 }
@@ -73,15 +73,15 @@ TEST(CascadeWithLargeLevels, ALevelOfDependentColumnsUnderManyLimitsIsOptimal) {
   // Too few independent rows to be updated, so it is factorized again at each step.
   for (int seed = 0; seed < 30; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
-    RandomMatrices random(static_cast<std::uint64_t>(seed));
+    test::RandomMatrices random(static_cast<std::uint64_t>(seed));
     const Index n = 20;
-    HierarchyData levels = least_squares_under_limits(random, n);
+    test::HierarchyData levels = test::least_squares_under_limits(random, n);
     levels[2].A = random.matrix(30, 8) * random.matrix(8, n);
-    const Solution solution = solve(n, levels);
+    const Solution solution = test::solve(n, levels);
     ASSERT_EQ(solution.status, SolveStatus::optimal);
-    ASSERT_LE(optimality_error(n, levels, solution.x), 1e-9);
+    ASSERT_LE(test::optimality_error(n, levels, solution.x), 1e-9);
   }
 }
 
 }  // namespace
-}  // namespace surefoot::test
+}  // namespace surefoot::solver

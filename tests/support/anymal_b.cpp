@@ -4,8 +4,8 @@
 
 namespace surefoot::test {
 
-RobotDescription anymal_b() {
-  RobotDescription robot;
+model::RobotDescription anymal_b() {
+  model::RobotDescription robot;
   robot.name = "anymal_b";
   const std::string packages(build_info().robot_packages);
   robot.package_folders = {packages};
@@ -14,7 +14,7 @@ RobotDescription anymal_b() {
   robot.base_link = "base";
   for (const Leg leg : kLegs) {
     const std::string name(kLegNames[index(leg)]);
-    LegDescription& parts = robot.legs[index(leg)];
+    model::LegDescription& parts = robot.legs[index(leg)];
     parts.joints = {name + "_HAA", name + "_HFE", name + "_KFE"};
     parts.hip_frame = name + "_THIGH";
     parts.thigh_link = name + "_THIGH";

@@ -5,6 +5,6 @@
 namespace surefoot::test {
 
 /// ANYmal B as robots/anymal_b.yaml describes it, without reading that file.
-[[nodiscard]] RobotDescription anymal_b();
+[[nodiscard]] model::RobotDescription anymal_b();
 
 }  // namespace surefoot::test

@@ -27,11 +27,11 @@ class ChangedUrdf {
     write_file(robot_.urdf_path, text_);
   }
 
-  [[nodiscard]] const RobotDescription& robot() const { return robot_; }
+  [[nodiscard]] const model::RobotDescription& robot() const { return robot_; }
 
  private:
   TemporaryFolder folder_;
-  RobotDescription robot_;
+  model::RobotDescription robot_;
   std::string text_;
 };
 

@@ -5,7 +5,7 @@
 namespace surefoot::test {
 namespace {
 
-VecX stacked_drifts(const Dynamics& dynamics, const MotionPlan& plan) {
+VecX stacked_drifts(const model::Dynamics& dynamics, const MotionPlan& plan) {
   VecX drifts(3 * plan.num_contacts());
   Eigen::Index row = 0;
   for (const Leg leg : kLegs) {
@@ -30,7 +30,7 @@ JointVector random_torque(Random& random) {
   return torque;
 }
 
-MatX stacked_jacobians(const Dynamics& dynamics, const MotionPlan& plan) {
+MatX stacked_jacobians(const model::Dynamics& dynamics, const MotionPlan& plan) {
   MatX J_s(3 * plan.num_contacts(), kNumVelocities);
   Eigen::Index row = 0;
   for (const Leg leg : kLegs) {
@@ -41,7 +41,7 @@ MatX stacked_jacobians(const Dynamics& dynamics, const MotionPlan& plan) {
   return J_s;
 }
 
-ForwardDynamics forward_dynamics(const Dynamics& dynamics, const MotionPlan& plan,
+ForwardDynamics forward_dynamics(const model::Dynamics& dynamics, const MotionPlan& plan,
                                  const JointVector& torque) {
   const MatX J_s = stacked_jacobians(dynamics, plan);
   const Eigen::Index n = J_s.rows();
@@ -56,8 +56,8 @@ ForwardDynamics forward_dynamics(const Dynamics& dynamics, const MotionPlan& pla
   return {with_torque(solution.head<kNumVelocities>(), torque), solution.tail(n)};
 }
 
-VecX accelerated_by(const Dynamics& dynamics, const MotionPlan& plan, const JointVector& torque,
-                    const VecX& lambda) {
+VecX accelerated_by(const model::Dynamics& dynamics, const MotionPlan& plan,
+                    const JointVector& torque, const VecX& lambda) {
   VecX force = stacked_jacobians(dynamics, plan).transpose() * lambda - dynamics.h;
   force.tail<kNumJoints>() += torque;
   return with_torque(least_squares(dynamics.M, force), torque);

@@ -6,8 +6,8 @@
 
 namespace surefoot::test {
 
-RobotDescription hyq() {
-  RobotDescription robot;
+model::RobotDescription hyq() {
+  model::RobotDescription robot;
   robot.name = "hyq";
   const std::string packages(build_info().robot_packages);
   robot.package_folders = {packages};
@@ -17,7 +17,7 @@ RobotDescription hyq() {
   for (const Leg leg : kLegs) {
     std::string name(kLegNames[index(leg)]);
     for (char& letter : name) letter = static_cast<char>(std::tolower(letter));
-    LegDescription& parts = robot.legs[index(leg)];
+    model::LegDescription& parts = robot.legs[index(leg)];
     parts.joints = {name + "_haa_joint", name + "_hfe_joint", name + "_kfe_joint"};
     parts.hip_frame = parts.thigh_link = name + "_upperleg";
     parts.shank_link = name + "_lowerleg";

@@ -67,7 +67,7 @@ class LadenRobot {
   }
 
   /// The torso as the motion has it at `t`, about B's origin; the legs go along.
-  void turn(const CalibrationMotion& motion, double t) {
+  void turn(const gaits::CalibrationMotion& motion, double t) {
     constexpr double kStep = 1e-4;
     const auto momenta = [&](double time) {
       place(motion, time);
@@ -92,9 +92,9 @@ class LadenRobot {
     model.update(state_, Vec3::UnitZ());
   }
 
-  [[nodiscard]] const Dynamics& believed() const { return model.dynamics(); }
+  [[nodiscard]] const model::Dynamics& believed() const { return model.dynamics(); }
   [[nodiscard]] Actual actual() const {
-    const Dynamics& bare = bare_.dynamics();
+    const model::Dynamics& bare = bare_.dynamics();
     const Vec3 w = bare.base_rotation.w;
     Actual all{
         .mass = bare.mass, .com = bare.mass * bare.com.p, .velocity = bare.mass * bare.com.v};
@@ -106,7 +106,7 @@ class LadenRobot {
     }
     all.com /= all.mass;
     all.velocity /= all.mass;
-    all.angular_momentum = angular_momentum(bare) +
+    all.angular_momentum = model::angular_momentum(bare) +
                            bare.mass * (bare.com.p - all.com).cross(bare.com.v - all.velocity);
     for (const Lump& lump : lumps_) {
       all.angular_momentum +=
@@ -133,10 +133,10 @@ class LadenRobot {
     return result;
   }
 
-  RobotModel model;
+  model::RobotModel model;
 
  private:
-  void place(const CalibrationMotion& motion, double t) {
+  void place(const gaits::CalibrationMotion& motion, double t) {
     const Motion<Vec3> angles = motion.at(t);
     const auto rotation = [&](const Vec3& a) {
       return Quat(Eigen::AngleAxisd(a.z(), Vec3::UnitZ()) *
@@ -151,7 +151,7 @@ class LadenRobot {
     update();
   }
 
-  RobotModel bare_;
+  model::RobotModel bare_;
   std::vector<Lump> lumps_;
   RobotState state_;
   Quat lean_{Eigen::AngleAxisd(0.7, Vec3::UnitZ())};

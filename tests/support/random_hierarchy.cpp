@@ -46,12 +46,12 @@ MatrixXd RandomMatrices::rotation(Index size) {
   return Eigen::HouseholderQR<MatrixXd>(matrix(size, size)).householderQ();
 }
 
-Hierarchy make_hierarchy(Index unknowns, const HierarchyData& levels) {
-  Hierarchy hierarchy(unknowns);
+solver::Hierarchy make_hierarchy(Index unknowns, const HierarchyData& levels) {
+  solver::Hierarchy hierarchy(unknowns);
   int id = 0;
   for (const LevelData& data : levels) {
     const std::size_t k = hierarchy.add_level("level", data.lower.size());
-    Rows rows = hierarchy.level(k).add(data.lower.size(), id);
+    solver::Rows rows = hierarchy.level(k).add(data.lower.size(), id);
     if (data.lower.size() > 0) rows.A = data.A;
     rows.lower = data.lower;
     rows.upper = data.upper;

@@ -39,7 +39,7 @@ struct LevelData {
 using HierarchyData = std::vector<LevelData>;
 
 /// Levels without rows keep the number of unknowns.
-Hierarchy make_hierarchy(Eigen::Index unknowns, const HierarchyData& levels);
+solver::Hierarchy make_hierarchy(Eigen::Index unknowns, const HierarchyData& levels);
 
 LevelData equalities(const Eigen::MatrixXd& A, const Eigen::VectorXd& b);
 LevelData at_most(const Eigen::MatrixXd& D, const Eigen::VectorXd& f);

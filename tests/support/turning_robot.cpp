@@ -7,9 +7,10 @@
 
 namespace surefoot::test {
 
-TurningRobot::TurningRobot(const KinematicErrors& errors, const CalibrationOptions& motion)
+TurningRobot::TurningRobot(const KinematicErrors& errors, const gaits::CalibrationOptions& motion)
     : description_(anymal_b()), motion_(motion), errors_(errors), q_(description_.q_nominal) {
-  const BodyTree tree = make_body_tree(description_, read_urdf(description_.urdf_path));
+  const model::BodyTree tree =
+      model::make_body_tree(description_, model::read_urdf(description_.urdf_path));
   for (const Leg leg : kLegs) {
     const std::size_t k = index(leg);
     described_[k] = tree.legs[k].chain;

@@ -13,7 +13,7 @@ class TurningRobot {
  public:
   static constexpr double kPeriod = 0.0025;
 
-  TurningRobot(const KinematicErrors& errors, const CalibrationOptions& motion);
+  TurningRobot(const KinematicErrors& errors, const gaits::CalibrationOptions& motion);
 
   void tick();
   /// Before a tick: in it the base moves by this, in W [m]. The accelerometer does not tell.
@@ -23,7 +23,7 @@ class TurningRobot {
   [[nodiscard]] CalibrationStage stage() const { return motion_.stage(time_); }
   [[nodiscard]] const SensorReading& reading() const { return reading_; }
   [[nodiscard]] const Mat3& R_WB() const { return R_WB_; }
-  [[nodiscard]] const RobotDescription& description() const { return description_; }
+  [[nodiscard]] const model::RobotDescription& description() const { return description_; }
   /// Where the foot really is, in B.
   [[nodiscard]] Vec3 p_BF(Leg leg) const;
   /// Where legs with the given errors would put it.
@@ -33,10 +33,10 @@ class TurningRobot {
   [[nodiscard]] Quat orientation(double time) const;
   void move_leg(Leg leg, const Mat3& R_before);
 
-  RobotDescription description_;
-  CalibrationMotion motion_;
+  model::RobotDescription description_;
+  gaits::CalibrationMotion motion_;
   KinematicErrors errors_;
-  PerLeg<LegChain> described_, chains_;
+  PerLeg<model::LegChain> described_, chains_;
   double time_ = 0.0;
   Mat3 R_WB_ = Mat3::Identity();
   JointVector q_;

@@ -11,7 +11,7 @@
 #include <limits>
 #include <set>
 
-namespace surefoot {
+namespace surefoot::tasks {
 namespace {
 
 using test::all_contact_sets;
@@ -180,7 +180,7 @@ TEST(EveryTask, does_not_allocate) {
   const RobotState state = Random(75).standing_state(scene.model.description().q_nominal);
   for (const TaskInfo& info : task_catalog()) {
     const std::unique_ptr<Task> task = make_task(info.name);
-    Level level("test", task->max_rows(), kNumUnknowns);
+    solver::Level level("test", task->max_rows(), kNumUnknowns);
     for (const PerLeg<bool>& contacts : all_contact_sets()) {
       scene.plan = plan_with_contacts(contacts);
       const test::MallocCounter counter;
@@ -193,4 +193,4 @@ TEST(EveryTask, does_not_allocate) {
 }
 
 }  // namespace
-}  // namespace surefoot
+}  // namespace surefoot::tasks

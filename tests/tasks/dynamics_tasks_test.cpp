@@ -14,7 +14,7 @@
 
 #include <numbers>
 
-namespace surefoot {
+namespace surefoot::tasks {
 namespace {
 
 using test::all_contact_sets;
@@ -59,12 +59,12 @@ TEST(EquationsOfMotion, and_no_contact_motion_together_are_the_constrained_forwa
 }
 
 TEST(EquationsOfMotion, hold_with_straight_legs_where_the_contacts_lose_rank) {
-  RobotDescription robot = test::anymal_b();
+  model::RobotDescription robot = test::anymal_b();
   robot.foot_radius = 0.0;
-  RobotModel model(robot);
-  SupportDynamics support;
+  model::RobotModel model(robot);
+  model::SupportDynamics support;
   const MotionPlan plan = plan_with_contacts({true, true, true, true});
-  const Dynamics& dynamics = model.update(straight_legged_state(), Vec3::UnitZ());
+  const model::Dynamics& dynamics = model.update(straight_legged_state(), Vec3::UnitZ());
   support.update(dynamics, plan);
   const TaskInput input{dynamics, plan, support, model.description()};
   const WrittenRows rows = written(kEquationsOfMotion, input);
@@ -335,4 +335,4 @@ TEST(TorqueLimits, refuse_options_that_make_no_sense) {
 }
 
 }  // namespace
-}  // namespace surefoot
+}  // namespace surefoot::tasks

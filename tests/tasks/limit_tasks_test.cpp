@@ -11,7 +11,7 @@
 
 #include <functional>
 
-namespace surefoot {
+namespace surefoot::tasks {
 namespace {
 
 using test::Motion;
@@ -94,10 +94,10 @@ TEST(BodyHeightLimits, bound_the_height_above_the_feet_in_contact) {
   scene.plan = plan_with_contacts({true, false, true, true});
   for (int trial = 0; trial < kTrials; ++trial) {
     const Motion motion = random_motion(random, scene.model.description().q_nominal);
-    const Dynamics now = scene.model.update(motion.state, Vec3::UnitZ());
+    const model::Dynamics now = scene.model.update(motion.state, Vec3::UnitZ());
     const double footprint = (now.foot[0].p.z() + now.foot[2].p.z() + now.foot[3].p.z()) / 3.0;
     const Rates r =
-        rates(scene, motion, [&](const Dynamics& d) { return d.base.p.z() - footprint; });
+        rates(scene, motion, [&](const model::Dynamics& d) { return d.base.p.z() - footprint; });
     expect_bounds(written(task, scene.update(motion.state)), 0, motion, r, 0.3, 0.5, 0.2);
   }
   scene.plan = plan_with_contacts({false, false, false, false});
@@ -110,13 +110,15 @@ TEST(LimbExtensionLimits, bound_the_distance_of_every_leg_in_each_form) {
   scene.plan = plan_with_contacts({true, false, true, true});
   for (int trial = 0; trial < kTrials; ++trial) {
     const Motion motion = random_motion(random, scene.model.description().q_nominal);
-    const Dynamics now = scene.model.update(motion.state, Vec3::UnitZ());
+    const model::Dynamics now = scene.model.update(motion.state, Vec3::UnitZ());
     for (std::size_t k = 0; k < kNumLegs; ++k) {
       const double still_foot = now.foot[k].p.z();
-      const std::map<Form, std::function<double(const Dynamics&)>> coordinates{
-          {Form::paper, [=](const Dynamics& d) { return d.hip[k].p.z() - still_foot; }},
-          {Form::relative, [=](const Dynamics& d) { return d.hip[k].p.z() - d.foot[k].p.z(); }},
-          {Form::radial, [=](const Dynamics& d) { return (d.hip[k].p - d.foot[k].p).norm(); }}};
+      const std::map<Form, std::function<double(const model::Dynamics&)>> coordinates{
+          {Form::paper, [=](const model::Dynamics& d) { return d.hip[k].p.z() - still_foot; }},
+          {Form::relative,
+           [=](const model::Dynamics& d) { return d.hip[k].p.z() - d.foot[k].p.z(); }},
+          {Form::radial,
+           [=](const model::Dynamics& d) { return (d.hip[k].p - d.foot[k].p).norm(); }}};
       for (const auto& [form, coordinate] : coordinates) {
         const Rates r = rates(scene, motion, coordinate);
         const LimbExtensionLimits task({.form = form, .min = 0.2, .max = 0.5, .dt = 0.1});
@@ -137,10 +139,10 @@ double steady_violation(Form form, double v) {
   const LimbExtensionLimits task({.form = form, .min = 0.1, .max = kMax, .dt = 0.1});
   RobotState state = Random(62).standing_state(scene.model.description().q_nominal);
   TaskInput input = scene.update(state);
-  Dynamics dynamics = input.dynamics;  // hip and foot of LF are moved by hand
+  model::Dynamics dynamics = input.dynamics;  // hip and foot of LF are moved by hand
   const TaskInput moved{dynamics, scene.plan, scene.support, scene.model.description()};
-  PointKinematics& hip = dynamics.hip[0];
-  PointKinematics& foot = dynamics.foot[0];
+  model::PointKinematics& hip = dynamics.hip[0];
+  model::PointKinematics& foot = dynamics.foot[0];
   hip.v.setZero();
   hip.Jdot_u.setZero();
   foot.Jdot_u.setZero();
@@ -164,7 +166,7 @@ TEST(LimbExtensionLimits, stay_finite_where_a_leg_has_no_length) {
   Scene scene;
   const TaskInput input =
       scene.update(Random(63).standing_state(scene.model.description().q_nominal));
-  Dynamics dynamics = input.dynamics;
+  model::Dynamics dynamics = input.dynamics;
   dynamics.foot[2].p = dynamics.hip[2].p;
   const WrittenRows rows =
       written(LimbExtensionLimits({.form = Form::radial}),
@@ -178,11 +180,11 @@ TEST(JointPositionLimits, bound_every_joint_inside_its_range) {
   Scene scene;
   Random random(64);
   const JointPositionLimits task({.margin = 0.1, .dt = 0.1, .response = BoundResponse::paper});
-  const RobotDescription& robot = scene.model.description();
+  const model::RobotDescription& robot = scene.model.description();
   for (int trial = 0; trial < kTrials; ++trial) {
     const Motion motion = random_motion(random, robot.q_nominal);
     for (int j = 0; j < kNumJoints; ++j) {
-      const Rates r = rates(scene, motion, [&](const Dynamics& d) { return d.q[j]; });
+      const Rates r = rates(scene, motion, [&](const model::Dynamics& d) { return d.q[j]; });
       const WrittenRows rows = written(task, scene.update(motion.state));
       expect_bounds(rows, j, motion, r, robot.q_min[j] + 0.1, robot.q_max[j] - 0.1, 0.1);
     }
@@ -206,10 +208,12 @@ TEST(TorsoTiltLimits, bound_the_sines_of_pitch_and_roll) {
     const Motion motion = random_motion(random, scene.model.description().q_nominal);
     const Vec3 forward(std::cos(heading), std::sin(heading), 0.0);
     const Vec3 left(-std::sin(heading), std::cos(heading), 0.0);
-    const Rates pitch = rates(
-        scene, motion, [&](const Dynamics& d) { return forward.dot(d.base_rotation.R.col(2)); });
-    const Rates roll =
-        rates(scene, motion, [&](const Dynamics& d) { return left.dot(d.base_rotation.R.col(2)); });
+    const Rates pitch = rates(scene, motion, [&](const model::Dynamics& d) {
+      return forward.dot(d.base_rotation.R.col(2));
+    });
+    const Rates roll = rates(scene, motion, [&](const model::Dynamics& d) {
+      return left.dot(d.base_rotation.R.col(2));
+    });
     const WrittenRows rows = written(task, scene.update(motion.state));
     expect_bounds(rows, 0, motion, pitch, -std::sin(0.4), std::sin(0.4), 0.1);
     expect_bounds(rows, 1, motion, roll, -std::sin(0.3), std::sin(0.3), 0.1);
@@ -245,4 +249,4 @@ TEST(Limits, refuse_options_that_make_no_sense) {
 }
 
 }  // namespace
-}  // namespace surefoot
+}  // namespace surefoot::tasks

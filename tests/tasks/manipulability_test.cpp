@@ -7,7 +7,7 @@
 #include <Eigen/LU>
 #include <gtest/gtest.h>
 
-namespace surefoot {
+namespace surefoot::tasks {
 namespace {
 
 using test::Random;
@@ -18,9 +18,10 @@ using test::WrittenRows;
 using Form = Manipulability::Form;
 
 /// m of a leg at joint angles, from the definition.
-double measure(const RobotModel& model, Leg leg, const Vec3& q) {
-  const RobotDescription& robot = model.description();
-  static const BodyTree tree = make_body_tree(robot, read_urdf(robot.urdf_path));
+double measure(const model::RobotModel& model, Leg leg, const Vec3& q) {
+  const model::RobotDescription& robot = model.description();
+  static const model::BodyTree tree =
+      model::make_body_tree(robot, model::read_urdf(robot.urdf_path));
   Mat3 J;
   (void)tree.legs[index(leg)].chain.foot_in_base(q, &J);
   return std::sqrt((J * J.transpose()).determinant());
@@ -28,7 +29,7 @@ double measure(const RobotModel& model, Leg leg, const Vec3& q) {
 
 Vec3 leg_angles(const RobotState& state, Leg leg) { return state.q.segment<3>(first_joint(leg)); }
 
-RobotState standing_still(const RobotDescription& robot) {
+RobotState standing_still(const model::RobotDescription& robot) {
   RobotState state = Random(80).standing_state(robot.q_nominal);
   state.q = robot.q_nominal;
   state.q_WB = Quat::Identity();
@@ -39,8 +40,8 @@ RobotState standing_still(const RobotDescription& robot) {
 }
 
 /// The base at a height above the feet of the nominal posture, the feet where they are.
-RobotState at_height(const RobotModel& model, double height) {
-  const RobotDescription& robot = model.description();
+RobotState at_height(const model::RobotModel& model, double height) {
+  const model::RobotDescription& robot = model.description();
   RobotState state = standing_still(robot);
   for (const Leg leg : kLegs) {
     Vec3 p_BF = model.foot_in_base(leg, robot.q_nominal.segment<3>(first_joint(leg)));
@@ -149,4 +150,4 @@ TEST(Manipulability, stays_bounded_at_straight_legs) {
 }
 
 }  // namespace
-}  // namespace surefoot
+}  // namespace surefoot::tasks

@@ -14,7 +14,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace surefoot {
+namespace surefoot::tasks {
 namespace {
 
 using test::all_contact_sets;
@@ -34,7 +34,7 @@ const NoContactMotion kNoContactMotion({.kd = 10.0});
 /// A stale result of the last tick must not show through.
 class Example {
  public:
-  const Substitution* update(const RobotState& state) {
+  const solver::Substitution* update(const RobotState& state) {
     const TaskInput input = scene.update(state);
     rows = stacked({&kEquationsOfMotion, &kNoContactMotion}, input);
     const VecX contact = written(kNoContactMotion, input).lower;
@@ -51,7 +51,7 @@ VecX sizes(const WrittenRows& rows, const VecX& x) {
   return (rows.A.rowwise().norm() * x.norm()).array() + rows.lower.array().abs();
 }
 
-void expect_solves(const WrittenRows& rows, const Substitution& s) {
+void expect_solves(const WrittenRows& rows, const solver::Substitution& s) {
   const VecX residual = rows.A * s.offset - rows.lower;
   EXPECT_LT(residual.cwiseQuotient(sizes(rows, s.offset)).cwiseAbs().maxCoeff(), 1e-12);
   for (Eigen::Index i = 0; i < s.basis.cols(); ++i) {
@@ -70,7 +70,7 @@ TEST(PhysicsSubstitution, HasAllSolutionsOfBothLevelsAndNoOthers) {
     example.scene.plan = plan_with_contacts(contacts);
     for (int trial = 0; trial < 100; ++trial) {
       const bool anywhere = trial % 2 == 0;
-      const Substitution* s =
+      const solver::Substitution* s =
           example.update(anywhere ? random.state() : random.standing_state(posture));
       ASSERT_NE(s, nullptr);
       ASSERT_EQ(s->num_levels, 2u);
@@ -85,16 +85,16 @@ TEST(PhysicsSubstitution, HasAllSolutionsOfBothLevelsAndNoOthers) {
 
 /// From bent knees to a leg as straight as the rank's tolerance lets count.
 TEST(PhysicsSubstitution, KeepsItsColumnsWhereContactsAreNearlySingular) {
-  RobotDescription robot = test::anymal_b();
+  model::RobotDescription robot = test::anymal_b();
   robot.foot_radius = 0.0;
   Example example;
-  example.scene.model = RobotModel(robot);
+  example.scene.model = model::RobotModel(robot);
   int solved = 0, refused = 0;
   for (double angle = 0.3; angle > 1e-9; angle *= 0.5) {
     RobotState state = straight_legged_state();
     for (const Leg leg : kLegs) state.q[first_joint(leg) + 2] += is_front(leg) ? -angle : angle;
     state.qd.setConstant(0.1);
-    const Substitution* s = example.update(state);
+    const solver::Substitution* s = example.update(state);
     const bool is_full = example.scene.support.rank() == 12;
     ASSERT_EQ(s != nullptr, is_full) << angle;
     ++(is_full ? solved : refused);
@@ -117,13 +117,13 @@ TEST(PhysicsSubstitution, RefusesWhatIsNotANumber) {
   Example example;
   const TaskInput input =
       example.scene.update(Random(52).standing_state(example.scene.model.description().q_nominal));
-  Dynamics unknown = input.dynamics;
+  model::Dynamics unknown = input.dynamics;
   unknown.h.setConstant(kNaN);
   EXPECT_EQ(example.substitution.update(unknown, input.support, VecX::Zero(12)), nullptr);
 }
 
 /// A plan that the robot's limits allow: it goes on as it moves, over the middle of its feet.
-void follow(Random& random, const Dynamics& now, MotionPlan& plan) {
+void follow(Random& random, const model::Dynamics& now, MotionPlan& plan) {
   test::randomise_references(random, now, plan);
   plan.com.v = now.com.v.head<2>() + random.vector(0.02).head<2>();
   plan.R_WC = random.small_rotation(0.1).toRotationMatrix();
@@ -142,12 +142,12 @@ void follow(Random& random, const Dynamics& now, MotionPlan& plan) {
 }
 
 /// The levels that are left, over y.
-Hierarchy reduced(const Hierarchy& full, const Substitution& s) {
-  Hierarchy result(s.basis.cols());
+solver::Hierarchy reduced(const solver::Hierarchy& full, const solver::Substitution& s) {
+  solver::Hierarchy result(s.basis.cols());
   for (std::size_t k = s.num_levels; k < full.num_levels(); ++k) {
-    const Level& level = full.level(k);
-    Level& left = result.level(result.add_level(level.name(), level.num_rows()));
-    Rows rows = left.add(level.num_rows(), 0);
+    const solver::Level& level = full.level(k);
+    solver::Level& left = result.level(result.add_level(level.name(), level.num_rows()));
+    solver::Rows rows = left.add(level.num_rows(), 0);
     rows.A = level.A() * s.basis;
     rows.lower = level.lower() - level.A() * s.offset;
     rows.upper = level.upper() - level.A() * s.offset;
@@ -158,17 +158,17 @@ Hierarchy reduced(const Hierarchy& full, const Substitution& s) {
   return result;
 }
 
-VecX solved_through(const Hierarchy& full, const Substitution& s) {
-  const Hierarchy hierarchy = reduced(full, s);
-  CascadeSolver solver(hierarchy);
+VecX solved_through(const solver::Hierarchy& full, const solver::Substitution& s) {
+  const solver::Hierarchy hierarchy = reduced(full, s);
+  solver::CascadeSolver solver(hierarchy);
   return s.offset + s.basis * solver.solve(hierarchy).x;
 }
 
 TEST(PhysicsSubstitution, LeavesTheAnswerOfTheHierarchyAsItIs) {
   Scene scene;
   Random random(54);
-  TaskStack stack(load_stack("terrain_adaptation"), scene.model.description());
-  CascadeSolver solver(stack.hierarchy());
+  control::TaskStack stack(config::load_stack("terrain_adaptation"), scene.model.description());
+  solver::CascadeSolver solver(stack.hierarchy());
   const JointVector posture = scene.model.description().q_nominal;
   int num_active = 0;
   for (const PerLeg<bool>& contacts : all_contact_sets()) {
@@ -178,15 +178,15 @@ TEST(PhysicsSubstitution, LeavesTheAnswerOfTheHierarchyAsItIs) {
       RobotState state = random.standing_state(posture);
       state.qd *= 0.2;
       follow(random, scene.update(state).dynamics, scene.plan);
-      const Dynamics& dynamics = scene.update(state).dynamics;
-      const Hierarchy& hierarchy = stack.update(dynamics, scene.plan);
-      const Substitution* s = stack.substitution(dynamics);
+      const model::Dynamics& dynamics = scene.update(state).dynamics;
+      const solver::Hierarchy& hierarchy = stack.update(dynamics, scene.plan);
+      const solver::Substitution* s = stack.substitution(dynamics);
       ASSERT_NE(s, nullptr);
-      const Solution& solution = solver.solve(hierarchy);
-      ASSERT_EQ(solution.status, SolveStatus::optimal);
+      const solver::Solution& solution = solver.solve(hierarchy);
+      ASSERT_EQ(solution.status, solver::SolveStatus::optimal);
       const VecX x = solved_through(hierarchy, *s);
       EXPECT_LT((x - solution.x).norm(), 1e-9 * solution.x.norm()) << trial;
-      for (const LevelResult& level : solution.levels) num_active += level.num_active();
+      for (const solver::LevelResult& level : solution.levels) num_active += level.num_active();
     }
   }
   EXPECT_GT(num_active, 1000) << "limits took part";
@@ -194,25 +194,25 @@ TEST(PhysicsSubstitution, LeavesTheAnswerOfTheHierarchyAsItIs) {
 
 TEST(TaskStack, HasNoSubstitutionUnlessItBeginsWithTheTwoTasks) {
   Scene scene;
-  const StackOptions options = load_stack("terrain_adaptation");
+  const control::StackOptions options = config::load_stack("terrain_adaptation");
   const RobotState state = Random(55).standing_state(scene.model.description().q_nominal);
-  const auto has_substitution = [&](const StackOptions& changed) {
-    TaskStack stack(changed, scene.model.description());
-    const Dynamics& dynamics = scene.update(state).dynamics;
+  const auto has_substitution = [&](const control::StackOptions& changed) {
+    control::TaskStack stack(changed, scene.model.description());
+    const model::Dynamics& dynamics = scene.update(state).dynamics;
     (void)stack.update(dynamics, scene.plan);
     return stack.substitution(dynamics) != nullptr;
   };
   EXPECT_TRUE(has_substitution(options));
-  StackOptions exchanged = options;
+  control::StackOptions exchanged = options;
   std::swap(exchanged.levels[0], exchanged.levels[1]);
   EXPECT_FALSE(has_substitution(exchanged));
-  StackOptions shared = options;
+  control::StackOptions shared = options;
   shared.levels[1].tasks.push_back(options.levels[2].tasks.front());
   EXPECT_FALSE(has_substitution(shared));
-  StackOptions other = options;
+  control::StackOptions other = options;
   other.levels.erase(other.levels.begin());
   EXPECT_FALSE(has_substitution(other));
 }
 
 }  // namespace
-}  // namespace surefoot
+}  // namespace surefoot::tasks

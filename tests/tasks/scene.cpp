@@ -4,9 +4,9 @@
 
 namespace surefoot::test {
 
-WrittenRows written(const Task& task, const TaskInput& input) {
-  Level level("test", task.max_rows(), kNumUnknowns);
-  Rows stale = level.add(task.max_rows(), -1);
+WrittenRows written(const tasks::Task& task, const tasks::TaskInput& input) {
+  solver::Level level("test", task.max_rows(), kNumUnknowns);
+  solver::Rows stale = level.add(task.max_rows(), -1);
   stale.A.setConstant(12345.0);
   stale.lower.setConstant(12345.0);
   stale.upper.setConstant(12345.0);
@@ -17,9 +17,9 @@ WrittenRows written(const Task& task, const TaskInput& input) {
   return rows;
 }
 
-WrittenRows stacked(const std::vector<const Task*>& tasks, const TaskInput& input) {
+WrittenRows stacked(const std::vector<const tasks::Task*>& tasks, const tasks::TaskInput& input) {
   WrittenRows all{MatX(0, kNumUnknowns), VecX(0), VecX(0), {}};
-  for (const Task* task : tasks) {
+  for (const tasks::Task* task : tasks) {
     const WrittenRows rows = written(*task, input);
     const Eigen::Index old = all.count();
     all.A.conservativeResize(old + rows.count(), kNumUnknowns);
@@ -50,7 +50,7 @@ Motion random_motion(Random& random, const JointVector& posture) {
 }
 
 Rates rates(Scene& scene, const Motion& motion,
-            const std::function<double(const Dynamics&)>& coordinate) {
+            const std::function<double(const model::Dynamics&)>& coordinate) {
   constexpr double kStep = 1e-4;
   const Vec3 normal = scene.plan.R_WC.col(2);
   const double before = coordinate(scene.model.update(motion.at(-kStep), normal));
@@ -59,7 +59,7 @@ Rates rates(Scene& scene, const Motion& motion,
   return {now, (after - before) / (2.0 * kStep), (after - 2.0 * now + before) / (kStep * kStep)};
 }
 
-void randomise_references(Random& random, const Dynamics& around, MotionPlan& plan) {
+void randomise_references(Random& random, const model::Dynamics& around, MotionPlan& plan) {
   plan.R_WC = random.small_rotation(0.3).toRotationMatrix();
   plan.com.p = around.com.p.head<2>() + random.vector(0.01).head<2>();
   plan.com.v = random.vector(0.3).head<2>();

@@ -15,15 +15,15 @@ class Scene {
   Scene() : model(anymal_b()) {}
 
   /// Everything that a tick computes before the tasks.
-  TaskInput update(const RobotState& state) {
-    const Dynamics& dynamics = model.update(state, plan.R_WC.col(2));
+  tasks::TaskInput update(const RobotState& state) {
+    const model::Dynamics& dynamics = model.update(state, plan.R_WC.col(2));
     support.update(dynamics, plan);
     return {dynamics, plan, support, model.description()};
   }
 
-  RobotModel model;
+  model::RobotModel model;
   MotionPlan plan = plan_with_contacts({true, true, true, true});
-  SupportDynamics support;
+  model::SupportDynamics support;
 };
 
 /// A copy of the rows that a task writes.
@@ -37,9 +37,9 @@ struct WrittenRows {
 };
 
 /// The level is filled with wrong values first, so that nothing is right by accident.
-WrittenRows written(const Task& task, const TaskInput& input);
+WrittenRows written(const tasks::Task& task, const tasks::TaskInput& input);
 /// The rows of several tasks below each other.
-WrittenRows stacked(const std::vector<const Task*>& tasks, const TaskInput& input);
+WrittenRows stacked(const std::vector<const tasks::Task*>& tasks, const tasks::TaskInput& input);
 
 /// State and acceleration u̇ of a motion with constant u̇.
 struct Motion {
@@ -59,9 +59,9 @@ struct Rates {
   double rddot = 0.0;
 };
 [[nodiscard]] Rates rates(Scene& scene, const Motion& motion,
-                          const std::function<double(const Dynamics&)>& coordinate);
+                          const std::function<double(const model::Dynamics&)>& coordinate);
 
 /// A plan with random references everywhere, and a control frame that is turned and tilted.
-void randomise_references(Random& random, const Dynamics& around, MotionPlan& plan);
+void randomise_references(Random& random, const model::Dynamics& around, MotionPlan& plan);
 
 }  // namespace surefoot::test

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace surefoot {
+namespace surefoot::tasks {
 namespace {
 
 using test::Motion;
@@ -47,8 +47,8 @@ TEST(ComXy, asks_for_a_spring_and_damper_around_the_reference) {
     const std::array<Vec2, 2> axes{Vec2(std::cos(heading), std::sin(heading)),
                                    Vec2(-std::sin(heading), std::cos(heading))};
     for (std::size_t i = 0; i < 2; ++i) {
-      const Rates r =
-          rates(scene, motion, [&](const Dynamics& d) { return axes[i].dot(d.com.p.head<2>()); });
+      const Rates r = rates(
+          scene, motion, [&](const model::Dynamics& d) { return axes[i].dot(d.com.p.head<2>()); });
       const WrittenRows rows = written(task, scene.update(motion.state));
       ASSERT_EQ(rows.ids, (std::vector<int>{0, 1}));
       const double expected = axes[i].dot(scene.plan.com.a) +
@@ -173,7 +173,7 @@ TEST(TorsoHeight, asks_for_a_spring_and_damper_around_the_reference) {
   for (int trial = 0; trial < kTrials; ++trial) {
     const Motion motion = random_motion(random, scene.model.description().q_nominal);
     randomise_references(random, scene.model.update(motion.state, Vec3::UnitZ()), scene.plan);
-    const Rates z = rates(scene, motion, [](const Dynamics& d) { return d.base.p.z(); });
+    const Rates z = rates(scene, motion, [](const model::Dynamics& d) { return d.base.p.z(); });
     const WrittenRows rows = written(task, scene.update(motion.state));
     const TorsoPlan& reference = scene.plan.torso;
     EXPECT_NEAR(asked(rows, 0, unknowns(motion), z.rddot),
@@ -194,7 +194,8 @@ TEST(SwingFoot, asks_for_a_spring_and_damper_around_the_reference_of_feet_in_the
     for (Eigen::Index i = 0; i < 6; ++i) {
       const std::size_t leg = i < 3 ? 1 : 3;
       const FootPlan& reference = scene.plan.feet[leg];
-      const Rates r = rates(scene, motion, [&](const Dynamics& d) { return d.foot[leg].p[i % 3]; });
+      const Rates r =
+          rates(scene, motion, [&](const model::Dynamics& d) { return d.foot[leg].p[i % 3]; });
       const WrittenRows rows = written(task, scene.update(motion.state));
       ASSERT_EQ(rows.ids, (std::vector<int>{3, 4, 5, 9, 10, 11}));
       EXPECT_NEAR(asked(rows, i, unknowns(motion), r.rddot),
@@ -213,4 +214,4 @@ TEST(SwingFoot, writes_nothing_while_all_feet_are_on_the_ground) {
 }
 
 }  // namespace
-}  // namespace surefoot
+}  // namespace surefoot::tasks

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cassert>
 
-namespace surefoot {
+namespace surefoot::gaits {
 namespace {
 
 constexpr double kGrace = 0.04;  // a touchdown this late is still on time [s]
@@ -204,4 +204,4 @@ void Crawl::plan_com(const Situation& now, Body& body) {
   ahead.plan(body, rotation_about_z(now.yaw).topLeftCorner<2, 2>() * now.user.velocity);
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::gaits

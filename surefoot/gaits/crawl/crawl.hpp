@@ -4,7 +4,7 @@
 #include "surefoot/gaits/crawl/steps.hpp"
 #include "surefoot/gaits/gait.hpp"
 
-namespace surefoot {
+namespace surefoot::gaits {
 
 /// One leg after the other in the gait's order, the COM led through the support regions by a ZMP
 /// plan. A foot that meets no ground goes on down while the gait waits.
@@ -45,4 +45,4 @@ class Crawl final : public Gait {
   bool recovers_ = false;  // after a push or a slip: the gait waits until it is balanced
 };
 
-}  // namespace surefoot
+}  // namespace surefoot::gaits

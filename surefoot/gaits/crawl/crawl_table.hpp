@@ -3,7 +3,7 @@
 #include <array>
 #include <string_view>
 
-namespace surefoot {
+namespace surefoot::gaits {
 
 /// What the crawl is doing.
 enum class CrawlState {
@@ -74,4 +74,4 @@ inline constexpr std::array kCrawlTable{
   return nullptr;
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::gaits

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <string>
 
-namespace surefoot {
+namespace surefoot::gaits {
 namespace {
 
 constexpr double kMinStep = 0.02;  // a step that is shorter has no direction [m]
@@ -103,4 +103,4 @@ void begin_swing(Leg k, const Situation& now, Body& body, double cycle_duration)
   body.legs[k].lift(now.time, {now.foot(k), goal, body.plane.normal, duration, apex});
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::gaits

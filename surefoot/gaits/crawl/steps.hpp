@@ -2,7 +2,7 @@
 
 #include "surefoot/gaits/reactions/situation.hpp"
 
-namespace surefoot {
+namespace surefoot::gaits {
 
 /// Which leg steps when: the gait's order, mirrored fore and hind when it walks backward, and its
 /// durations, all longer by a factor `pace`.
@@ -44,4 +44,4 @@ class StepSequence {
 /// `cycle_duration` of the gait's steps [s].
 void begin_swing(Leg leg, const Situation& now, Body& body, double cycle_duration);
 
-}  // namespace surefoot
+}  // namespace surefoot::gaits

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace surefoot {
+namespace surefoot::gaits {
 namespace {
 
 constexpr double kWeighing = 1.3;   // [s]
@@ -66,4 +66,4 @@ Motion<Vec3> CalibrationMotion::at(double since_beginning) const {
   return result;
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::gaits

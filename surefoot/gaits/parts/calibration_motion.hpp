@@ -4,7 +4,7 @@
 #include "surefoot/math/quintic.hpp"
 #include "surefoot/signals/motion_plan.hpp"
 
-namespace surefoot {
+namespace surefoot::gaits {
 
 /// Turns the torso on the spot with all feet down, so that the estimator can tell the
 /// accelerometer's biases, which turn along, from a tilt, which does not.
@@ -37,4 +37,4 @@ class CalibrationMotion {
   CalibrationOptions options_;
 };
 
-}  // namespace surefoot
+}  // namespace surefoot::gaits

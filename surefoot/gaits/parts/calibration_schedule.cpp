@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace surefoot {
+namespace surefoot::gaits {
 namespace {
 
 constexpr double kPatience = 10.0;     // until it is told that a calibration waits to begin, and a
@@ -83,4 +83,4 @@ bool RestWatch::is_at_rest(const RobotState& state) const {
          state.w_WB_B.norm() < kStill;
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::gaits

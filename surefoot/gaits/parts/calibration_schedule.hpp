@@ -4,7 +4,7 @@
 #include "surefoot/signals/plan_event.hpp"
 #include "surefoot/signals/robot_state.hpp"
 
-namespace surefoot {
+namespace surefoot::gaits {
 
 /// When the robot calibrates itself: at the beginning, when it is asked to, and once more after a
 /// calibration that was disturbed and doesn't know legs and load, twice at most. The planner says
@@ -70,4 +70,4 @@ class RestWatch {
   double stands_from_ = 0.0, rests_from_ = 0.0;  // [s]
 };
 
-}  // namespace surefoot
+}  // namespace surefoot::gaits

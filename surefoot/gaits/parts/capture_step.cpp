@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace surefoot {
+namespace surefoot::gaits {
 namespace {
 
 constexpr int kLengths = 4, kDirections = 12;  // of the steps that are tried
@@ -37,4 +37,4 @@ CaptureStep find_capture_step(const CaptureProblem& problem, Leg leg, const Push
   return best;
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::gaits

@@ -3,7 +3,7 @@
 #include "surefoot/gaits/parts/leg_limits.hpp"
 #include "surefoot/gaits/parts/support_region.hpp"
 
-namespace surefoot {
+namespace surefoot::gaits {
 
 /// A foothold that catches the robot.
 struct CaptureStep {
@@ -27,4 +27,4 @@ struct CaptureProblem {
 [[nodiscard]] CaptureStep find_capture_step(const CaptureProblem& problem, Leg leg,
                                             const PushOptions& options);
 
-}  // namespace surefoot
+}  // namespace surefoot::gaits

@@ -6,7 +6,7 @@
 #include <tuple>
 #include <utility>
 
-namespace surefoot {
+namespace surefoot::gaits {
 namespace {
 
 constexpr double kLeastHeight = 0.1;     // of the COM over an edge [m]
@@ -27,7 +27,7 @@ constexpr std::array<double, kGaussPoints> kGaussWeights{0.1739274225687269, 0.3
                                                          0.3260725774312731, 0.1739274225687269};
 
 /// Coarse: what hardly moves a row of the plan isn't worth bending a spline for.
-constexpr RankTolerance kRank{.solve = 1e-8, .keep = 1e-12};
+constexpr solver::RankTolerance kRank{.solve = 1e-8, .keep = 1e-12};
 
 int samples_of(const SupportPhase& phase, double interval) {
   const double samples = std::ceil(phase.duration / interval);
@@ -40,9 +40,9 @@ Vec2 center_of(const PerLeg<Vec2>& feet) {
   return center;
 }
 
-Hierarchy make_hierarchy(std::size_t num_phases) {
+solver::Hierarchy make_hierarchy(std::size_t num_phases) {
   const int phases = static_cast<int>(num_phases), samples = phases * kMaxSamples;
-  Hierarchy hierarchy(kUnknownsPerKnot * phases);
+  solver::Hierarchy hierarchy(kUnknownsPerKnot * phases);
   const int region_rows = samples * SupportRegion::kMaxEdges;
   hierarchy.add_level("zmp in the support region",
                       region_rows + samples * (kFrictionRows + kNumLegs));
@@ -84,8 +84,8 @@ void ComPlanner::plan(const ComProblem& problem) noexcept {
     write_smoothness_rows(hierarchy.level(2), phase);
   }
   write_terminal_rows(hierarchy.level(2));
-  const Solution& solution = solver.solve(hierarchy);
-  if (solution.status == SolveStatus::invalid_input) {  // then the guess may be NaN as well
+  const solver::Solution& solution = solver.solve(hierarchy);
+  if (solution.status == solver::SolveStatus::invalid_input) {  // then the guess may be NaN as well
     std::tie(problem_, knots_) = before;
     return;
   }
@@ -120,7 +120,7 @@ double ComPlanner::pendulum(const HalfPlane& edge) const noexcept {
   return std::max(kLeastHeight, problem_.height - edge.height) / kGravity;
 }
 
-void ComPlanner::write_region_rows(Hierarchy& hierarchy, std::size_t phase) const noexcept {
+void ComPlanner::write_region_rows(solver::Hierarchy& hierarchy, std::size_t phase) const noexcept {
   const SupportPhase& support = problem_.phases[phase];
   const int samples = samples_of(support, options_.sample_interval);
   const double zmp_margin = std::min(options_.zmp_margin, support.zmp_margin_max);
@@ -140,7 +140,7 @@ void ComPlanner::write_region_rows(Hierarchy& hierarchy, std::size_t phase) cons
   }
 }
 
-void ComPlanner::write_inside_rows(Level& level, std::size_t phase, double t,
+void ComPlanner::write_inside_rows(solver::Level& level, std::size_t phase, double t,
                                    const SupportRegion& region, double margin,
                                    Point point) const noexcept {
   const double T = problem_.phases[phase].duration;
@@ -156,7 +156,8 @@ void ComPlanner::write_inside_rows(Level& level, std::size_t phase, double t,
   }
 }
 
-void ComPlanner::write_friction_rows(Level& level, std::size_t phase, double t) const noexcept {
+void ComPlanner::write_friction_rows(solver::Level& level, std::size_t phase,
+                                     double t) const noexcept {
   const double T = problem_.phases[phase].duration, height = problem_.height;
   const HermiteWeights w = height / kGravity * hermite_acceleration(t, T);
   const double most = kFrictionShare * problem_.friction * height;
@@ -169,7 +170,8 @@ void ComPlanner::write_friction_rows(Level& level, std::size_t phase, double t) 
   }
 }
 
-void ComPlanner::write_reach_rows(Level& level, std::size_t phase, double t) const noexcept {
+void ComPlanner::write_reach_rows(solver::Level& level, std::size_t phase,
+                                  double t) const noexcept {
   const SupportPhase& support = problem_.phases[phase];
   const HermiteWeights w = hermite_position(t, support.duration);
   const Vec2 com = evaluate(phase, t).p;
@@ -182,25 +184,25 @@ void ComPlanner::write_reach_rows(Level& level, std::size_t phase, double t) con
   }
 }
 
-void ComPlanner::write_smoothness_rows(Level& level, std::size_t phase) const noexcept {
+void ComPlanner::write_smoothness_rows(solver::Level& level, std::size_t phase) const noexcept {
   const double T = problem_.phases[phase].duration;
   for (std::size_t i = 0; i < kGaussPoints; ++i) {
     const HermiteWeights w =
         std::sqrt(kGaussWeights[i] * T) * hermite_acceleration(kGaussNodes[i] * T, T);
-    Rows rows = level.add(2, 0);
+    solver::Rows rows = level.add(2, 0);
     for (int axis = 0; axis < 2; ++axis)
       rows.set_equal(axis, -add_terms(rows, axis, phase, axis, w, 1.0));
   }
 }
 
-void ComPlanner::write_terminal_rows(Level& level) const noexcept {
+void ComPlanner::write_terminal_rows(solver::Level& level) const noexcept {
   const Vec2 shift = problem_.load.shift(problem_.height);
   const double least = problem_.comes_to_rest ? kRestWeight : options_.terminal_weight;
   const double weight = std::max(least, std::min(1.0, shift.norm() / kFullLoad) * kLoadedWeight);
   const std::size_t last = problem_.num_phases - 1;
   const Vec2 center = center_of(problem_.phases[last].feet) - shift;
   const Motion<Vec2>& guess = knots_[last + 1];
-  Rows rows = level.add(kUnknownsPerKnot, 0);
+  solver::Rows rows = level.add(kUnknownsPerKnot, 0);
   const auto first = static_cast<Eigen::Index>(kUnknownsPerKnot * last);
   for (int axis = 0; axis < 2; ++axis) {
     for (Eigen::Index i = 3 * axis; i < 3 * axis + 3; ++i) rows.A(i, first + i) = weight;
@@ -210,15 +212,15 @@ void ComPlanner::write_terminal_rows(Level& level) const noexcept {
   }
 }
 
-double& ComPlanner::add_row(Level& level, std::size_t phase, const HermiteWeights& w,
+double& ComPlanner::add_row(solver::Level& level, std::size_t phase, const HermiteWeights& w,
                             const Vec2& direction, double known, double most) const noexcept {
-  Rows rows = level.add(1, 0);
+  solver::Rows rows = level.add(1, 0);
   for (int axis = 0; axis < 2; ++axis) known += add_terms(rows, 0, phase, axis, w, direction[axis]);
   rows.lower[0] = -kInfinity;
   return rows.upper[0] = most - known;
 }
 
-double ComPlanner::add_terms(Rows& rows, Eigen::Index i, std::size_t phase, int axis,
+double ComPlanner::add_terms(solver::Rows& rows, Eigen::Index i, std::size_t phase, int axis,
                              const HermiteWeights& w, double scale) const noexcept {
   const Eigen::Index end = kUnknownsPerKnot * static_cast<Eigen::Index>(phase) + 3 * axis;
   rows.A.row(i).segment<3>(end) += scale * w.tail<3>();
@@ -286,4 +288,4 @@ void ComPlanner::measure_slack() noexcept {
   }
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::gaits

@@ -10,7 +10,7 @@
 #include <memory>
 #include <vector>
 
-namespace surefoot {
+namespace surefoot::gaits {
 
 /// A stretch of the gait with one set of feet down. Places are x and y in W [m], times from the
 /// phase's begin [s].
@@ -89,8 +89,10 @@ class ComPlanner {
   /// How far the ZMP of the plan had to leave the (unshrunk) region [m].
   [[nodiscard]] double zmp_slack() const { return zmp_slack_; }
   /// What the last plan was made from, and the answer: for those who check it.
-  [[nodiscard]] const Hierarchy& hierarchy() const { return last_problem().hierarchy; }
-  [[nodiscard]] const Solution& solution() const { return last_problem().solver.solution(); }
+  [[nodiscard]] const solver::Hierarchy& hierarchy() const { return last_problem().hierarchy; }
+  [[nodiscard]] const solver::Solution& solution() const {
+    return last_problem().solver.solution();
+  }
   /// Of a robot's weight [N], that a foot can carry `t` after the begin of a phase.
   [[nodiscard]] double share(const SupportPhase& phase, std::size_t leg, double t,
                              double weight) const;
@@ -98,8 +100,8 @@ class ComPlanner {
  private:
   /// The hierarchy and its solver for one number of phases.
   struct Problem {
-    Hierarchy hierarchy;
-    LexicographicSolver solver;
+    solver::Hierarchy hierarchy;
+    solver::LexicographicSolver solver;
     explicit Problem(std::size_t phases);
   };
   [[nodiscard]] const Problem& last_problem() const;
@@ -107,24 +109,24 @@ class ComPlanner {
   enum class Point { zmp, capture_point };
 
   void guess_knots(const ComProblem& problem) noexcept;
-  void write_region_rows(Hierarchy& hierarchy, std::size_t phase) const noexcept;
+  void write_region_rows(solver::Hierarchy& hierarchy, std::size_t phase) const noexcept;
   /// Rows  n·point ≤ offset − margin  for every edge of the region, at t in a phase.
-  void write_inside_rows(Level& level, std::size_t phase, double t, const SupportRegion& region,
-                         double margin, Point point) const noexcept;
+  void write_inside_rows(solver::Level& level, std::size_t phase, double t,
+                         const SupportRegion& region, double margin, Point point) const noexcept;
   /// Rows  ±(h/g p̈ − h f) ≤ share μ h  on both axes: what the feet push along the ground.
-  void write_friction_rows(Level& level, std::size_t phase, double t) const noexcept;
+  void write_friction_rows(solver::Level& level, std::size_t phase, double t) const noexcept;
   /// Rows  e·(p + hip − foot) ≤ reach  for every foot that is down, with the direction e from foot
   /// to hip at the guess.
-  void write_reach_rows(Level& level, std::size_t phase, double t) const noexcept;
-  void write_smoothness_rows(Level& level, std::size_t phase) const noexcept;
-  void write_terminal_rows(Level& level) const noexcept;
+  void write_reach_rows(solver::Level& level, std::size_t phase, double t) const noexcept;
+  void write_smoothness_rows(solver::Level& level, std::size_t phase) const noexcept;
+  void write_terminal_rows(solver::Level& level) const noexcept;
   /// Adds the row  known + direction · (w · boundary values of a phase) ≤ most; returns its limit.
-  double& add_row(Level& level, std::size_t phase, const HermiteWeights& w, const Vec2& direction,
-                  double known, double most) const noexcept;
+  double& add_row(solver::Level& level, std::size_t phase, const HermiteWeights& w,
+                  const Vec2& direction, double known, double most) const noexcept;
   /// Adds scale · (w · boundary values of a phase) on one axis to row i; returns their value at the
   /// guess.
-  double add_terms(Rows& rows, Eigen::Index i, std::size_t phase, int axis, const HermiteWeights& w,
-                   double scale) const noexcept;
+  double add_terms(solver::Rows& rows, Eigen::Index i, std::size_t phase, int axis,
+                   const HermiteWeights& w, double scale) const noexcept;
   /// h/g of the COM over an edge of the region [s²].
   [[nodiscard]] double pendulum(const HalfPlane& edge) const noexcept;
   [[nodiscard]] SupportRegion region_at(const SupportPhase& phase, double t) const noexcept;
@@ -141,4 +143,4 @@ class ComPlanner {
   double zmp_slack_ = 0.0;
 };
 
-}  // namespace surefoot
+}  // namespace surefoot::gaits

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace surefoot {
+namespace surefoot::gaits {
 namespace {
 
 constexpr double kStrideShare = 5.0 / 8.0;
@@ -56,8 +56,9 @@ Around prints_around(const Prints& prints, const Vec3& nominal, const Vec2& head
 
 }  // namespace
 
-Vec3 FootholdPlanner::foothold(Leg leg, const PerLeg<Vec3>& footholds, const TerrainPlane& plane,
-                               double yaw, const UserCommand& user, double cycle_duration) const {
+Vec3 FootholdPlanner::foothold(Leg leg, const PerLeg<Vec3>& footholds,
+                               const estimation::TerrainPlane& plane, double yaw,
+                               const UserCommand& user, double cycle_duration) const {
   const Mat2 R = rotation_about_z(yaw).topLeftCorner<2, 2>();
   Vec2 center = Vec2::Zero();
   for (const Leg other : kLegs) {
@@ -79,7 +80,7 @@ Vec3 FootholdPlanner::foothold(Leg leg, const PerLeg<Vec3>& footholds, const Ter
 }
 
 double FootholdPlanner::expected_height(Leg leg, const Vec2& place, const PerLeg<Vec3>& footholds,
-                                        const TerrainPlane& plane) const {
+                                        const estimation::TerrainPlane& plane) const {
   const double height = plane.height(place);
   if (!is_front(leg) || !options_.bounded_by_feet) return height;
   const double way = (place - footholds[index(leg)].head<2>()).norm();
@@ -123,7 +124,8 @@ bool FootholdPlanner::is_void(const Vec2& place) const {
 // A leg that is stretched to get there can't look for ground below. Where nothing is left the foot
 // stays where it is: there is ground.
 Vec3 FootholdPlanner::beside_voids(Leg leg, const Vec3& place, const PerLeg<Vec3>& footholds,
-                                   const TerrainPlane& plane, const Vec2& heading) const {
+                                   const estimation::TerrainPlane& plane,
+                                   const Vec2& heading) const {
   const Vec3& from = footholds[index(leg)];
   if (!is_void(place.head<2>())) return place;
   const Vec2 step = (place - from).head<2>();
@@ -197,4 +199,4 @@ Vec3 FootholdPlanner::towards(const Vec3& print, const Vec3& from) const {
   return goal;
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::gaits

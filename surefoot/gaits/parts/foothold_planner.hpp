@@ -7,7 +7,7 @@
 
 #include <array>
 
-namespace surefoot {
+namespace surefoot::gaits {
 
 /// Where the next foot goes: the nominal stance carried along with the commanded velocity; hind
 /// feet take the footprints that the front feet found, heights included.
@@ -20,15 +20,16 @@ class FootholdPlanner {
   /// `cycle_duration`. In a steady walk the feet stand ±1/8 and ±3/8 of a stride about their
   /// nominal places, so the foot that goes next lands 5/8 of a stride ahead of the place of its
   /// centre.
-  [[nodiscard]] Vec3 foothold(Leg leg, const PerLeg<Vec3>& footholds, const TerrainPlane& plane,
-                              double yaw, const UserCommand& user, double cycle_duration) const;
+  [[nodiscard]] Vec3 foothold(Leg leg, const PerLeg<Vec3>& footholds,
+                              const estimation::TerrainPlane& plane, double yaw,
+                              const UserCommand& user, double cycle_duration) const;
 
   /// Height at which a leg is to find ground at a place: the plane's, for a front leg no further
   /// above all feet than its last stride's slope leads. A stride steeper than any slope went over
   /// an edge, and behind an edge the ground is taken as level. (Ground that lies higher than
   /// expected is met early; for ground that lies lower the torso must come down.)
   [[nodiscard]] double expected_height(Leg leg, const Vec2& place, const PerLeg<Vec3>& footholds,
-                                       const TerrainPlane& plane) const;
+                                       const estimation::TerrainPlane& plane) const;
 
   /// A foot has found ground here: a front foot's print.
   void remember(Leg leg, const Vec3& p_WF);
@@ -61,7 +62,7 @@ class FootholdPlanner {
   [[nodiscard]] bool is_void(const Vec2& place) const;
   /// The place, or where it is known that there is no ground, another one that the foot can reach.
   [[nodiscard]] Vec3 beside_voids(Leg leg, const Vec3& place, const PerLeg<Vec3>& footholds,
-                                  const TerrainPlane& plane, const Vec2& heading) const;
+                                  const estimation::TerrainPlane& plane, const Vec2& heading) const;
 
   StanceOptions stance_;
   FootholdOptions options_;
@@ -70,4 +71,4 @@ class FootholdPlanner {
   std::size_t touchdowns_ = 0;
 };
 
-}  // namespace surefoot
+}  // namespace surefoot::gaits

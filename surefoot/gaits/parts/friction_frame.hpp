@@ -3,7 +3,7 @@
 #include "surefoot/gaits/planner_options.hpp"
 #include "surefoot/math/rotation.hpp"
 
-namespace surefoot {
+namespace surefoot::gaits {
 
 /// The terrain's normal as forces are to be seen by: the plane through the footholds jumps at a
 /// touchdown, and with it would the friction pyramids. First order, and no faster than a rate:
@@ -31,4 +31,4 @@ class FrictionFrame {
   Vec3 normal_ = Vec3::UnitZ();
 };
 
-}  // namespace surefoot
+}  // namespace surefoot::gaits

@@ -1,6 +1,6 @@
 #include "surefoot/gaits/parts/grip.hpp"
 
-namespace surefoot {
+namespace surefoot::gaits {
 
 bool Grip::update(const RobotState& state, const PerLeg<Vec3>& normals_W) {
   began_.fill(false);
@@ -43,4 +43,4 @@ double Grip::caution() const {
   return std::clamp(enough / least, 1.0, options_.caution_max);
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::gaits

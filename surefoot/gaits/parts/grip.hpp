@@ -3,7 +3,7 @@
 #include "surefoot/gaits/parts/leg_limits.hpp"
 #include "surefoot/signals/robot_state.hpp"
 
-namespace surefoot {
+namespace surefoot::gaits {
 
 /// What friction each foot is believed to find: the configured one until it slides, then
 ///
@@ -45,4 +45,4 @@ class Grip {
   PerLeg<bool> slid_{}, began_{};
 };
 
-}  // namespace surefoot
+}  // namespace surefoot::gaits

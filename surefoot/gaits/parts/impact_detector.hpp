@@ -3,7 +3,7 @@
 #include "surefoot/gaits/parts/leg_limits.hpp"
 #include "surefoot/math/recent.hpp"
 
-namespace surefoot {
+namespace surefoot::gaits {
 
 /// Tells a swinging foot that hits something, whose velocity changes at once, from one whose drives
 /// and model change it little by little.
@@ -50,4 +50,4 @@ class ImpactDetector {
   double usual_brake_ = 0.0;  // [m/s]
 };
 
-}  // namespace surefoot
+}  // namespace surefoot::gaits

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace surefoot {
+namespace surefoot::gaits {
 
 /// A time that does not come [s].
 inline constexpr double kNever = kInfinity;
@@ -35,4 +35,4 @@ inline constexpr double kNever = kInfinity;
   return force.max * std::min(up, down);
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::gaits

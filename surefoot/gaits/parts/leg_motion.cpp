@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace surefoot {
+namespace surefoot::gaits {
 namespace {
 
 constexpr double kLongAgo = 1e3;       // [s]
@@ -157,7 +157,7 @@ bool LegMotion::is_caught(double time, const LegObservation& seen) {
 // its reference, but its velocity has changed at once, where drives and a robot that is not as
 // modelled change it little by little. What pushes a foot back more than up is a wall.
 bool LegMotion::touches(double time, const LegObservation& seen) {
-  const PointKinematics& foot = seen.foot;
+  const model::PointKinematics& foot = seen.foot;
   const Motion<Vec3> asked = reference(time);
   const Vec3& normal = curve_.target().normal;
   const double force = normal_force_ / doubt();
@@ -233,4 +233,4 @@ Motion<Vec3> LegMotion::reference(double time) const {
   return result;
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::gaits

@@ -6,14 +6,14 @@
 #include "surefoot/model/dynamics.hpp"
 #include "surefoot/signals/motion_plan.hpp"
 
-namespace surefoot {
+namespace surefoot::gaits {
 
 /// What a leg notices at a tick.
 enum class LegEvent { none, touchdown, caught, unreachable, lost, flew };
 
 /// A leg as it is believed to be, in W.
 struct LegObservation {
-  const PointKinematics &hip, &foot;
+  const model::PointKinematics &hip, &foot;
   const Vec3& force;              ///< estimated, of the ground on the foot [N]
   const Vec3& normal;             ///< of the terrain
   double force_per_torque = 0.0;  ///< error of the normal force by one of the joint torques [1/m]
@@ -138,4 +138,4 @@ class Legs {
   PerLeg<LegMotion> legs_;
 };
 
-}  // namespace surefoot
+}  // namespace surefoot::gaits

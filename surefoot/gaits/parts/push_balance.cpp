@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-namespace surefoot {
+namespace surefoot::gaits {
 
-void PushBalance::update(const RobotState& state, const Dynamics& dynamics, double height) {
+void PushBalance::update(const RobotState& state, const model::Dynamics& dynamics, double height) {
   constexpr double kLeastWeight = 0.5;  // that the ground must carry, as a share of the robot's
   height_ = height;
   weight_ = kGravity * dynamics.mass;
@@ -34,4 +34,4 @@ Vec2 PushBalance::excess(const SupportRegion& region) const {
   return result;
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::gaits

@@ -7,7 +7,7 @@
 
 #include <algorithm>
 
-namespace surefoot {
+namespace surefoot::gaits {
 
 /// The robot's balance under the external force that the state estimates: where it would come to
 /// rest, and whether the force is one that a plan can rely on.
@@ -17,7 +17,7 @@ class PushBalance {
   PushBalance(const PushOptions& options, double period) : options_(options), period_(period) {}
 
   /// One tick. `height` is that of the COM over the ground [m].
-  void update(const RobotState& state, const Dynamics& dynamics, double height);
+  void update(const RobotState& state, const model::Dynamics& dynamics, double height);
 
   [[nodiscard]] const ComLoad& load() const { return load_; }
   /// d, how far the load moves the ZMP [m].
@@ -75,4 +75,4 @@ class PushBalance {
   Vec2 capture_point_{0.0, 0.0};
 };
 
-}  // namespace surefoot
+}  // namespace surefoot::gaits

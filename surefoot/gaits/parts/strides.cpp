@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace surefoot {
+namespace surefoot::gaits {
 namespace {
 
 constexpr double kSpareReach = 0.01;    // of a leg, that no torso is held so high for [m]
@@ -103,4 +103,4 @@ double Strides::left_behind(double side, const PerLeg<Vec3>& footholds, const Pe
   return furthest;
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::gaits

@@ -3,7 +3,7 @@
 #include "surefoot/gaits/parts/leg_limits.hpp"
 #include "surefoot/signals/user_command.hpp"
 
-namespace surefoot {
+namespace surefoot::gaits {
 
 /// What strides the legs can make about the nominal stance. A foot makes one step a cycle, so its
 /// stride is velocity × cycle. Hips are about the torso's centre, in heading axes [m].
@@ -56,4 +56,4 @@ class Strides {
   double swing_duration_;  // [s]
 };
 
-}  // namespace surefoot
+}  // namespace surefoot::gaits

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numeric>
 
-namespace surefoot {
+namespace surefoot::gaits {
 namespace {
 
 constexpr double kSmallShare = 1e-9;
@@ -125,4 +125,4 @@ double SupportRegion::margin(const Vec2& p) const {
   return smallest;
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::gaits

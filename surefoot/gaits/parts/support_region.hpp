@@ -4,7 +4,7 @@
 
 #include <array>
 
-namespace surefoot {
+namespace surefoot::gaits {
 
 /// Half-plane n·p ≤ offset with unit outward normal n.
 struct HalfPlane {
@@ -53,4 +53,4 @@ class SupportRegion {
   int num_edges_ = 0;
 };
 
-}  // namespace surefoot
+}  // namespace surefoot::gaits

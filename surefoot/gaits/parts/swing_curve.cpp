@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace surefoot {
+namespace surefoot::gaits {
 namespace {
 
 constexpr double kStepHeight = 0.05;  // a goal this much lower or higher is a step [m]
@@ -86,4 +86,4 @@ Motion<double> SwingCurve::retreat(double t) const {
   return hermite<double>({1.0, 0.0, 0.0}, {0.0, 0.0, 0.0}, t - turn, end - turn);
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::gaits

@@ -4,7 +4,7 @@
 #include "surefoot/math/quintic.hpp"
 #include "surefoot/signals/leg.hpp"
 
-namespace surefoot {
+namespace surefoot::gaits {
 
 /// Where a swing begins and should end.
 struct SwingTarget {
@@ -48,4 +48,4 @@ class SwingCurve {
   double touchdown_speed_ = 0.1;
 };
 
-}  // namespace surefoot
+}  // namespace surefoot::gaits

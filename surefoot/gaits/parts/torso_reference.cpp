@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace surefoot {
+namespace surefoot::gaits {
 namespace {
 
 /// Roll and pitch of a torso whose z axis is `normal` (in heading axes): R_y(pitch) R_x(roll) e_z =
@@ -26,7 +26,7 @@ void TorsoReference::restart(const RobotState& state) {
   plan_.height = state.p_WB.z();
 }
 
-void TorsoReference::update(const TerrainPlane& plane, double yaw, double yaw_rate,
+void TorsoReference::update(const estimation::TerrainPlane& plane, double yaw, double yaw_rate,
                             const ComPlan& com, double height, const Motion<Vec3>& turn) {
   const Vec3 level = options_.follow_terrain ? plane.normal : Vec3::UnitZ();
   const Vec2 tilt = roll_pitch_of(rotation_about_z(-yaw) * level);
@@ -65,4 +65,4 @@ void TorsoReference::write_orientation(const Vec3& angles, const Vec3& rates,
   plan_.wdot_WB = axes * accelerations + w_yaw.cross(w_pitch + w_roll) + w_pitch.cross(w_roll);
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::gaits

@@ -6,7 +6,7 @@
 #include "surefoot/signals/motion_plan.hpp"
 #include "surefoot/signals/robot_state.hpp"
 
-namespace surefoot {
+namespace surefoot::gaits {
 
 /// Desired torso pose: yaw along the heading, roll and pitch along the terrain plane, height over
 /// it; plane and height pass through a critically damped filter
@@ -24,8 +24,9 @@ class TorsoReference {
   void restart(const RobotState& state);
   /// One period on. `com` gives where over the plane the torso is and how fast it goes; `turn` is
   /// added to roll, pitch and yaw.
-  void update(const TerrainPlane& plane, double yaw, double yaw_rate, const ComPlan& com,
-              double height, const Motion<Vec3>& turn = {Vec3::Zero(), Vec3::Zero(), Vec3::Zero()});
+  void update(const estimation::TerrainPlane& plane, double yaw, double yaw_rate,
+              const ComPlan& com, double height,
+              const Motion<Vec3>& turn = {Vec3::Zero(), Vec3::Zero(), Vec3::Zero()});
 
   [[nodiscard]] const TorsoPlan& plan() const { return plan_; }
 
@@ -38,4 +39,4 @@ class TorsoReference {
   TorsoPlan plan_;
 };
 
-}  // namespace surefoot
+}  // namespace surefoot::gaits

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace surefoot {
+namespace surefoot::gaits {
 namespace {
 
 constexpr double kRetreatSpeed = 0.5;  // of a foot that found no ground [m/s]
@@ -203,4 +203,4 @@ std::optional<Action> abort_lift_off(const Situation& now) {
                 .replans = true};
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::gaits

@@ -2,7 +2,7 @@
 
 #include "surefoot/gaits/reactions/situation.hpp"
 
-namespace surefoot {
+namespace surefoot::gaits {
 
 /// The answer to what a leg has noticed. A foot that touches stands there, unless probe, reflex or
 /// collision have it go on. One that was caught goes back, higher and over; one that finds no
@@ -16,4 +16,4 @@ namespace surefoot {
 /// The leg did not unload, or the others can't hold the robot without it: it carries again.
 [[nodiscard]] std::optional<Action> abort_lift_off(const Situation& now);
 
-}  // namespace surefoot
+}  // namespace surefoot::gaits

@@ -4,7 +4,7 @@
 
 #include <utility>
 
-namespace surefoot {
+namespace surefoot::gaits {
 namespace {
 
 constexpr double kWorthAStep = 0.01;  // better balanced with it than without by [m]
@@ -177,4 +177,4 @@ std::optional<Action> on_slip(const Situation& now) {
   return action;
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::gaits

@@ -2,7 +2,7 @@
 
 #include "surefoot/gaits/reactions/situation.hpp"
 
-namespace surefoot {
+namespace surefoot::gaits {
 
 /// Does the robot keep its balance when this leg lifts off?
 [[nodiscard]] bool is_balanced_without(Leg leg, const Situation& now);
@@ -21,4 +21,4 @@ namespace surefoot {
 /// comes down where the others can't do without it.
 [[nodiscard]] std::optional<Action> on_slip(const Situation& now);
 
-}  // namespace surefoot
+}  // namespace surefoot::gaits

@@ -9,7 +9,7 @@
 
 #include <optional>
 
-namespace surefoot {
+namespace surefoot::gaits {
 
 /// What the gait that has the legs is about to do.
 struct GaitStatus {
@@ -25,7 +25,7 @@ struct Situation {
   double yaw = 0.0;         ///< that the torso is to have [rad]
   const UserCommand& user;  ///< with velocities and a height that the legs can follow
   const RobotState& state;
-  const Dynamics& dynamics;
+  const model::Dynamics& dynamics;
   const HierarchyOutcome& last;  ///< of the tick before
   const MotionPlan& before;      ///< of the tick before
   const Body& body;
@@ -71,4 +71,4 @@ struct Action {
   bool replans = false;             ///< the COM's way is planned anew
 };
 
-}  // namespace surefoot
+}  // namespace surefoot::gaits

@@ -3,7 +3,7 @@
 #include "surefoot/gaits/com_horizon.hpp"
 #include "surefoot/gaits/reactions/push_reactions.hpp"
 
-namespace surefoot {
+namespace surefoot::gaits {
 
 void Stand::begin(Situation& now, Body& body, const std::optional<Action>&) { plan_com(now, body); }
 
@@ -25,4 +25,4 @@ GaitOutcome Stand::go_on(Situation& now, Body& body) {
   return {.hands_over = now.user.walk && body.legs.all_down()};
 }
 
-}  // namespace surefoot
+}  // namespace surefoot::gaits

@@ -2,7 +2,7 @@
 
 #include "surefoot/gaits/gait.hpp"
 
-namespace surefoot {
+namespace surefoot::gaits {
 
 /// All feet stay, the COM comes to rest over their centre. It hands over when the command is to
 /// walk, or when a push asks for a step.
@@ -16,4 +16,4 @@ class Stand final : public Gait {
   GaitOutcome go_on(Situation& now, Body& body) override;
 };
 
-}  // namespace surefoot
+}  // namespace surefoot::gaits
