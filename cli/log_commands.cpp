@@ -6,7 +6,7 @@
 #include "surefoot/base/error.hpp"
 #include "surefoot/base/formatted.hpp"
 #include "surefoot/base/printable.hpp"
-#include "surefoot/explain/explain.hpp"
+#include "surefoot/explain/explanation_json.hpp"
 #include "surefoot/logging/log_reader.hpp"
 #include "surefoot/logging/mend_log.hpp"
 #include "surefoot/logging/output_files.hpp"
@@ -47,7 +47,7 @@ int run_explain(const ExplainArguments& arguments, std::ostream& out) {
   const explain::TickExplanation explanation = explain::explain_tick(arguments.log, arguments.at);
   waiting.reset();
   if (arguments.json) {
-    out << printable(explanation.json().dump()) << std::endl;
+    out << printable(explain::explanation_json(explanation).dump()) << std::endl;
   } else {
     out << printable(explanation.text(), "\n") << std::flush;
   }

@@ -7,7 +7,7 @@
 #include "surefoot/config/hierarchy_json.hpp"
 #include "surefoot/config/weighted_question.hpp"
 #include "surefoot/control/solver_options.hpp"
-#include "surefoot/explain/explain.hpp"
+#include "surefoot/explain/explanation_json.hpp"
 #include "surefoot/runtime/steady_clock.hpp"
 #include "surefoot/solver/cascade_solver.hpp"
 #include "surefoot/solver/certificate.hpp"
@@ -208,8 +208,8 @@ class SolveCommand {
     explanation.certificates = certificates;
     explanation.is_budget_spent = is_budget_spent(solution);
     if (arguments_.json) {
-      const Json line =
-          with_strict_residuals(with_place(explanation.json(), solution), strict, solution);
+      const Json line = with_strict_residuals(
+          with_place(explain::explanation_json(explanation), solution), strict, solution);
       out_ << printable(with_notes(line, question.hierarchy).dump()) << std::endl;
     } else {
       out_ << place << (is_cascade() ? "" : ", " + instructions() + " instructions") << "\n"

@@ -16,11 +16,7 @@ namespace surefoot::python {
 struct Explanation {
   std::string text, json;
 
-  static Explanation of(const auto& told) {
-    using Json = nlohmann::ordered_json;
-    return {printable(told.text(), "\n"),
-            told.json().dump(-1, ' ', false, Json::error_handler_t::replace)};
-  }
+  static Explanation of(const auto& told) { return {printable(told.text(), "\n"), told.json()}; }
 };
 
 inline Explanation explain_log(const std::filesystem::path& log, double time, bool exact) {

@@ -1,6 +1,6 @@
 #include "server/tick_explainer.hpp"
 
-#include "surefoot/explain/explain.hpp"
+#include "surefoot/explain/explanation_json.hpp"
 #include "surefoot/runtime/interrupt.hpp"
 
 #include <exception>
@@ -10,10 +10,6 @@ namespace surefoot::server {
 namespace {
 
 constexpr std::size_t kMostKept = 256;
-
-std::string text_of(const nlohmann::ordered_json& json) {
-  return json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
-}
 
 }  // namespace
 
@@ -61,9 +57,9 @@ std::string TickExplainer::explained(std::uint32_t tick) const {
         explain::explain_tick(path_, period_ * tick, explain::Costs::exact,
                               [this] { return stopping_ || runtime::interrupted(); });
     explanation.why_estimates = without_path(explanation.why_estimates);
-    return text_of(explanation.gave_way_json());
+    return explain::text_of(explain::gave_way_json(explanation));
   } catch (const std::exception& error) {
-    return text_of(Json{{"problem", without_path(error.what())}});
+    return explain::text_of(Json{{"problem", without_path(error.what())}});
   }
 }
 

@@ -4,8 +4,6 @@
 #include "surefoot/explain/tick_explanation.hpp"
 #include "surefoot/solver/certificate.hpp"
 
-#include <nlohmann/json.hpp>
-
 #include <functional>
 #include <string>
 #include <vector>
@@ -28,9 +26,6 @@ enum class Costs { estimated, exact };
     const std::string& log, double time, Costs costs = Costs::exact,
     const std::function<bool()>& stops = [] { return false; });
 
-/// Each with `time`, `text`, `leg` (null: none) and `by`.
-[[nodiscard]] nlohmann::ordered_json events_json(const std::vector<NearbyEvent>& events);
-
 /// Why each level of a hierarchy came out as it did.
 struct SolutionExplanation {
   std::vector<LevelAccount> levels;
@@ -42,9 +37,9 @@ struct SolutionExplanation {
   /// For people: status, iterations and time, then each level with its residual, the rows that it
   /// missed or holds at a bound, and the rows above that hold it back, dearest first.
   [[nodiscard]] std::string text() const;
-  /// The same, whole, for programs. Levels are counted from 1, as in messages; costs and residuals
-  /// are in the level's unit, times in seconds.
-  [[nodiscard]] nlohmann::ordered_json json() const;
+  /// The same, whole, for programs, as JSON. Levels are counted from 1, as in messages; costs and
+  /// residuals are in the level's unit, times in seconds.
+  [[nodiscard]] std::string json() const;
 };
 
 /// `solution`: of the question, and valid. What is rounding counts as 0. Takes one solve for each

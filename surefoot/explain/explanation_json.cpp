@@ -1,4 +1,4 @@
-#include "surefoot/explain/explain.hpp"
+#include "surefoot/explain/explanation_json.hpp"
 
 namespace surefoot::explain {
 namespace {
@@ -58,14 +58,17 @@ Json level_json(const std::vector<LevelAccount>& levels, const LevelAccount& lev
 
 }  // namespace
 
-Json SolutionExplanation::json() const {
+Json explanation_json(const SolutionExplanation& explanation) {
+  const std::vector<LevelAccount>& levels = explanation.levels;
+  const solver::Solution& solution = explanation.solution;
   Json list = Json::array();
   for (std::size_t k = 0; k < levels.size(); ++k) {
     list.push_back(level_json(levels, levels[k], solution.is_swept));
-    if (k >= certificates.size()) continue;
-    list.back()["certificate"] = certificates[k].stationarity;
-    list.back()["verdict"] = name(solver::verdict(certificates[k]));
-    if (certificates[k].rests_on >= 0) list.back()["rests_on"] = certificates[k].rests_on + 1;
+    if (k >= explanation.certificates.size()) continue;
+    const solver::LevelCertificate& certificate = explanation.certificates[k];
+    list.back()["certificate"] = certificate.stationarity;
+    list.back()["verdict"] = name(solver::verdict(certificate));
+    if (certificate.rests_on >= 0) list.back()["rests_on"] = certificate.rests_on + 1;
   }
   Json json = {{"x", std::vector<double>(solution.x.begin(), solution.x.end())},
                {"status", name(solution.status)}};
@@ -75,6 +78,12 @@ Json SolutionExplanation::json() const {
   json["time_s"] = solution.time;
   json["levels"] = std::move(list);
   return json;
+}
+
+std::string SolutionExplanation::json() const { return text_of(explanation_json(*this)); }
+
+std::string text_of(const Json& json) {
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
 }  // namespace surefoot::explain

@@ -7,8 +7,6 @@
 #include "surefoot/logging/log_header.hpp"
 #include "surefoot/signals/tick_record.hpp"
 
-#include <nlohmann/json.hpp>
-
 #include <map>
 #include <optional>
 #include <string>
@@ -82,12 +80,9 @@ struct TickExplanation {
   /// For people: the sentence, then state, command, feet, levels, rows at a bound and the events
   /// around the tick.
   [[nodiscard]] std::string text() const;
-  /// The same, whole, for programs: the tick's messages as they stand in the log, and what was
-  /// made of them. SI units.
-  [[nodiscard]] nlohmann::ordered_json json() const;
-  /// Of that what gave way to what: `time`, `sentence`, `gave_way`, `costs_are_exact` and
-  /// `why_estimates`; of each level also how many of the rows are worth telling, `told`.
-  [[nodiscard]] nlohmann::ordered_json gave_way_json() const;
+  /// The same, whole, for programs, as JSON: the tick's messages as they stand in the log, and what
+  /// was made of them. SI units.
+  [[nodiscard]] std::string json() const;
 };
 
 /// How far around a tick events are told [s].

@@ -1,5 +1,6 @@
 #include "surefoot/evaluation/estimate_fields.hpp"
 #include "surefoot/evaluation/truth_fields.hpp"
+#include "surefoot/explain/explanation_json.hpp"
 #include "surefoot/explain/gave_way.hpp"
 #include "surefoot/explain/lying_text.hpp"
 #include "surefoot/logging/hierarchy_status.hpp"
@@ -164,38 +165,40 @@ Json events_json(const std::vector<NearbyEvent>& events) {
   return list;
 }
 
-Json TickExplanation::gave_way_json() const {
-  Json levels = yielding_levels(*this);
-  const std::vector<LevelThatGaveWay> told = gave_way(*this);
-  for (std::size_t i = 0; i < levels.size(); ++i) levels[i]["told"] = told[i].num_told;
-  return {{"time", tick.reading.time},
-          {"sentence", sentence()},
+Json gave_way_json(const TickExplanation& explanation) {
+  Json levels = yielding_levels(explanation);
+  const std::vector<LevelThatGaveWay> gave = gave_way(explanation);
+  for (std::size_t i = 0; i < levels.size(); ++i) levels[i]["told"] = gave[i].num_told;
+  return {{"time", explanation.tick.reading.time},
+          {"sentence", explanation.sentence()},
           {"gave_way", std::move(levels)},
-          {"costs_are_exact", exact.has_value()},
-          {"why_estimates", why_estimates}};
+          {"costs_are_exact", explanation.exact.has_value()},
+          {"why_estimates", explanation.why_estimates}};
 }
 
-Json TickExplanation::json() const {
+Json explanation_json(const TickExplanation& explanation) {
+  const TickRecord& tick = explanation.tick;
   const bool is_solved = logging::was_used(tick);
+  const bool is_exact = explanation.exact.has_value();
   const Mat3 R_WB = tick.state.q_WB.toRotationMatrix();
-  Json json = {{"log", log},
-               {"scenario", header.scenario},
-               {"seed", header.seed},
-               {"stack", header.stack},
-               {"asked", asked},
+  Json json = {{"log", explanation.log},
+               {"scenario", explanation.header.scenario},
+               {"seed", explanation.header.seed},
+               {"stack", explanation.header.stack},
+               {"asked", explanation.asked},
                {"time", tick.reading.time},
                {"solved", is_solved},
-               {"sentence", sentence()},
-               {"gave_way", yielding_levels(*this)},
-               {"costs_are_exact", exact.has_value()},
-               {"blocking_is_known", tick.hierarchy.blocking_is_known || exact},
-               {"blend", blend_json(*this)},
+               {"sentence", explanation.sentence()},
+               {"gave_way", yielding_levels(explanation)},
+               {"costs_are_exact", is_exact},
+               {"blocking_is_known", tick.hierarchy.blocking_is_known || is_exact},
+               {"blend", blend_json(explanation)},
                {"tilt", number(std::acos(std::clamp(R_WB(2, 2), -1.0, 1.0)))},
-               {"feet", feet_json(*this)},
-               {"levels", levels_json(*this)},
-               {"limits", limits_json(*this)},
-               {"missed", missed_json(*this)},
-               {"events", events_json(events)},
+               {"feet", feet_json(explanation)},
+               {"levels", levels_json(explanation)},
+               {"limits", limits_json(explanation)},
+               {"missed", missed_json(explanation)},
+               {"events", events_json(explanation.events)},
                {"why_stopped", logging::text_of_stop(tick)},
                {"readings", message(tick.reading)},
                {"health", message(tick.health)},
@@ -204,13 +207,15 @@ Json TickExplanation::json() const {
                {"plan", is_solved ? message(tick.plan) : Json()},
                {"model", is_solved ? message(logged::model_of(tick)) : Json()},
                {"command", message(tick.command)}};
-  if (touch) json["lies_on"] = lying_text(*touch);
-  if (truth) json["pushed_by"] = applied_json(*this);
-  if (truth) json["truth"] = message(*truth);
-  if (estimate) json["estimate"] = message(*estimate);
-  if (!why_estimates.empty()) json["why_estimates"] = why_estimates;
-  if (!problem.empty()) json["problem"] = problem;
+  if (explanation.touch) json["lies_on"] = lying_text(*explanation.touch);
+  if (explanation.truth) json["pushed_by"] = applied_json(explanation);
+  if (explanation.truth) json["truth"] = message(*explanation.truth);
+  if (explanation.estimate) json["estimate"] = message(*explanation.estimate);
+  if (!explanation.why_estimates.empty()) json["why_estimates"] = explanation.why_estimates;
+  if (!explanation.problem.empty()) json["problem"] = explanation.problem;
   return json;
 }
+
+std::string TickExplanation::json() const { return text_of(explanation_json(*this)); }
 
 }  // namespace surefoot::explain

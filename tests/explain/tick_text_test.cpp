@@ -1,5 +1,5 @@
+#include "surefoot/explain/explanation_json.hpp"
 #include "surefoot/explain/gave_way.hpp"
-#include "surefoot/explain/tick_explanation.hpp"
 #include "surefoot/logging/hierarchy_status.hpp"
 #include "surefoot/logging/message_fields.hpp"
 #include "surefoot/solver/solution.hpp"
@@ -182,7 +182,8 @@ TEST(TickText, WhatStoppedTheRobotStaysTheReasonAndWhatIsWrongNowIsToldApart) {
 }
 
 TEST(TickText, TheJsonOfATickThatSolvedNothingHasNoNumbersOfAnother) {
-  const auto json = unsolved().json();
+  const auto json = explanation_json(unsolved());
+  EXPECT_EQ(text_of(json), unsolved().json());
   EXPECT_EQ(json.at("solved"), false);
   EXPECT_TRUE(json.at("model").is_null() && json.at("plan").is_null());
   EXPECT_TRUE(json.at("levels").empty() && json.at("gave_way").empty());
@@ -208,7 +209,7 @@ TEST(TickText, AtTheFirstTickOfAStopWhatWasSolvedIsNotToldAsWhatCommands) {
     EXPECT_NE(text.find(", because IMU stopped."), std::string::npos) << text;
     for (const char* absent : {"17522", "com_xy", "gave way", "Limits that act", "stance"})
       EXPECT_EQ(text.find(absent), std::string::npos) << absent << " in\n" << text;
-    const auto json = explanation.json();
+    const auto json = explanation_json(explanation);
     EXPECT_EQ(json.at("solved"), false);
     EXPECT_TRUE(json.at("levels").empty() && json.at("gave_way").empty());
     EXPECT_TRUE(json.at("limits").is_null() && json.at("plan").is_null());
@@ -220,7 +221,7 @@ TEST(TickText, WhatPushesTheRobotIsToldInTextAndJson) {
   TickExplanation explanation = unsolved();
   explanation.truth.emplace();
   EXPECT_EQ(explanation.text().find("pushed by"), std::string::npos);
-  EXPECT_TRUE(explanation.json().at("pushed_by").empty());
+  EXPECT_TRUE(explanation_json(explanation).at("pushed_by").empty());
   explanation.bodies = {"world", "base"};
   explanation.applied = {{.body = 1, .force = Vec3(0, 50, 0)}};
   explanation.events = {{0.5, "pushed by 50 N", "", "outside"}};
@@ -229,7 +230,7 @@ TEST(TickText, WhatPushesTheRobotIsToldInTextAndJson) {
                       "controller is not told)"),
             std::string::npos)
       << text;
-  const auto json = explanation.json();
+  const auto json = explanation_json(explanation);
   EXPECT_EQ(json.at("pushed_by").at(0).at("body"), "base");
   EXPECT_EQ(json.at("pushed_by").at(0).at("size"), 50.0);
   EXPECT_EQ(json.at("events").at(0).at("by"), "outside");
@@ -305,7 +306,7 @@ TEST(TickText, OfASolveThatWasCutOffNothingIsToldOfTheLevelItWasInAndThoseBelow)
   }
   for (const char* absent : {"gave way", "32 rad", "72", "73", "row_of_1", "row_of_2"})
     EXPECT_EQ(text.find(absent), std::string::npos) << absent << " in\n" << text;
-  const auto json = cut_off().json();
+  const auto json = explanation_json(cut_off());
   EXPECT_TRUE(json.at("gave_way").empty());
   EXPECT_EQ(json.at("limits").size(), 1u);
   EXPECT_EQ(json.at("levels").at(0).at("rows"), 71);
@@ -323,12 +324,12 @@ TEST(TickText, OfLimitsOfLevelsThatWereNotSolvedNothingIsSaid) {
   explanation.tick.hierarchy.num_active = 0;
   EXPECT_NE(explanation.text().find("In the levels that were solved no limit acts."),
             std::string::npos);
-  EXPECT_TRUE(explanation.json().at("limits").empty());
-  EXPECT_FALSE(explanation.json().at("limits").is_null());
+  EXPECT_TRUE(explanation_json(explanation).at("limits").empty());
+  EXPECT_FALSE(explanation_json(explanation).at("limits").is_null());
   explanation.tick.hierarchy.failed_level = explanation.order[0];
   EXPECT_EQ(explanation.text().find("imit acts"), std::string::npos);
-  EXPECT_TRUE(explanation.json().at("limits").is_null());
-  EXPECT_TRUE(unsolved().json().at("limits").is_null());
+  EXPECT_TRUE(explanation_json(explanation).at("limits").is_null());
+  EXPECT_TRUE(explanation_json(unsolved()).at("limits").is_null());
 }
 
 TEST(TickText, OfASolveThatWasCutOffOnlyLevelsAboveHaveAResidual) {
@@ -382,7 +383,7 @@ TEST(TickText, RowsSayByHowMuchTheyAreBeyondABoundOrWereMissed) {
             std::string::npos)
       << text;
   EXPECT_EQ(text.find("0.001"), std::string::npos) << text;
-  const auto json = explanation.json();
+  const auto json = explanation_json(explanation);
   EXPECT_EQ(json.at("limits").at(1).at("by"), -12.5);
   EXPECT_TRUE(json.at("limits").at(2).at("by").is_null());
   EXPECT_EQ(json.at("missed").at(0).at("row"), "x");

@@ -1,6 +1,6 @@
 #include "server/live_view.hpp"
 #include "surefoot/config/stack_text.hpp"
-#include "surefoot/explain/tick_explanation.hpp"
+#include "surefoot/explain/explanation_json.hpp"
 #include "surefoot/logging/log_reader.hpp"
 #include "surefoot/logging/message_decoder.hpp"
 #include "surefoot/replay/log_replay.hpp"
@@ -126,7 +126,7 @@ TEST(LiveControl, an_explained_tick_between_two_orders_says_so_and_what_those_be
   for (const double time : {0.1, 0.2475, 0.55, 1.45}) {
     EXPECT_FALSE(at(time).blend) << time;
     EXPECT_FALSE(test::holds(at(time).sentence(), "blended")) << time;
-    EXPECT_TRUE(at(time).json().at("blend").is_null());
+    EXPECT_TRUE(explain::explanation_json(at(time)).at("blend").is_null());
   }
   for (const double time : {0.25, 0.4, 0.5475}) {
     const explain::TickExplanation tick = at(time);
@@ -138,7 +138,7 @@ TEST(LiveControl, an_explained_tick_between_two_orders_says_so_and_what_those_be
     EXPECT_TRUE(
         text.ends_with(" Before it, at 0.2475 s: " + before + " Behind it, at 0.5500 s: " + behind))
         << text;
-    EXPECT_EQ(tick.json().at("blend").at("until"), 0.55);
+    EXPECT_EQ(explain::explanation_json(tick).at("blend").at("until"), 0.55);
   }
 }
 

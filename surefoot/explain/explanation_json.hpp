@@ -1,0 +1,28 @@
+#pragma once
+
+#include "surefoot/explain/explain.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <string>
+#include <vector>
+
+namespace surefoot::explain {
+
+/// The explanations, whole, for programs; `json()` of each is its text. SI units. Of a tick these
+/// are its messages as they stand in the log, and what was made of them. Levels of a solution are
+/// counted from 1, as in messages; its costs and residuals are in the level's unit.
+[[nodiscard]] nlohmann::ordered_json explanation_json(const TickExplanation& explanation);
+[[nodiscard]] nlohmann::ordered_json explanation_json(const SolutionExplanation& explanation);
+
+/// What gave way to what: `time`, `sentence`, `gave_way`, `costs_are_exact` and `why_estimates`; of
+/// each level also how many of the rows are worth showing, `told`.
+[[nodiscard]] nlohmann::ordered_json gave_way_json(const TickExplanation& explanation);
+
+/// Each with `time`, `text`, `leg` (null: none) and `by`.
+[[nodiscard]] nlohmann::ordered_json events_json(const std::vector<NearbyEvent>& events);
+
+/// On one line; bytes that are no UTF-8 are replaced.
+[[nodiscard]] std::string text_of(const nlohmann::ordered_json& json);
+
+}  // namespace surefoot::explain
