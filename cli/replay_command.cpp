@@ -7,6 +7,7 @@
 #include "server/log_server.hpp"
 #include "surefoot/base/error.hpp"
 #include "surefoot/base/printable.hpp"
+#include "surefoot/control/asked_stack.hpp"
 #include "surefoot/logging/hierarchy_status.hpp"
 #include "surefoot/logging/log_reader.hpp"
 #include "surefoot/logging/output_files.hpp"

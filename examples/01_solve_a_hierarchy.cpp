@@ -1,6 +1,6 @@
 // The solver alone: a mass of 2 kg, pushed by at most 10 N, that should accelerate with 8 m/s².
 // Unknowns x = (acceleration, force). It gets 5 m/s²; each level says how far it was missed.
-#include "surefoot/solver/lexicographic_solver.hpp"
+#include "surefoot/solver.hpp"
 
 #include <cstdio>
 

@@ -1,10 +1,9 @@
 // The control loop: fifteen simulated seconds, in which the robot turns on the spot to find its
 // IMU's biases and begins to walk, and how far its believed velocity was off. On a robot, your
 // RobotPort takes the plant's place.
-#include "surefoot/config/scenario_file.hpp"
-#include "surefoot/control/controller.hpp"
-#include "surefoot/estimation/leg_inertial_estimator.hpp"
-#include "surefoot/simulation/plant.hpp"
+#include "surefoot/controller.hpp"
+#include "surefoot/scenario.hpp"
+#include "surefoot/simulation.hpp"
 
 #include <algorithm>
 #include <cstdio>

@@ -1,7 +1,7 @@
 // Two feet at x = ±0.3 m carry 20 kg, whose centre is 0.5 m high and pushed with 60 N along x.
 // Which forces x₁ z₁ x₂ z₂ [N] hold it? Friction first, then balance; where more than one answer
 // is left the solver gives the smallest.
-#include "surefoot/solver/lexicographic_solver.hpp"
+#include "surefoot/solver.hpp"
 
 #include <cmath>
 #include <cstdio>

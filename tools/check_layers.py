@@ -1,5 +1,5 @@
 """Holds every #include of surefoot/, server/, cli/ and python/ against tools/layers.toml, its namespace against its folder, and finds types that
-share a name.
+share a name and third-party includes of installed headers.
 
 Two types of one name in one namespace break the one-definition rule: the linker takes either. Prints what it finds.
 """
@@ -8,6 +8,8 @@ import pathlib
 import re
 import sys
 import tomllib
+
+from installed_headers import installed_headers
 
 root = pathlib.Path(__file__).resolve().parent.parent
 rules = tomllib.loads((root / "tools/layers.toml").read_text())
@@ -52,11 +54,11 @@ if remaining:
 sources = [path for top in ("surefoot", *fronts) for path in sorted((root / top).rglob("*.[hc]pp"))]
 for source in sources:
     place = source.relative_to(root)
-    folder = place.parts[0] if place.parts[0] in fronts else place.parts[1]
-    if folder not in fronts and folder not in folders:
+    folder = place.parts[1] if place.parts[0] == "surefoot" and len(place.parts) > 2 else place.parts[0]
+    if folder not in (*fronts, "surefoot", *folders):
         complaints.append(f"{place}: folder {folder} is not in tools/layers.toml")
         continue
-    allowed = folders if folder in fronts else [folder, *folders[folder]]
+    allowed = [folder, *folders[folder]] if folder in folders else folders
     text = source.read_text()
     note_types(place, text)
     check_namespaces(place, folder, text)
@@ -74,6 +76,11 @@ for source in sources:
             if fenced and folder not in users:
                 where = ", ".join(users) or "tests and benchmarks"
                 complaints.append(f"{place}:{number}: {header} is only for {where}")
+
+for header in installed_headers():
+    for included in re.findall(r"^#include <(.+)>", (root / header).read_text(), re.MULTILINE):
+        if not re.match(r"Eigen/|\w+$", included):
+            complaints.append(f"{header}: is installed, but {included} is not")
 
 for name, places in types.items():
     if len(places) > 1:

@@ -1,6 +1,7 @@
 #include "surefoot/replay/stack_comparison.hpp"
 
 #include "surefoot/base/error.hpp"
+#include "surefoot/control/asked_stack.hpp"
 #include "surefoot/logging/hierarchy_status.hpp"
 #include "surefoot/logging/stop_text.hpp"
 #include "surefoot/replay/logged_scenario.hpp"

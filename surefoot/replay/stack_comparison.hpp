@@ -1,6 +1,5 @@
 #pragma once
 
-#include "surefoot/control/asked_stack.hpp"
 #include "surefoot/logging/log_header.hpp"
 #include "surefoot/replay/log_replay.hpp"
 #include "surefoot/replay/walk_end.hpp"
@@ -15,6 +14,10 @@
 namespace surefoot {
 struct TickRecord;
 }  // namespace surefoot
+
+namespace surefoot::control {
+struct StackAnswer;
+}  // namespace surefoot::control
 
 namespace surefoot::replay {
 

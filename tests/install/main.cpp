@@ -1,5 +1,5 @@
-#include "surefoot/base/build_info.hpp"
-#include "surefoot/solver/lexicographic_solver.hpp"
+#include "surefoot/base.hpp"
+#include "surefoot/solver.hpp"
 
 #include <cmath>
 #include <iostream>

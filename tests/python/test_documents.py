@@ -110,6 +110,12 @@ def test_links_within_the_documents_lead_to_a_file_and_a_heading():
         assert not anchor or target not in anchors or anchor in anchors[target], f"{page.name}: {target.name}#{anchor}"
 
 
+def test_every_header_that_users_include_stands_in_the_table_of_getting_started():
+    table = (ROOT / "docs/getting_started.md").read_text().split("| `#include` |")[1].split("\n\n")[0]
+    headers = {f"surefoot/{path.name}" for path in (ROOT / "surefoot").glob("*.hpp")}
+    assert set(re.findall(r"^\| `(surefoot/\w+\.hpp)`", table, re.MULTILINE)) == headers
+
+
 def test_every_campaign_that_ships_stands_in_the_table_of_campaigns():
     ships = {file.stem for file in (ROOT / "campaigns").glob("*.yaml")}
     table = (ROOT / "docs/campaigns.md").read_text().split("What ships in")[1].split("\n\n")[1]

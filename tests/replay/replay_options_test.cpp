@@ -1,6 +1,7 @@
 #include "surefoot/base/error.hpp"
 #include "surefoot/closed_loop/closed_loop.hpp"
 #include "surefoot/config/scenario_file.hpp"
+#include "surefoot/control/asked_stack.hpp"
 #include "surefoot/replay/log_replay.hpp"
 #include "surefoot/replay/log_verification.hpp"
 #include "surefoot/replay/stack_comparison.hpp"

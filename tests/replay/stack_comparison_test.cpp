@@ -3,6 +3,7 @@
 
 #include "surefoot/closed_loop/closed_loop.hpp"
 #include "surefoot/config/scenario_file.hpp"
+#include "surefoot/control/asked_stack.hpp"
 #include "tests/logging/temporary_folder.hpp"
 
 #include <gtest/gtest.h>
