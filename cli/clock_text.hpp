@@ -8,15 +8,13 @@
 
 namespace surefoot::cli {
 
-/// Sentences, each on a line, on a clock that does not begin at 0 or skips; empty where it does
-/// neither.
+/// A line each if a clock does not begin at 0, and if it skips; else empty.
 [[nodiscard]] std::string clock_text(const logging::ClockSkips& clock);
 
-/// The same as the member "clock"; nothing where the text is empty.
+/// Adds the same as member "clock"; nothing if the text is empty.
 void add_clock(const logging::ClockSkips& clock, nlohmann::ordered_json& json);
 
-/// A time as one writes it: 12.405 for what rounding has made 12.405000000000001 of. To the
-/// nanosecond, as messages of a log have it [s].
+/// A time [s] rounded to the nanosecond, as in a log's messages: 12.405 for 12.405000000000001.
 [[nodiscard]] double to_nanosecond(double time);
 
 }  // namespace surefoot::cli

@@ -30,7 +30,7 @@ std::string text(double number) {
   return stream.str();
 }
 
-/// Writes the ticks that were asked for.
+/// Writes the ticks in the range.
 class Dump {
  public:
   Dump(const DumpArguments& arguments, std::ostream& out) : arguments_(arguments), out_(out) {}
@@ -119,7 +119,7 @@ void dump_log(const DumpArguments& arguments, Dump& dump, std::ostream& err) {
          "by another version\n";
 }
 
-/// A name that is no file is a scenario's; so is what ends as a scenario's file does.
+/// A file, unless it ends as a scenario does; any other name is a scenario's.
 bool is_log(const std::string& source) {
   const std::string extension = fs::path(source).extension().string();
   if (extension == ".yaml" || extension == ".yml") return false;
@@ -166,7 +166,7 @@ int run_dump(const DumpArguments& arguments, std::ostream& out, std::ostream& er
   const bool log = is_log(arguments.source);
   check(arguments, log);
   runtime::watch_for_interrupt();
-  if (log) tell_partial_beside(arguments.source);
+  if (log) note_later_run(arguments.source);
   if (arguments.out.empty()) {
     write(arguments, log, out, err);
   } else {

@@ -2,12 +2,12 @@
 
 namespace surefoot::cli {
 
-/// What the program tells its caller.
+/// Exit code of the program.
 enum ExitCode : int {
   kPassed = 0,      ///< enough runs meet the scenario's criteria, by its success_rate
-  kFailed = 1,      ///< they do not
+  kFailed = 1,      ///< too few do
   kWrongInput = 2,  ///< the input is wrong, or the run was interrupted
-  kSafetyStop = 3,  ///< they do not, and the controller stopped for safety
+  kSafetyStop = 3,  ///< too few do, and the controller stopped for safety
   kNotWhole = 4,    ///< a log is not whole; all that could be verified is the same
 };
 

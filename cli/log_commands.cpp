@@ -32,8 +32,8 @@ std::string events_text(const std::vector<explain::NearbyEvent>& events) {
 
 }  // namespace
 
-void tell_partial_beside(const std::string& log) {
-  const std::string partial = logging::partial_beside(log);
+void note_later_run(const std::string& log) {
+  const std::string partial = logging::existing_partial(log);
   if (partial.empty() || !std::filesystem::exists(log)) return;
   std::fprintf(stderr, "surefoot: note: %s is of a later run, which goes on or was cut off\n",
                printable(partial).c_str());
@@ -41,7 +41,7 @@ void tell_partial_beside(const std::string& log) {
 
 int run_explain(const ExplainArguments& arguments, std::ostream& out) {
   if (!std::isfinite(arguments.at)) throw Error("--at is not a time; a number of seconds is valid");
-  tell_partial_beside(arguments.log);
+  note_later_run(arguments.log);
   std::optional<Waiting> waiting(std::in_place,
                                  "computing " + arguments.log + " again up to the tick");
   const explain::TickExplanation explanation = explain::explain_tick(arguments.log, arguments.at);
@@ -55,7 +55,7 @@ int run_explain(const ExplainArguments& arguments, std::ostream& out) {
 }
 
 int run_info(const InfoArguments& arguments, std::ostream& out) {
-  tell_partial_beside(arguments.log);
+  note_later_run(arguments.log);
   const LogContents contents = read_contents(arguments.log);
   const auto events =
       arguments.events ? explain::read_events(arguments.log) : std::vector<explain::NearbyEvent>();

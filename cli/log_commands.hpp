@@ -5,9 +5,8 @@
 
 namespace surefoot::cli {
 
-/// Says on stderr where the log of a later run, which goes on or was cut off, lies beside one that
-/// is asked for.
-void tell_partial_beside(const std::string& log);
+/// Notes on stderr that next to a log lies the unfinished one of a later run.
+void note_later_run(const std::string& log);
 
 /// `surefoot explain`, as typed.
 struct ExplainArguments {

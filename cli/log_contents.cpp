@@ -40,7 +40,7 @@ class Ticks {
     if (loss.may_hold_messages) clock_.lose(logging::first_time(loss));
   }
 
-  /// Those behind the last that were in a lost chunk.
+  /// Counts ticks of lost chunks behind the last tick.
   void end(LogContents& contents) {
     for (const logging::McapLoss& loss : contents.losses) {
       if (!loss.has_times) continue;

@@ -39,7 +39,7 @@ struct LogContents {
   logging::ClockSkips clock;
 };
 
-/// Reads a log through. Throws FileError as LogReader does.
+/// Reads all of a log. Throws FileError as LogReader does.
 [[nodiscard]] LogContents read_contents(const std::string& path);
 
 }  // namespace surefoot::cli

@@ -55,10 +55,10 @@ Levels may have a "name" and a "unit", their rows "A_names" and "D_names", which
 and D a "lower" beside f or alone: lower ≤ D x ≤ f, where null is no bound, and a row with none at
 all is switched off; "A_ids" and "D_ids" are the
 numbers by which `surefoot dump` knows rows. "A_weights" and "D_weights" multiply each row and its
-bounds: residuals, costs and proofs are of the weighted row, and of what it misses --explain tells the
+bounds: residuals, costs and proofs are of the weighted row, and of what it misses --explain shows the
 weight. A level's "damping" d adds the rows d E (x - x_ref) = 0, E an orthonormal basis of its rows'
-span, of limits that are met too: levels below can't move what any of its rows has. "x_ref" beside "levels" (0 without) is
-what x is to be close to where the levels leave it open: a last level, told as such.
+span, of limits that are met too: levels below can't move what any of its rows has. "x_ref" next to "levels" (0 without) is
+what x is to be close to where the levels leave it open: a last level, shown as such.
   {"levels":[{"A":[[1,1]],"b":[2],"A_weights":[10],"damping":0.01}],"x_ref":[3,0]}
 Other members are an error.
 Numbers go from -1e100 to 1e100, which are bounds, too: only null is none. A row of A or D is zero or
@@ -68,7 +68,7 @@ A level without rows asks for nothing: it is named, and the line is solved.
 --explain: a cost is what the level's residual would fall by without that row alone, or without all
 rows of that level, while everything else above keeps what it has and no limit is violated more. Of
 limits that contradict each other one stops the level, and one that wants the same stops nothing (with
---json "would_gain"). Rows that say the same (one limit given twice) are told once, with --json as
+--json "would_gain"). Rows that say the same (one limit given twice) are listed once, with --json as
 "same", by level and row, and the numbers are of all of them together. A multiplier is how fast half the squared residual falls as the row's bound gives way; of a row that is
 nearly dependent on others that hold it says little. With --json it is one object a line, where
 "independence" is what of the row's length no other of them has, and null a cost that could not be
@@ -114,7 +114,7 @@ walk has about 30 kB.
 Without --from and --to it is the whole run, which begins with a stand, and from sensors with a
 calibration on the spot: the first foot is lifted 10.5 s into walk_flat and most scenarios, 1.5 s into
 walk_flat_sea and walk_flat_ideal, which know their state. Of a log `surefoot explain RUN.mcap --at TIME`
-tells the steps within a second of that time.
+lists the steps within a second of that time.
 
 Exit codes: 0 written, 2 the input is wrong, no tick lies between --from and --to, or the dump was
 interrupted (then no file is left).
@@ -133,8 +133,8 @@ Examples:
   surefoot list schema scenario > scenario.schema.json   for editors: scenario, randomisation, robot or stack
 )";
 
-// Each seed has a row of its results in memory, each job a process.
-constexpr int kMostSeeds = 1'000'000, kMostJobs = 1000;
+// Each seed has its results in memory, each job is a process.
+constexpr int kMaxSeeds = 1'000'000, kMaxJobs = 1000;
 
 /// An empty name would count as none.
 CLI::Validator some_name() {
@@ -154,9 +154,8 @@ void add_run(CLI::App& app, Command& chosen) {
                       "; 0 (default): nothing is randomised but the noise")
       ->check(seed_number());
   run->add_option("--seeds", arguments->seeds, "Run this many seeds, from --seed (default 1) on")
-      ->check(whole_number(1, kMostSeeds));
-  run->add_option("--jobs", arguments->jobs, "Processes at once")
-      ->check(whole_number(1, kMostJobs));
+      ->check(whole_number(1, kMaxSeeds));
+  run->add_option("--jobs", arguments->jobs, "Processes at once")->check(whole_number(1, kMaxJobs));
   run->add_option("--set", arguments->assignments,
                   "path.to.key=value …: change keys of the scenario; none takes one away. Several "
                   "behind one --set, or each with its own; the scenario's name stands before it")
@@ -276,7 +275,7 @@ void add_demo(CLI::App& app, Command& chosen) {
   });
 }
 
-int tell(const std::string& message) {
+int fail(const std::string& message) {
   std::cerr << "surefoot: " << printable(message, "\n") << "\n";
   return kWrongInput;
 }
@@ -304,12 +303,12 @@ std::string unknown_command(const CLI::App& app, int argc, char** argv) {
 }
 
 /// Help and version go through CLI11; everything else that is wrong with the arguments is one line.
-int tell_parsing(const CLI::App& app, const CLI::ParseError& error, int argc, char** argv) {
+int fail_parsing(const CLI::App& app, const CLI::ParseError& error, int argc, char** argv) {
   if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success)) return app.exit(error);
   const std::vector<CLI::App*> commands = app.get_subcommands();
-  if (commands.empty()) return tell(unknown_command(app, argc, argv));
-  if (!commands.front()->remaining().empty()) return tell(unknown_option(*commands.front()));
-  return tell(std::string(error.what()) + "; see surefoot " + commands.front()->get_name() +
+  if (commands.empty()) return fail(unknown_command(app, argc, argv));
+  if (!commands.front()->remaining().empty()) return fail(unknown_option(*commands.front()));
+  return fail(std::string(error.what()) + "; see surefoot " + commands.front()->get_name() +
               " --help");
 }
 
@@ -339,9 +338,9 @@ int run_program(int argc, char** argv) {
     app.parse(argc, argv);
     return chosen();
   } catch (const CLI::ParseError& error) {
-    return tell_parsing(app, error, argc, argv);
+    return fail_parsing(app, error, argc, argv);
   } catch (const std::exception& error) {
-    return tell(error.what());
+    return fail(error.what());
   }
 }
 

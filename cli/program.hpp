@@ -2,7 +2,7 @@
 
 namespace surefoot::cli {
 
-/// The whole program: reads its arguments, runs the command, tells errors in one line on stderr.
+/// The whole program: reads its arguments, runs the command, prints errors in one line on stderr.
 /// Returns an ExitCode.
 int run_program(int argc, char** argv);
 

@@ -13,7 +13,7 @@ using Command = std::function<int()>;
 /// `replay`, `explain`, `info` and `mend`.
 void add_log_commands(CLI::App& app, Command& chosen);
 
-/// A Python program, which the launcher starts; here it has a name and a line of help only.
+/// A command that the launcher runs in Python; here it has only its name and help.
 void add_python_command(CLI::App& app, Command& chosen, const std::string& name,
                         const std::string& help);
 

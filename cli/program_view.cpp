@@ -12,7 +12,7 @@ bool is_digits(const std::string& text) {
          std::ranges::all_of(text, [](char letter) { return letter >= '0' && letter <= '9'; });
 }
 
-/// Of digits; beyond kNoMax it is kNoMax + 1.
+/// Of digits; kNoMax + 1 if it is larger than kNoMax.
 int value_of(const std::string& digits) {
   int value = 0;
   const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
@@ -36,7 +36,7 @@ CLI::Validator whole_number(int min, int max, const char* largest) {
   return CLI::Validator(check, "");
 }
 
-static_assert(config::kLargestSeed == kNoMax);  // or it would have to be told otherwise
+static_assert(config::kLargestSeed == kNoMax);  // else the error for a larger seed is wrong
 
 CLI::Validator seed_number() { return whole_number(0, config::kLargestSeed, "the largest seed"); }
 

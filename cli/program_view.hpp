@@ -9,11 +9,11 @@ namespace surefoot::cli {
 
 inline constexpr int kNoMax = 999'999'999;
 
-/// Digits only; CLI11 would take -1 for a large number. What is larger than any such number may be
-/// is told as that: `largest` says what it is beyond.
+/// Digits only, as CLI11 would take -1 for a large number. `largest` names kNoMax in the error for
+/// a larger number.
 [[nodiscard]] CLI::Validator whole_number(int min, int max = kNoMax,
                                           const char* largest = "the largest that is valid");
-/// The same of seeds, from 0 to kLargestSeed.
+/// The same for seeds, from 0 to kLargestSeed.
 [[nodiscard]] CLI::Validator seed_number();
 
 /// Options of a command that serves the viewer's page.

@@ -14,9 +14,9 @@
 namespace surefoot::cli {
 namespace {
 
-constexpr int kWidth = 30;
-constexpr std::chrono::milliseconds kRedraw{100};
-constexpr std::chrono::seconds kNextLine{10};
+constexpr int kBarWidth = 30;  // [characters]
+constexpr std::chrono::milliseconds kRedrawPeriod{100};
+constexpr std::chrono::seconds kLinePeriod{10};  // where stderr is no terminal
 
 bool is_terminal() { return isatty(STDERR_FILENO) == 1; }
 
@@ -48,9 +48,10 @@ std::string duration_text(double seconds) {
 }
 
 std::string time_left(double seconds, double share) {
-  constexpr double kEarly = 2.0, kShort = 60.0, kLittle = 0.05;  // [s], [s] and a share
-  const bool is_known = seconds >= kEarly && share >= kLittle && share < 1.0;
-  if (!is_known || seconds / share < kShort) return "";
+  constexpr double kMinElapsed = 2.0, kMinTotal = 60.0;  // [s]
+  constexpr double kMinShare = 0.05;
+  const bool is_known = seconds >= kMinElapsed && share >= kMinShare && share < 1.0;
+  if (!is_known || seconds / share < kMinTotal) return "";
   return ", about " + duration_text(seconds * (1.0 - share) / share) + " left";
 }
 
@@ -67,7 +68,7 @@ Progress::~Progress() { wipe(); }
 void Progress::update(double done) {
   done_ = done;
   const Clock::time_point now = Clock::now();
-  if (terminal_ ? now - last_ < kRedraw : now - last_ < kNextLine) return;
+  if (terminal_ ? now - last_ < kRedrawPeriod : now - last_ < kLinePeriod) return;
   last_ = now;
   draw();
 }
@@ -80,9 +81,9 @@ void Progress::draw() const {
                  left.c_str());
     return;
   }
-  const int filled = static_cast<int>(kWidth * std::clamp(done_ / total_, 0.0, 1.0));
+  const int filled = static_cast<int>(kBarWidth * std::clamp(done_ / total_, 0.0, 1.0));
   std::string bar;
-  for (int i = 0; i < kWidth; ++i) bar += i < filled ? "█" : "░";
+  for (int i = 0; i < kBarWidth; ++i) bar += i < filled ? "█" : "░";
   std::fprintf(stderr, "\r\033[K%s %s %.4g of %.4g %s%s", label_.c_str(), bar.c_str(), done_,
                total_, unit_.c_str(), left.c_str());
 }
@@ -92,7 +93,7 @@ void Progress::wipe() const {
 }
 
 Waiting::Waiting(std::string label)
-    : Waiting(std::move(label), is_terminal() ? std::chrono::seconds(1) : kNextLine) {}
+    : Waiting(std::move(label), is_terminal() ? std::chrono::seconds(1) : kLinePeriod) {}
 
 Waiting::Waiting(std::string label, std::chrono::milliseconds every)
     : thread_([label = printable(label), every](const std::stop_token& stop) {

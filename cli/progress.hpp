@@ -9,15 +9,15 @@ namespace surefoot::cli {
 /// "85 s", "3 min", "5 h", "12 days".
 [[nodiscard]] std::string duration_text(double seconds);
 
-/// ", about 3 min left" of work of which a share from 0 to 1 took so many seconds. Empty where it
-/// is too early to tell, or where all of it takes less than a minute.
+/// ", about 3 min left" of work of which `share`, from 0 to 1, took `seconds`. Empty in the first
+/// seconds, and for work of less than a minute.
 [[nodiscard]] std::string time_left(double seconds, double share);
 
-/// Progress on stderr: a bar where that is a terminal, otherwise a line now and then; of what takes
-/// longer than a minute with the time that is left.
+/// Progress on stderr: a bar in a terminal, otherwise a line every ten seconds. Shows the time left
+/// if the work takes longer than a minute.
 class Progress {
  public:
-  /// `total` in the unit that `update` counts in.
+  /// `total`: in the unit of `update`.
   Progress(std::string label, double total, std::string unit);
   /// Wipes the bar.
   ~Progress();
@@ -38,9 +38,8 @@ class Progress {
   Clock::time_point begin_, last_;
 };
 
-/// Says on stderr, while it lives, that something goes on of which nobody knows how far it is: a
-/// line that counts seconds where that is a terminal, from the first second on, otherwise a line
-/// every ten.
+/// While it exists, shows on stderr that work of unknown length goes on: in a terminal a line that
+/// counts seconds, otherwise a line every ten seconds.
 class Waiting {
  public:
   explicit Waiting(std::string label);

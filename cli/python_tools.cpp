@@ -32,7 +32,7 @@ std::vector<std::string> command_of(const std::string& module,
   return command;
 }
 
-/// As the system's calls want it.
+/// Null-terminated, for execv and posix_spawn.
 std::vector<char*> pointers(std::vector<std::string>& command) {
   std::vector<char*> arguments;
   for (std::string& word : command) arguments.push_back(word.data());
@@ -40,11 +40,12 @@ std::vector<char*> pointers(std::vector<std::string>& command) {
   return arguments;
 }
 
-/// Runs a Python package and waits for it; what it prints goes nowhere, what it complains of where
-/// this program's complaints go. False if it failed or could not be started.
+/// Runs a Python package and waits for it, without its standard output. False if it failed or could
+/// not be started.
 bool run_python(const std::string& package, const std::vector<std::string>& words) {
-  constexpr int kKeep = 0;  // what the launcher names
-  setenv("SUREFOOT_PROGRAM", std::filesystem::read_symlink("/proc/self/exe").c_str(), kKeep);
+  constexpr int kKeepExisting = 0;  // the launcher may have set it
+  setenv("SUREFOOT_PROGRAM", std::filesystem::read_symlink("/proc/self/exe").c_str(),
+         kKeepExisting);
   std::vector<std::string> command = command_of(package, words);
   const std::vector<char*> arguments = pointers(command);
   posix_spawn_file_actions_t actions;

@@ -42,13 +42,13 @@ std::string shortest(double value) {
   return {text.data(), std::to_chars(text.data(), text.data() + text.size(), value).ptr};
 }
 
-/// Torques and residuals of both at each tick, and how each came to them, as the log's channels are
-/// called, with units; those of the other hierarchy behind "other.".
+/// CSV of both hierarchies' torques and residuals at each tick, with mode and status. Columns have
+/// the names of the log's channels, with units; those of the other hierarchy begin with "other.".
 class TickTable {
  public:
   explicit TickTable(const std::string& path) : whole_(path), file_(whole_.stream()) {}
 
-  /// `other` is null where it was not asked.
+  /// `other` is null if it was not asked.
   void add(const logging::LogHeader& header, const TickRecord& logged,
            const control::StackAnswer* other, const std::vector<replay::OtherLevel>& other_levels) {
     if (!has_head_) write_head(header, other_levels);
@@ -96,7 +96,7 @@ class TickTable {
     return logging::was_used(tick) && static_cast<std::int32_t>(level) < tick.hierarchy.num_levels;
   }
 
-  /// Which rung of the ladder commands, and how the solve ended.
+  /// Mode of the command, and status of the solve.
   void origin(const JointCommand& command, const HierarchyReport& hierarchy) {
     file_ << ',' << logged::kModeNames[static_cast<std::size_t>(command.mode)] << ','
           << hierarchy.status;
@@ -145,7 +145,7 @@ replay::StackComparison compare(const ReplayArguments& arguments) {
 int run_replay(const ReplayArguments& arguments, std::ostream& out) {
   check(arguments);
   runtime::watch_for_interrupt();
-  tell_partial_beside(arguments.log);
+  note_later_run(arguments.log);
   if (!arguments.verify && arguments.stack.empty()) {
     server::serve_log(arguments.log, arguments.view);
     return kPassed;

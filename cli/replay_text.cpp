@@ -64,7 +64,7 @@ std::string place(const logging::LogHeader& header, const replay::TorqueDifferen
          formatted("%.3g", difference.computed - difference.logged) + ")\n";
 }
 
-/// The first stage that came out otherwise says where to look.
+/// Stages with other results, in order: the first one is the place to look at.
 std::string first_cause(const replay::Verification& result) {
   std::string out;
   for (const replay::MessageDifferences& topic : result.messages) {
@@ -102,33 +102,33 @@ Json log_json(const std::string& path, const logging::LogHeader& header) {
           {"stack", header.stack}, {"version", header.version},   {"commit", header.commit}};
 }
 
-/// The time is that of the largest; null where there is none.
+/// `time`: of the largest; null without one.
 Json difference_json(double rms, double largest, double time) {
   return {{"rms", rms},
           {"largest", largest},
           {"time", largest == 0.0 ? Json() : Json(to_nanosecond(time))}};
 }
 
-/// From 100 on all digits before the point.
+/// Three digits, from 100 on all before the point.
 std::string residual(double value, const std::string& unit) {
   if (value < kResidualRounding) return "0";
   return formatted(value < 100.0 ? "%.3g" : "%.0f", value) + (unit.empty() ? "" : " " + unit);
 }
 
-/// Below rounding it is nothing, as a residual is.
+/// Below rounding it is 0, as a residual is.
 std::string torque(const char* format, double value) {
   return std::abs(value) < kResidualRounding ? "0" : formatted(format, value) + " N·m";
 }
 
 constexpr const char* kMark = " *";
 
-/// Of a largest difference; marked where the run said nothing of its walk any more.
+/// Time of a largest difference; marked if it is after the end of the walk.
 std::string largest_at(const replay::StackComparison& result, double time) {
   const bool is_behind = result.walk_end && time >= result.walk_end->time - 1e-9;
   return seconds(time) + (is_behind ? kMark : "");
 }
 
-/// Below `tables`, of which it explains the marks.
+/// Stands below `tables` and explains their marks.
 std::string walk_end(const replay::StackComparison& result, const std::string& tables) {
   if (!result.walk_end) return "";
   return (tables.find(kMark) == std::string::npos ? "From " : "* From ") +
@@ -177,7 +177,7 @@ std::string counted(const replay::TickCount& count) {
          (count.ticks > 0 ? ", first at " + seconds(count.first) : "");
 }
 
-/// Above the tables, what they are made of.
+/// Stands above the tables: which ticks they are made of.
 std::string compared(const replay::StackComparison& result) {
   if (result.compared == result.ticks) return "Both answered every tick.\n";
   return "Both answered " + number_of_ticks(result.compared) + " of " +

@@ -15,15 +15,16 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Of these the smallest value is the worst.
+/// Metrics whose smallest value is the worst.
 constexpr std::array<std::string_view, 5> kMoreIsBetter{"distance_m", "speed_mps",
                                                         "friction_margin_loaded_min",
                                                         "friction_margin_min", "realtime_factor"};
 
-/// What the machine's clock decides, so that it differs between any two runs.
+/// Metrics that depend on the machine's clock, so they differ between any two runs.
 constexpr std::array<std::string_view, 3> kByClock{"tick_us", "solve_us", "realtime_factor"};
 
-/// What a result must say of itself: truth and sensors that the robot does not have are no secret.
+/// What a result depends on; says so if the estimate is the truth, or uses sensors that the robot
+/// lacks.
 Json heading(const config::Scenario& scenario) {
   return {{"scenario", scenario.name},
           {"stack", scenario.controller.stack.name},
@@ -45,7 +46,7 @@ Json criteria_json(const std::vector<evaluation::CriterionResult>& results) {
   return list;
 }
 
-/// Paths of the metrics that are numbers; of a distribution each member, as criteria call them.
+/// Names of the metrics that are numbers; each member of a distribution, as in criteria.
 std::vector<std::string> numeric_metrics() {
   std::vector<std::string> names;
   for (const auto& [name, example] : evaluation::values(evaluation::Metrics())) {
@@ -70,7 +71,7 @@ std::string hex(std::uint64_t number) {
   return formatted("%016llx", static_cast<unsigned long long>(number));
 }
 
-/// What happened to feet, sensors and torques, in the order in which it happened first.
+/// Events of feet, sensors and torques, by their first times.
 Json run_events_json(const closed_loop::RunResult& result) {
   std::vector<Json> list;
   for (const evaluation::EventCount& event : result.events) {

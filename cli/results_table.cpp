@@ -29,11 +29,11 @@ constexpr std::array<Unit, 6> kUnits{{{"_mps", "m/s"},
                                       {"_us", "µs"},
                                       {"_m", "mm", 1e3},
                                       {"_s", "s"}}};
-/// Lengths of the robot's own size and more; all others are errors and the like.
+/// Lengths of the robot's size and more; all other lengths are small, in mm.
 constexpr std::array<std::string_view, 3> kInMetres{"distance_m", "base_height_end_m",
                                                     "limb_extension_max_m"};
 
-/// Of a metric always the same, so that two runs compare.
+/// A metric always has the same unit, so that two runs can be compared.
 Unit unit_of(const std::string& metric) {
   const std::string stem = metric.substr(0, metric.find('.'));
   if (std::ranges::find(kInMetres, stem) != kInMetres.end()) return {"_m", "m"};
@@ -78,8 +78,8 @@ std::string title(const config::Scenario& scenario, const Json& json) {
          (scenario.description.empty() ? "" : ": " + scenario.description) + "\n";
 }
 
-/// Where a path leads to one of several values ("sensors.imu.tilt.roll"), that of all of them;
-/// other paths whole, and those to where the robot begins.
+/// Path of the vector that a drawn value belongs to: "sensors.imu.tilt" for
+/// "sensors.imu.tilt.roll". Other paths, and those of the initial pose, unchanged.
 std::string vector_of(const std::string& path) {
   constexpr std::array<std::string_view, 6> kNames{"x", "y", "z", "roll", "pitch", "yaw"};
   const std::size_t dot = path.rfind('.');
@@ -89,7 +89,7 @@ std::string vector_of(const std::string& path) {
   return is_of_leg || std::ranges::find(kNames, name) != kNames.end() ? path.substr(0, dot) : path;
 }
 
-/// Values by themselves as they are, those of one vector as a count.
+/// Single values as they are; those of a vector as a count.
 std::vector<std::string> drawn_texts(const Json& drawn) {
   std::vector<std::string> texts;
   std::string vector;
@@ -106,7 +106,7 @@ std::vector<std::string> drawn_texts(const Json& drawn) {
   return texts;
 }
 
-/// What the seed drew; of 0 that it drew nothing, whatever the scenario's name promises.
+/// The values drawn by the seed; seed 0 draws none.
 std::string seed_line(const Json& run) {
   constexpr std::size_t kTextWidth = 110;
   const auto seed = run.at("seed").get<std::uint64_t>();
@@ -130,7 +130,7 @@ std::string verdict(const Json& run) {
          run.at("reason").get<std::string>() + missed + "\n";
 }
 
-/// What a verdict on a run that was steered is worth.
+/// Note that a run was steered, so that its verdict is not of the scenario alone.
 std::string steered(const Json& run) {
   const int changes = run.value("changes_by_hand", 0);
   if (changes == 0) return "";
@@ -152,14 +152,14 @@ std::string events_of_run(const Json& run) {
   return table.empty() ? "" : "\n" + aligned(table);
 }
 
-/// What the name of a metric leaves open.
+/// Explains metrics whose name is not enough.
 std::string remark(const std::string& metric) {
   if (metric == "friction_margin_min") return "of any foot; 0: one slid, be it at a touchdown";
   if (metric == "friction_margin_loaded_min") return "of feet that carry a tenth of the weight";
   return "";
 }
 
-/// What the run's criteria ask of a metric, and whether it holds: "≤ 0.5 mm ✓"; empty if nothing.
+/// The run's criterion for a metric, and whether it holds: "≤ 0.5 mm ✓"; empty without one.
 std::string asked_of(const Json& run, const std::string& metric) {
   for (const Json& criterion : run.at("criteria")) {
     const auto name = criterion.at("metric").get<std::string>();

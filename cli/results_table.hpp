@@ -9,12 +9,10 @@
 
 namespace surefoot::cli {
 
-/// A metric's value for people: "0.12 mm", "yes", "–". A metric has
-/// one unit, whatever its value.
+/// A metric's value for people: "0.12 mm", "yes", "–".
 [[nodiscard]] std::string pretty(const std::string& metric, const nlohmann::ordered_json& value);
 
-/// One run as a table: metrics with units, what the criteria ask for, the paper's figures, and the
-/// notable events.
+/// One run as a table: metrics with units, criteria, the paper's figures, and notable events.
 [[nodiscard]] std::string run_table(const config::Scenario& scenario,
                                     const nlohmann::ordered_json& run);
 

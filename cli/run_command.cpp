@@ -27,13 +27,18 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-void tell_notes(const config::Scenario& scenario) {
+config::Scenario load_scenario(const RunArguments& arguments) {
+  return config::load_scenario({.name_or_path = arguments.scenario,
+                                .seed = arguments.seed.value_or(0),
+                                .assignments = arguments.assignments});
+}
+
+void print_notes(const config::Scenario& scenario) {
   for (const std::string& note : scenario.notes)
     std::fprintf(stderr, "surefoot: warning: %s\n", note.c_str());
 }
 
-/// Where a run's log goes: a report needs one too, and so does a film, for which it goes away
-/// again.
+/// Path of a run's log. A report needs one, too, and a film: for a film alone it is temporary.
 class LogPlace {
  public:
   explicit LogPlace(const RunArguments& arguments) : path_(arguments.record) {
@@ -52,8 +57,7 @@ class LogPlace {
   std::filesystem::path path_;
 };
 
-/// What can't be written is told before the run, not after it; what is wrong with the scenario
-/// before any file is touched.
+/// Throws Error before the run if an output can't be written.
 void check_outputs(const RunArguments& arguments) {
   if (!arguments.report.empty()) check_has_python("--report");
   if (!arguments.record.empty()) logging::check_writable_file(arguments.record);
@@ -62,7 +66,7 @@ void check_outputs(const RunArguments& arguments) {
   logging::check_writable_file(arguments.video);
 }
 
-/// This call's alone, while it writes there. Leaves no folder behind that it made for nothing.
+/// The report's folder, locked against other runs. Removes it at the end if it is new and empty.
 class ReportFolder {
  public:
   explicit ReportFolder(std::filesystem::path folder)
@@ -93,14 +97,14 @@ void print(const RunArguments& arguments, const Json& json, const std::string& t
   std::cout << printable(arguments.json ? json.dump() + "\n" : table, "\n") << std::flush;
 }
 
-/// A success rate above 0 is 1 of one run.
+/// For one run, any success rate above 0 means that it must succeed.
 int exit_code(const config::Scenario& scenario, const closed_loop::RunResult& result) {
   if (result.metrics.succeeded || scenario.success_rate <= 0.0) return kPassed;
   return result.safety_stop ? kSafetyStop : kFailed;
 }
 
-/// The run's result stands whatever became of its film. `log`: of the run; empty: it is not kept.
-void tell_film(bool done, const std::string& file, const std::string& log) {
+/// A failed film does not change the run's result. `log`: of the run; empty: not kept.
+void report_film(bool done, const std::string& file, const std::string& log) {
   if (done) {
     std::fprintf(stderr, "video: %s\n", file.c_str());
     return;
@@ -112,29 +116,33 @@ void tell_film(bool done, const std::string& file, const std::string& log) {
   std::fprintf(stderr, "surefoot: warning: %s was not filmed; %s\n", file.c_str(), again.c_str());
 }
 
-/// A run before the eyes of those who open its page.
+/// A run that the viewer's page shows.
 int watch_one(const RunArguments& arguments) {
-  const config::Scenario scenario = config::load_scenario({.name_or_path = arguments.scenario,
-                                                           .seed = arguments.seed.value_or(0),
-                                                           .assignments = arguments.assignments});
+  const config::Scenario scenario = load_scenario(arguments);
   check_outputs(arguments);
-  tell_notes(scenario);
-  const auto tell = [&](const closed_loop::RunResult& result) {
+  print_notes(scenario);
+  const auto print_result = [&](const closed_loop::RunResult& result) {
     const Json json = run_json(scenario, result);
     print(arguments, json, run_table(scenario, json));
   };
   const auto [result, log] = server::run_live(
       scenario,
       {.record_path = arguments.record, .progress = {}, .interrupted = runtime::interrupted},
-      arguments.view, tell);
+      arguments.view, print_result);
   if (result.ending == closed_loop::Ending::interrupted) report_interrupt(log);
   return exit_code(scenario, result);
 }
 
+closed_loop::RunResult run_with_progress(const config::Scenario& scenario, const std::string& log) {
+  Progress progress(scenario.name, scenario.duration, "s");
+  return closed_loop::run_closed_loop(scenario,
+                                      {.record_path = log,
+                                       .progress = [&](double time) { progress.update(time); },
+                                       .interrupted = runtime::interrupted});
+}
+
 int run_one(const RunArguments& arguments) {
-  const config::Scenario scenario = config::load_scenario({.name_or_path = arguments.scenario,
-                                                           .seed = arguments.seed.value_or(0),
-                                                           .assignments = arguments.assignments});
+  const config::Scenario scenario = load_scenario(arguments);
   const LogPlace place(arguments);
   const std::string log = place.path().string();
   if (!arguments.report.empty()) closed_loop::check_setup(scenario);
@@ -143,15 +151,8 @@ int run_one(const RunArguments& arguments) {
   // A log that was asked for by name is replaced only when the new one is whole.
   if (!arguments.report.empty())
     logging::remove_outdated(arguments.report, arguments.record.empty() ? log : "");
-  tell_notes(scenario);
-  closed_loop::RunResult result;
-  {
-    Progress progress(scenario.name, scenario.duration, "s");
-    result = closed_loop::run_closed_loop(scenario,
-                                          {.record_path = log,
-                                           .progress = [&](double time) { progress.update(time); },
-                                           .interrupted = runtime::interrupted});
-  }
+  print_notes(scenario);
+  const closed_loop::RunResult result = run_with_progress(scenario, log);
   if (result.ending == closed_loop::Ending::interrupted)
     report_interrupt(place.is_kept() ? log : "");
   const bool has_report =
@@ -159,7 +160,7 @@ int run_one(const RunArguments& arguments) {
   if (!arguments.report.empty() && has_report)
     std::fprintf(stderr, "report: %s/index.html\n", arguments.report.c_str());
   if (!arguments.video.empty())
-    tell_film(film(log, arguments.video), arguments.video, place.is_kept() ? log : "");
+    report_film(film(log, arguments.video), arguments.video, place.is_kept() ? log : "");
   const Json json = run_json(scenario, result);
   print(arguments, json, run_table(scenario, json));
   if (!has_report) {
@@ -169,7 +170,7 @@ int run_one(const RunArguments& arguments) {
   return exit_code(scenario, result);
 }
 
-/// What a run would leave out or change, besides the warnings of the scenario.
+/// Cost of a run, and its notes that are no warnings of the scenario.
 std::string check_text(const config::Scenario& scenario, const RunCost& cost,
                        const std::vector<std::string>& notes) {
   std::string said =
@@ -182,13 +183,11 @@ std::string check_text(const config::Scenario& scenario, const RunCost& cost,
 }
 
 int check_one(const RunArguments& arguments) {
-  const config::Scenario scenario = config::load_scenario({.name_or_path = arguments.scenario,
-                                                           .seed = arguments.seed.value_or(0),
-                                                           .assignments = arguments.assignments});
+  const config::Scenario scenario = load_scenario(arguments);
   const std::vector<std::string> notes = closed_loop::check_setup(scenario);
   check_outputs(arguments);
   const RunCost cost = run_cost(scenario);
-  tell_notes(scenario);
+  print_notes(scenario);
   Json json = check_json(scenario);
   json["cost"] = {{"ticks", cost.ticks},
                   {"wall_time_s", cost.wall_seconds},
@@ -198,7 +197,7 @@ int check_one(const RunArguments& arguments) {
   return kPassed;
 }
 
-/// Many runs are Python's, which starts this program for each of them.
+/// Python runs many seeds, and starts this program for each of them.
 [[noreturn]] void run_seeds(const RunArguments& arguments) {
   std::vector<std::string> words{
       arguments.scenario, "--first=" + std::to_string(arguments.seed.value_or(1)),
@@ -213,7 +212,7 @@ int check_one(const RunArguments& arguments) {
   become_python("--seeds", "surefoot_campaign.seeds", words);
 }
 
-/// What --view can't go with.
+/// Throws Error on an option that --view excludes.
 void check_watched(const RunArguments& arguments) {
   const char* other = arguments.seeds > 0         ? "--seeds"
                       : arguments.check           ? "--check"

@@ -6,10 +6,10 @@
 
 namespace surefoot::cli {
 
-/// What a run takes that goes on to the end of its duration.
+/// Cost of a run to the end of its duration.
 struct RunCost {
   double ticks = 0.0;
-  double wall_seconds = 0.0;  ///< here, as its first ticks tell [s]
+  double wall_seconds = 0.0;  ///< on this machine, from its first ticks [s]
   double memory = 0.0;        ///< that grows with its ticks [bytes]
   double log = 0.0;           ///< about the size of its log, where it is recorded [bytes]
 };
@@ -17,8 +17,8 @@ struct RunCost {
 /// Throws Error, as a run would at its start, if plant or controller can't be made.
 [[nodiscard]] RunCost run_cost(const config::Scenario& scenario);
 
-/// "at most 8000 ticks: about 2 s here, and 23 MB of log with --record"; memory only where it is
-/// much.
+/// "at most 8000 ticks: about 2 s here, and 23 MB of log with --record"; memory only if it is
+/// large.
 [[nodiscard]] std::string cost_text(const RunCost& cost);
 
 }  // namespace surefoot::cli

@@ -30,9 +30,9 @@ namespace {
 using Eigen::Index;
 using Json = nlohmann::ordered_json;
 
-/// What fits in the memory of any machine, and in a minute.
-constexpr Index kMostUnknowns = 500;
-constexpr Index kMostRows = 5000;
+/// Limits of a line: it fits in the memory of any machine, and in a minute.
+constexpr Index kMaxUnknowns = 500;
+constexpr Index kMaxRows = 5000;
 
 Index num_rows(const solver::Hierarchy& hierarchy) {
   Index rows = 0;
@@ -41,25 +41,25 @@ Index num_rows(const solver::Hierarchy& hierarchy) {
 }
 
 void check_size(const solver::Hierarchy& hierarchy, const std::string& place) {
-  const std::string limit = "; expected at most " + std::to_string(kMostUnknowns) +
-                            " unknowns and " + std::to_string(kMostRows) + " rows in a line";
-  if (hierarchy.unknowns() > kMostUnknowns) {
+  const std::string limit = "; expected at most " + std::to_string(kMaxUnknowns) +
+                            " unknowns and " + std::to_string(kMaxRows) + " rows in a line";
+  if (hierarchy.unknowns() > kMaxUnknowns) {
     throw FileError(place + ": has " + std::to_string(hierarchy.unknowns()) + " unknowns" + limit);
   }
   Index rows = 0;
   for (std::size_t k = 0; k < hierarchy.num_levels(); ++k) {
     const Index more = hierarchy.level(k).num_rows();
-    if (rows + more > kMostRows) {
+    if (rows + more > kMaxRows) {
       throw FileError(place + ": level " + std::to_string(k + 1) + ": row " +
-                      std::to_string(kMostRows - rows + 1) + " is one too many" + limit);
+                      std::to_string(kMaxRows - rows + 1) + " is one too many" + limit);
     }
     rows += more;
   }
 }
 
-constexpr int kMostNotes = 10;  // on `err`
+constexpr int kMaxNotes = 10;  // lines on `err`
 
-/// Throws Error for a method that there isn't, and for a budget that it can't keep.
+/// Throws Error on an unknown method, and on a budget that the method does not support.
 void check_method(const SolveArguments& arguments) {
   const bool is_cascade = arguments.method == name(control::SolverMethod::cascade);
   if (!is_cascade && arguments.method != name(control::SolverMethod::lexicographic)) {
@@ -102,7 +102,7 @@ class SolveCommand {
       }
     }
     if (is_empty) throw FileError(name + ": is empty" + kExpected);
-    tell_hidden_notes(name);
+    note_hidden(name);
     return exit_code_;
   }
 
@@ -111,10 +111,10 @@ class SolveCommand {
     return arguments_.method == name(control::SolverMethod::cascade);
   }
 
-  /// The set that the kernels of the lexicographic solver use.
+  /// Instruction set of the lexicographic solver's kernels.
   static std::string instructions() { return solver::fastest_kernels().name; }
 
-  /// Lines that are wrong have no answer: its line says which problem is meant.
+  /// Wrong lines have no answer, so each answer has its line's number.
   [[nodiscard]] Json with_place(Json line, const solver::Solution& solution) const {
     line["line"] = line_;
     if (!is_cascade()) {
@@ -127,7 +127,7 @@ class SolveCommand {
     return line;
   }
 
-  /// Otherwise the solver's own cap has ended what is not at its end.
+  /// If not, a solve that was cut off was ended by the solver's own cap.
   [[nodiscard]] bool is_budget_spent(const solver::Solution& solution) const {
     const bool is_late =
         std::isfinite(arguments_.budget_us) && solution.time >= 1e-6 * arguments_.budget_us;
@@ -181,7 +181,7 @@ class SolveCommand {
                                 strict.hierarchy, solution);
       out_ << printable(with_notes(answer, question.hierarchy).dump()) << std::endl;
     }
-    tell_levels_without_rows(place, question.hierarchy);
+    note_levels_without_rows(place, question.hierarchy);
     if (solver::verdict(certificates) != solver::Verdict::proven) {
       err_ << place << ": " << explain::verdict_text(question.hierarchy, solution.x, certificates)
            << '\n';
@@ -190,7 +190,7 @@ class SolveCommand {
     const bool is_cut_off = solution.status == solver::SolveStatus::iteration_cap;
     const bool is_capped = is_cut_off && !is_budget_spent(solution);
     if (is_capped || (arguments_.certify && finished < num_levels))
-      tell_cut_off(place, finished, num_levels, is_budget_spent(solution));
+      report_cut_off(place, finished, num_levels, is_budget_spent(solution));
   }
 
   [[nodiscard]] Json with_strict_residuals(Json line, const solver::Hierarchy& strict,
@@ -217,7 +217,7 @@ class SolveCommand {
     }
   }
 
-  /// Many rows that hold many levels back take long, one solve each.
+  /// Shows progress: it needs one solve for each row that may hold a level back.
   static explain::SolutionExplanation explained(const std::string& place,
                                                 const config::NamedHierarchy& question,
                                                 const solver::Solution& solution) {
@@ -240,22 +240,22 @@ class SolveCommand {
     return line;
   }
 
-  /// The lines of a recorded walk are thousands with the same empty level.
-  void tell_levels_without_rows(const std::string& place, const solver::Hierarchy& hierarchy) {
+  /// At most `kMaxNotes`: a recorded walk has thousands of lines with the same empty level.
+  void note_levels_without_rows(const std::string& place, const solver::Hierarchy& hierarchy) {
     for (const std::size_t level : explain::levels_without_rows(hierarchy)) {
-      if (++num_notes_ <= kMostNotes)
+      if (++num_notes_ <= kMaxNotes)
         err_ << place << ": note: " << printable(without_rows(hierarchy, level)) << '\n';
     }
   }
 
-  void tell_hidden_notes(const std::string& name) {
-    if (num_notes_ <= kMostNotes) return;
-    err_ << name << ": note: " << num_notes_ - kMostNotes
+  void note_hidden(const std::string& name) {
+    if (num_notes_ <= kMaxNotes) return;
+    err_ << name << ": note: " << num_notes_ - kMaxNotes
          << " more levels without rows are named in the results only\n";
   }
 
-  void tell_cut_off(const std::string& place, std::size_t finished, std::size_t num_levels,
-                    bool is_budget_spent) {
+  void report_cut_off(const std::string& place, std::size_t finished, std::size_t num_levels,
+                      bool is_budget_spent) {
     const bool is_unproven = arguments_.certify && finished < num_levels;
     const std::string what = is_unproven ? ": not proven, cut off" : ": cut off";
     err_ << place << what;

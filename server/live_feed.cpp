@@ -249,7 +249,7 @@ void LiveFeed::keep(const std::vector<SharedBlock>& blocks) {
 
 void LiveFeed::take(const ViewTick& tick, std::string& bytes) {
   if (!start_) start_ = evaluation::start_alignment(tick.truth, tick.record.state);
-  if (evaluation::begins_anew(tick.record)) start_.reset();
+  if (evaluation::estimate_restarts(tick.record)) start_.reset();
   see_calibration(tick.record);
   logging::HierarchyNamer namer(names_);
   const logged::Timing timing = logged::timing_of(tick.timing, names_.levels);
@@ -267,7 +267,7 @@ void LiveFeed::see_calibration(const TickRecord& tick) {
   const double time = tick.reading.time;
   if (tick.plan.calibration == CalibrationStage::none) {
     calibrates_till_.reset();
-  } else if (!calibrates_till_ || evaluation::begins_anew(tick)) {
+  } else if (!calibrates_till_ || evaluation::estimate_restarts(tick)) {
     calibrates_till_ = time + calibration_;
   }
 }

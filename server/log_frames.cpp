@@ -179,7 +179,7 @@ void LogFrames::find_start() {
   first_tick_ = std::min(first_tick_, tick_at(decoded.ticks.begin()->first));
   const GrowingTick& first = decoded.ticks.begin()->second;
   const bool is_dropped = std::ranges::any_of(decoded.ticks, [](const auto& entry) {
-    return evaluation::begins_anew(entry.second.record);
+    return evaluation::estimate_restarts(entry.second.record);
   });
   if (first.is_whole() && first.has_truth && !is_dropped)
     start_ = evaluation::start_alignment(first.truth, first.record.state);

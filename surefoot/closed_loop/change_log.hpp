@@ -12,8 +12,8 @@ class ChangeLog {
   /// Adds the channel; before the recorder's first tick.
   explicit ChangeLog(logging::Recorder& recorder);
 
-  /// Stands in the log before the tick that has it; the ticks from there on have the names of the
-  /// controller's present stack.
+  /// Writes the change before the next tick. From there on ticks have the names of the controller's
+  /// present stack.
   void record(const logged::Change& change, const control::Controller& controller);
 
  private:

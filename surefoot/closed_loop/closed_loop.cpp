@@ -23,7 +23,7 @@ namespace surefoot::closed_loop {
 namespace {
 
 constexpr double kProgressInterval = 0.1;  // of simulated time [s]
-constexpr double kAfterSafetyStop = 1.0;   // how long a robot that was stopped is watched [s]
+constexpr double kTimeAfterStop = 1.0;     // of the run, after a safety stop [s]
 
 std::string reason(Ending ending) {
   switch (ending) {
@@ -47,7 +47,7 @@ bool is_shown(const ClosedLoopOptions& options) {
   return !options.record_path.empty() || options.steering != nullptr;
 }
 
-/// What is recorded or watched has the time of each level.
+/// Recorded and watched runs measure the time of each level.
 control::ControllerOptions controller_options(const config::Scenario& scenario,
                                               const ClosedLoopOptions& options) {
   control::ControllerOptions result = scenario.controller;
@@ -94,12 +94,12 @@ class ClosedLoop {
   }
 
   double measure_tick() {
-    constexpr int kTicks = 100;
-    constexpr double kLongest = 0.3;  // [s]
+    constexpr int kMaxTicks = 100;
+    constexpr double kMaxTime = 0.3;  // [s]
     const auto start = std::chrono::steady_clock::now();
     std::chrono::duration<double> passed{};
     int ticks = 0;
-    for (bool ends = false; !ends && ticks < kTicks && passed.count() < kLongest; ++ticks) {
+    for (bool ends = false; !ends && ticks < kMaxTicks && passed.count() < kMaxTime; ++ticks) {
       ends = step().has_value();
       passed = std::chrono::steady_clock::now() - start;
     }
@@ -125,7 +125,7 @@ class ClosedLoop {
                     }});
   }
 
-  /// One tick; says why it is the last one.
+  /// One tick; the ending if it is the last one.
   std::optional<Ending> step() {
     if (const std::optional<Ending> cut = steer()) return cut;
     const SensorReading& reading = plant_.read();
@@ -178,14 +178,14 @@ class ClosedLoop {
   std::optional<Ending> check_end(const JointCommand& command) {
     const double time = plant_.time();
     if (options_.interrupted && options_.interrupted()) return Ending::interrupted;
-    // Of a fall and a stop at the same tick the fall counts: the controller came too late.
+    // If fall and stop are at the same tick, the fall counts: the controller was too late.
     if (evaluator_.fell()) return Ending::fell;
     if (command.cause != StopCause::none && std::isnan(stopped_at_)) {
       stopped_at_ = time;
       why_stopped_ = logging::text_of_stop(controller_.record());
     }
     if (command.mode == CommandMode::damping && std::isnan(damped_at_)) damped_at_ = time;
-    if (time - damped_at_ > kAfterSafetyStop) return Ending::safety;
+    if (time - damped_at_ > kTimeAfterStop) return Ending::safety;
     if (goal_.update(plant_.truth())) return Ending::goal_reached;
     return std::nullopt;
   }
@@ -196,7 +196,7 @@ class ClosedLoop {
     options_.progress(plant_.time());
   }
 
-  /// What came first comes first: it decides the exit code.
+  /// The stop first, as it decides the exit code; then a later fall.
   std::string safety_reason(const std::string& fall) const {
     return formatted("the controller stopped for safety at %.4f s: ", stopped_at_) + why_stopped_ +
            (fall.empty() ? "" : ", then " + fall);
@@ -252,7 +252,7 @@ class ClosedLoop {
   std::optional<evaluation::TruthLog> truth_log_;
   std::optional<ChangeLog> change_log_;
   double stopped_at_ = kNaN;  // time of the safety stop [s]
-  double damped_at_ = kNaN;   // … and of the first tick of damping
+  double damped_at_ = kNaN;   // time of the first tick in mode damping [s]
   std::string why_stopped_;
   int changes_ = 0;             // from outside
   double next_progress_ = 0.0;  // [s]

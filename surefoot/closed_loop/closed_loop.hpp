@@ -22,15 +22,15 @@ enum class Ending {
   fell,
   safety,       ///< the controller stopped, and did not come back
   interrupted,  ///< from outside
-  reset,        ///< from outside, to begin again
+  reset,        ///< from outside, to restart
 };
 
 struct ClosedLoopOptions {
-  std::string record_path;  ///< log to write; empty: none; of a run cut off: partial_path of it
+  std::string record_path;  ///< log to write; empty: none. A cut-off run leaves its partial_path
   std::function<void(double time)> progress{};  ///< called about every 0.1 s of simulated time
   std::function<bool()> interrupted{};          ///< asked at every tick
-  RunSteering* steering = nullptr;              ///< asked between the ticks
-  std::function<void()> ready{};                ///< called when all is made, before the first tick
+  RunSteering* steering = nullptr;              ///< called between the ticks
+  std::function<void()> ready{};                ///< called after set-up, before the first tick
 };
 
 struct RunResult {
@@ -44,21 +44,20 @@ struct RunResult {
   std::vector<config::RandomDraw> drawn;
   std::vector<std::string> notes;  ///< as run_notes() gives them
   std::uint64_t torques_hash = 0;  ///< of all commanded torques, as TorqueHash makes it
-  std::optional<int> changes;      ///< from outside, as its log has them; none: nobody could
+  std::optional<int> changes;      ///< from outside, as in its log; empty without steering
 };
 
-/// Runs a scenario: plant and controller against each other, judged on the truth and logged, until
-/// its duration is over, its goal is reached, the robot fell, or the controller stopped. Throws
-/// Error on options that make no sense, and if the log can't be written.
+/// Runs a scenario in closed loop, judged on the truth and logged, until its duration is over, its
+/// goal is reached, the robot fell, or the controller stopped. Throws Error on options that make no
+/// sense, and if the log can't be written.
 [[nodiscard]] RunResult run_closed_loop(const config::Scenario& scenario,
                                         const ClosedLoopOptions& options);
 
-/// Throws Error, as a run would at its start, if plant or controller can't be made from the
-/// scenario. Returns the run's notes.
+/// Makes plant and controller of the scenario, and returns the run's notes. Throws Error as a run
+/// would at its start.
 std::vector<std::string> check_setup(const config::Scenario& scenario);
 
-/// Wall clock that a tick of the run takes here, in the mean of the first [s]. Throws Error as
-/// `check_setup` does.
+/// Mean wall time of the run's first ticks on this machine [s]. Throws Error as `check_setup` does.
 [[nodiscard]] double measure_tick(const config::Scenario& scenario);
 
 }  // namespace surefoot::closed_loop

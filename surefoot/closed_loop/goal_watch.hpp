@@ -3,17 +3,16 @@
 #include "surefoot/config/scenario.hpp"
 #include "surefoot/simulation/ground_truth.hpp"
 
-#include <limits>
 #include <optional>
 
 namespace surefoot::closed_loop {
 
-/// Says when a run has reached its scenario's goal, on the simulator's truth.
+/// Finds out when a run has reached its scenario's goal, by the simulator's truth.
 class GoalWatch {
  public:
   explicit GoalWatch(const config::Goal& goal) : goal_(goal) {}
 
-  /// One tick. True from the one on at which the goal is reached; without a goal never.
+  /// One tick. True from the tick on that reaches the goal; without a goal never.
   bool update(const simulation::GroundTruth& truth);
 
   /// Empty without a goal.
@@ -24,8 +23,7 @@ class GoalWatch {
   [[nodiscard]] bool all_feet_beyond(const simulation::GroundTruth& truth) const;
 
   config::Goal goal_;
-  double passed_at_x_ =
-      std::numeric_limits<double>::quiet_NaN();  // base, when all feet were beyond [m]
+  double passed_at_x_ = kNaN;  // of the base, when all feet had passed the goal [m]
   bool reached_ = false;
 };
 

@@ -13,7 +13,7 @@
 namespace surefoot::closed_loop {
 namespace {
 
-/// Of a stack with its defaults.
+/// `stack`: with its defaults.
 logging::LogLimbLimits limb_limits(const control::StackOptions& stack) {
   for (std::size_t level = 0; level < stack.levels.size(); ++level) {
     for (const control::TaskSpec& task : stack.levels[level].tasks) {
@@ -60,7 +60,7 @@ std::string text_of(const std::string& file) {
   return text.str();
 }
 
-/// As a shell takes it for one word.
+/// Quoted if a shell would not take it for one word.
 std::string shell_word(const std::string& text) {
   constexpr std::string_view kPlain =
       "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./=:,+@%";

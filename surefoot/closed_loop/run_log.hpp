@@ -8,19 +8,19 @@
 
 namespace surefoot::closed_loop {
 
-/// What nothing comes of in the scenario, and what model and plant changed in the robot; each line
-/// once.
+/// Notes on a run: keys of the scenario without effect, and what model and plant changed in the
+/// robot. Each line once.
 [[nodiscard]] std::vector<std::string> run_notes(const config::Scenario& scenario,
                                                  const control::Controller& controller,
                                                  const simulation::Plant& plant);
 
-/// The command that makes this run again, for a shell in the source tree.
+/// Shell command, in the source tree, that repeats this run.
 [[nodiscard]] std::string run_again(const config::Scenario& scenario);
 
-/// Names rows out of a table, by level and id.
+/// Names rows by a table of level and id.
 [[nodiscard]] logging::RowNamer row_namer(std::vector<std::vector<std::string>> names);
 
-/// What the log of a run says before its first tick.
+/// Header of a run's log.
 [[nodiscard]] logging::LogHeader log_header(const config::Scenario& scenario,
                                             const control::Controller& controller,
                                             const simulation::Plant& plant,

@@ -10,20 +10,21 @@
 
 namespace surefoot::closed_loop {
 
-/// What a run is made of, for whoever steers it.
+/// Parts of a run, for its steering.
 struct RunParts {
   simulation::Plant& plant;
   control::Controller& controller;
   logging::LogHeader header;  ///< also of a run without a log
-  /// Keeps a change that holds from the next tick on; after one of the stack, with its names.
+  /// Logs a change that holds from the next tick on. Call it after the change: a new stack's names
+  /// are the controller's.
   std::function<void(const logged::Change&)> log_change;
 };
 
-/// What comes next.
+/// What the run does next.
 enum class RunOrder { tick, reset, stop };
 
-/// Steers a run between its ticks, and sees each of them: the live viewer. All calls come from the
-/// run's thread.
+/// Steers a run between its ticks and observes them, as the live viewer does. All calls come from
+/// the run's thread.
 class RunSteering {
  public:
   RunSteering() = default;
@@ -31,7 +32,7 @@ class RunSteering {
   RunSteering& operator=(const RunSteering&) = delete;
   virtual ~RunSteering() = default;
 
-  /// The run has its parts, which live until it ends, and no tick yet.
+  /// Before the first tick. The parts live until the run ends.
   virtual void begin(const RunParts& parts) = 0;
   /// Before the tick at a time [s]: may wait, push, and change the controller.
   [[nodiscard]] virtual RunOrder before_tick(double time) = 0;

@@ -7,20 +7,20 @@
 
 namespace surefoot::closed_loop {
 
-/// How often something was wrong in a run that is of no foot: a sensor's samples, or the torques.
+/// Count of a fault of a sensor, or of a safe command mode, in a run.
 struct TroubleCount {
   std::string what;    ///< "IMU stopped", "command mode: sit"
-  int count = 0;       ///< times that it began
-  double first = 0.0;  ///< when it began first [s]
+  int count = 0;       ///< number of times that it began
+  double first = 0.0;  ///< time of its first begin [s]
 };
 
-/// Collects what was wrong with sensors that had given a good sample before, bridged or not, and
-/// the modes of the safety ladder that end a walk, tick by tick.
+/// Counts, tick by tick, faults of sensors that had given a good sample before, and the modes of
+/// the safety ladder that end a walk.
 class TroubleCounter {
  public:
   void add(double time, const TickRecord& record);
 
-  /// In the order in which they happened first.
+  /// In the order of their first times.
   [[nodiscard]] const std::vector<TroubleCount>& counts() const { return counts_; }
 
  private:

@@ -5,7 +5,7 @@
 namespace surefoot::evaluation {
 namespace {
 
-constexpr double kMinLossTime = 0.05;  // [s]
+constexpr double kMinLossTime = 0.05;  // without a touch [s]
 
 }  // namespace
 

@@ -59,7 +59,7 @@ void Evaluator::add(const simulation::GroundTruth& truth, const TickRecord& tick
   ++ticks_;
 }
 
-// Estimate and plan restart afterwards.
+// A lifted or rising robot follows no plan; estimate and plan restart afterwards.
 void Evaluator::add_off_its_feet(const simulation::GroundTruth& truth, const TickRecord& tick) {
   const bool is_lifted = tick.command.mode == CommandMode::lifted;
   double& time = is_lifted ? metrics_.lifted_s : metrics_.standing_up_s;
@@ -73,7 +73,7 @@ void Evaluator::add_off_its_feet(const simulation::GroundTruth& truth, const Tic
 // A stopped controller uses neither its plan nor its estimate.
 void Evaluator::judge_plan(const simulation::GroundTruth& truth, const TickRecord& tick) {
   frame_.update(tick.plan, tick.model.p_WF, truth.p_WF);
-  if (begins_anew(tick)) estimate_ = {};
+  if (estimate_restarts(tick)) estimate_ = {};
   estimate_.add(truth, tick.state);
   touchdowns_.add(truth, tick.plan);
   losses_.add(truth, tick.plan);
@@ -191,7 +191,7 @@ void Evaluator::add_stance(Foot& foot, const simulation::TrueContact& contact) {
 void Evaluator::add_friction(const simulation::TrueContact& contact, double normal_force) {
   if (normal_force <= 0.0) return;
   const double tangential_force = (contact.force - normal_force * contact.normal).norm();
-  // A sliding foot's margin is ±1e-16.
+  // Rounding gives a sliding foot ±1e-16.
   const double margin = std::max(0.0, contact.friction - tangential_force / normal_force);
   lower(metrics_.friction_margin_min, margin);
   if (normal_force >= kMinLoadShare * options_.mass * kGravity) {

@@ -5,21 +5,23 @@
 namespace surefoot::evaluation {
 namespace {
 
-constexpr double kReach = 0.02;     // [m]
-constexpr double kMinJump = 0.015;  // [m]
-constexpr double kMaxLean = 15.0 * kPi / 180.0;
+constexpr double kEdgeRadius = 0.02;             // around the contact point [m]
+constexpr double kMinEdgeHeight = 0.015;         // [m]
+constexpr double kMaxTurn = 15.0 * kPi / 180.0;  // between contact normal and terrain normal
 
-bool jumps(double height, double neighbour) { return !(std::abs(height - neighbour) <= kMinJump); }
+bool jumps(double height, double neighbour) {
+  return !(std::abs(height - neighbour) <= kMinEdgeHeight);
+}
 
-// Searches outwards from the point.
+/// Searches outwards from the point.
 bool edge_in_reach(const TerrainHeight& terrain, const Vec3& point) {
-  constexpr int kDirections = 32, kPlaces = 5;
+  constexpr int kDirections = 32, kSteps = 5;
   const double height = terrain(point.x(), point.y());
   for (int i = 0; i < kDirections; ++i) {
     const double angle = 2.0 * kPi * i / kDirections;
     double before = height;
-    for (int k = 1; k <= kPlaces; ++k) {
-      const double distance = kReach * k / kPlaces;
+    for (int k = 1; k <= kSteps; ++k) {
+      const double distance = kEdgeRadius * k / kSteps;
       const double here =
           terrain(point.x() + distance * std::cos(angle), point.y() + distance * std::sin(angle));
       if (jumps(here, before)) return true;
@@ -40,7 +42,7 @@ Vec3 terrain_normal(const TerrainHeight& terrain, const Vec3& point) {
 
 bool is_edge_landing(const TerrainHeight& terrain, const Vec3& point, const Vec3& normal) {
   if (edge_in_reach(terrain, point)) return true;
-  return !(normal.dot(terrain_normal(terrain, point)) >= std::cos(kMaxLean));
+  return !(normal.dot(terrain_normal(terrain, point)) >= std::cos(kMaxTurn));
 }
 
 }  // namespace surefoot::evaluation

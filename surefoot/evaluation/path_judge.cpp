@@ -17,13 +17,13 @@ void PathJudge::add(const simulation::GroundTruth& truth, const UserCommand& use
     direction_ = heading.head<2>().normalized();
     point_ = centre;
   }
-  go_on(user);
+  advance(user);
   const Vec2 across(-direction_.y(), direction_.x());
   feet_ = std::max(feet_, std::abs(across.dot(centre - point_)));
   base_ = std::max(base_, std::abs(across.dot(truth.p_WB.head<2>() - point_)));
 }
 
-void PathJudge::go_on(const UserCommand& user) {
+void PathJudge::advance(const UserCommand& user) {
   yaw_ += period_ * user.yaw_rate;
   const Vec2 velocity = rotation_about_z(yaw_).topLeftCorner<2, 2>() * user.velocity;
   point_ += period_ * velocity;

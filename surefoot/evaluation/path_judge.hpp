@@ -18,7 +18,7 @@ class PathJudge {
   void write(Metrics& metrics) const;
 
  private:
-  void go_on(const UserCommand& user);
+  void advance(const UserCommand& user);
 
   double period_;
   bool begun_ = false;

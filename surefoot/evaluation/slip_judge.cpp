@@ -6,11 +6,11 @@ namespace surefoot::evaluation {
 namespace {
 
 constexpr double kSlipSpeed = 0.05;    // of a sliding foot [m/s]
-constexpr double kCreepSpeed = 0.025;  // from here on a detection is not false [m/s]
-constexpr double kMinLoad = 20.0;      // [N]
+constexpr double kCreepSpeed = 0.025;  // a detection above it is not false [m/s]
+constexpr double kMinLoad = 20.0;      // normal force of a foot that can slip [N]
 constexpr double kMinDuration = 0.01;  // of a slip [s]
 constexpr double kRestTime = 0.05;     // between two slips [s]
-constexpr double kRounding = 1e-9;     // [s]
+constexpr double kRounding = 1e-9;     // of summed times [s]
 
 }  // namespace
 

@@ -21,7 +21,9 @@ std::optional<StartAlignment> start_alignment(const simulation::GroundTruth& tru
   return StartAlignment{turn, truth.p_WB - turn * state.p_WB};
 }
 
-bool begins_anew(const TickRecord& tick) { return tick.plan.events.has(PlanEvent::begun_anew); }
+bool estimate_restarts(const TickRecord& tick) {
+  return tick.plan.events.has(PlanEvent::begun_anew);
+}
 
 AlignedEstimate aligned(const StartAlignment& start, const simulation::GroundTruth& truth,
                         const RobotState& state) {

@@ -23,7 +23,7 @@ struct StartAlignment {
                                                             const RobotState& state);
 
 /// Does the estimate restart at this tick, so that the past does not count?
-[[nodiscard]] bool begins_anew(const TickRecord& tick);
+[[nodiscard]] bool estimate_restarts(const TickRecord& tick);
 
 /// The estimated base in the true world, and its error.
 struct AlignedEstimate {

@@ -7,9 +7,9 @@
 namespace surefoot::evaluation {
 namespace {
 
-constexpr double kMaxBounce = 0.05;    // [s]
+constexpr double kMaxBounce = 0.05;    // a longer gap between touches ends the contact [s]
 constexpr double kMaxTouchAge = 0.02;  // of a noticed touchdown [s]
-constexpr double kLateLatency = 0.03;  // [s]
+constexpr double kMaxLatency = 0.03;   // of a touchdown that is not late [s]
 
 }  // namespace
 
@@ -41,7 +41,7 @@ void TouchdownJudge::write(Metrics& metrics) const {
   metrics.touchdown_latency_p95_s = quantile_of(latencies_, 0.95);
   metrics.touchdowns_noticed = static_cast<int>(latencies_.size());
   metrics.touchdowns_late = static_cast<int>(std::ranges::count_if(
-      latencies_, [](double latency) { return latency > kLateLatency + 1e-9; }));
+      latencies_, [](double latency) { return latency > kMaxLatency + 1e-9; }));
 }
 
 }  // namespace surefoot::evaluation

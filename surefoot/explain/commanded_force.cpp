@@ -8,8 +8,8 @@
 namespace surefoot::explain {
 namespace {
 
-constexpr double kLoaded = 1.0;  // [N]
-constexpr double kSlack = 0.01;  // of a share that may be rounding
+constexpr double kMinNormalForce = 1.0;  // normal force of a loaded foot [N]
+constexpr double kUseTolerance = 0.01;   // of a friction use that may be rounding
 
 }  // namespace
 
@@ -34,7 +34,7 @@ std::optional<tasks::FrictionCone> friction_cone_of(const logging::LogHeader& he
   if (stack == nullptr) return std::nullopt;
   try {
     return friction_cone_of(config::parse_stack(*stack, "resolved_stack.yaml"));
-  } catch (const Error&) {  // of a program that is another one
+  } catch (const Error&) {  // recorded by another version
     return std::nullopt;
   }
 }
@@ -55,7 +55,8 @@ CommandedForces commanded_forces(const std::optional<tasks::FrictionCone>& cone,
     result.q_WP[k] = Quat(pyramid.axes);
     result.pyramid_friction[k] = pyramid.mu;
     result.normal[k] = pyramid.normal().dot(force);
-    if (result.normal[k] > kLoaded && pyramid.mu > 0.0) result.friction_use[k] = pyramid.use(force);
+    if (result.normal[k] > kMinNormalForce && pyramid.mu > 0.0)
+      result.friction_use[k] = pyramid.use(force);
   }
   return result;
 }
@@ -63,8 +64,9 @@ CommandedForces commanded_forces(const std::optional<tasks::FrictionCone>& cone,
 Beyond beyond_limits(const CommandedForces& forces, const MotionPlan& plan, Leg leg) {
   const std::size_t k = index(leg);
   const double normal = forces.normal[k];
-  if (normal < -kLoaded || normal > plan.feet[k].force_max + kLoaded) return Beyond::force;
-  return forces.friction_use[k] > 1.0 + kSlack ? Beyond::friction : Beyond::nothing;
+  if (normal < -kMinNormalForce || normal > plan.feet[k].force_max + kMinNormalForce)
+    return Beyond::force;
+  return forces.friction_use[k] > 1.0 + kUseTolerance ? Beyond::friction : Beyond::nothing;
 }
 
 }  // namespace surefoot::explain

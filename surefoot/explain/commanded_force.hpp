@@ -10,8 +10,8 @@
 
 namespace surefoot::explain {
 
-/// The forces that a tick's solution asks of the feet, against the pyramids that held them; NaN of
-/// feet that don't carry.
+/// Contact forces of a tick's solution, relative to their friction pyramids; NaN for feet without
+/// contact.
 struct CommandedForces {
   PerLeg<double> normal{kNaN, kNaN, kNaN, kNaN};            ///< along the pyramid's axis [N]
   PerLeg<double> friction_use{kNaN, kNaN, kNaN, kNaN};      ///< 1: a face of the pyramid is active
@@ -21,20 +21,20 @@ struct CommandedForces {
   [[nodiscard]] static PerLeg<Quat> no_axes();
 };
 
-/// The task that holds the forces of a stack; nothing where it has none, or one that this program
-/// does not know.
+/// The friction task of a stack; empty if the stack has none, or one that this program does not
+/// know.
 [[nodiscard]] std::optional<tasks::FrictionCone> friction_cone_of(
     const control::StackOptions& stack);
-/// The same of the stack that a log has attached. Its choices can't be changed in a run.
+/// The same for the stack attached to a log. A run can't change the task's choices.
 [[nodiscard]] std::optional<tasks::FrictionCone> friction_cone_of(const logging::LogHeader& header);
 
-/// Of a tick whose command is no solution all are NaN. Where the cone is not known, forces are
-/// those along the terrain's normal, and friction is NaN.
+/// All NaN if the tick's command is no solution. Without a known cone, forces are along the
+/// terrain's normal, and friction is NaN.
 [[nodiscard]] CommandedForces commanded_forces(const std::optional<tasks::FrictionCone>& cone,
                                                const TickRecord& tick);
 
-/// Of which limit the solution asks a foot for a force beyond it, as the levels that keep it gave
-/// way: nobody gives it that.
+/// The limit that a foot's force exceeds in the solution, because the level of that limit gave way.
+/// The ground can't give such a force.
 enum class Beyond : int { nothing = 0, force, friction };
 [[nodiscard]] Beyond beyond_limits(const CommandedForces& forces, const MotionPlan& plan, Leg leg);
 

@@ -13,8 +13,8 @@
 namespace surefoot::explain {
 namespace {
 
-constexpr double kSame = 1e-6;  // of a residual that was computed again, relative to 1 + it
-constexpr double kHalfNanosecond = 5e-10;  // [s]
+constexpr double kResidualTolerance = 1e-6;  // of a computed residual, relative to 1 + the logged
+constexpr double kHalfNanosecond = 5e-10;    // [s]
 
 config::NamedHierarchy question_of(const control::Controller& controller) {
   const solver::Hierarchy& hierarchy = controller.hierarchy();
@@ -26,7 +26,7 @@ config::NamedHierarchy question_of(const control::Controller& controller) {
       "the tick's hierarchy");
 }
 
-/// Those that cost something or may do so. Where none costs anything alone, all that hold.
+/// Rows with a cost, or with an unknown one; if none costs anything alone, all rows that hold.
 std::vector<CostlyRow> rows_of(const LevelAccount& level, const config::NamedHierarchy& question) {
   const auto level_name = [&](std::size_t k) { return question.hierarchy.level(k).name(); };
   std::vector<CostlyRow> rows;
@@ -43,7 +43,7 @@ std::vector<CostlyRow> rows_of(const LevelAccount& level, const config::NamedHie
   return rows;
 }
 
-/// By the levels' numbers in the header; none where the levels came out otherwise than in the log.
+/// By the levels' numbers in the header; none if the levels come out differently from the log.
 std::optional<ExactCosts> costs_of(const control::Controller& controller,
                                    const logging::LogHeader& header, const TickRecord& tick,
                                    std::span<const std::int16_t> solved_by_log) {
@@ -57,14 +57,14 @@ std::optional<ExactCosts> costs_of(const control::Controller& controller,
     if (own == levels.end()) return std::nullopt;
     const LevelReport& logged = tick.hierarchy.levels[static_cast<std::size_t>(number)];
     const bool is_same =
-        std::abs(own->residual - logged.residual) <= kSame * (1.0 + logged.residual);
+        std::abs(own->residual - logged.residual) <= kResidualTolerance * (1.0 + logged.residual);
     if (!is_same || own->num_rows != logged.num_rows) return std::nullopt;
     costs[number] = rows_of(*own, question);
   }
   return costs;
 }
 
-/// A tick that is wanted, and where its costs go.
+/// A tick to compute, and where its costs go.
 struct Wanted {
   const TickRecord* tick;
   const std::vector<std::int16_t>* order;
@@ -75,14 +75,14 @@ std::vector<Wanted> wanted(TickExplanation& explanation) {
   if (!logging::was_used(explanation.tick)) return {};
   if (!explanation.blend) return {{&explanation.tick, &explanation.order, &explanation.exact}};
   std::vector<Wanted> list;
-  for (auto* beside : {&explanation.blend->before, &explanation.blend->after}) {
-    if (*beside && logging::was_used((*beside)->tick))
-      list.push_back({&(*beside)->tick, &(*beside)->order, &(*beside)->exact});
+  for (auto* tick : {&explanation.blend->before, &explanation.blend->after}) {
+    if (*tick && logging::was_used((*tick)->tick))
+      list.push_back({&(*tick)->tick, &(*tick)->order, &(*tick)->exact});
   }
   return list;
 }
 
-/// Why not all of them are found; empty: they are.
+/// Fills in the costs of all of them; why not all were found, or empty.
 std::string find_all(replay::LogReplay& replay, const std::vector<Wanted>& list,
                      const std::function<bool()>& stops) {
   replay.explain_levels(false);

@@ -9,14 +9,12 @@
 
 namespace surefoot::explain {
 
-/// The explanations, whole, for programs; `json()` of each is its text. SI units. Of a tick these
-/// are its messages as they stand in the log, and what was made of them. Levels of a solution are
-/// counted from 1, as in messages; its costs and residuals are in the level's unit.
+/// A whole explanation, as its `json()` describes.
 [[nodiscard]] nlohmann::ordered_json explanation_json(const TickExplanation& explanation);
 [[nodiscard]] nlohmann::ordered_json explanation_json(const SolutionExplanation& explanation);
 
-/// What gave way to what: `time`, `sentence`, `gave_way`, `costs_are_exact` and `why_estimates`; of
-/// each level also how many of the rows are worth showing, `told`.
+/// What gave way to what: `time`, `sentence`, `gave_way`, `costs_are_exact` and `why_estimates`;
+/// each level also has `told`, see LevelThatGaveWay::num_shown.
 [[nodiscard]] nlohmann::ordered_json gave_way_json(const TickExplanation& explanation);
 
 /// Each with `time`, `text`, `leg` (null: none) and `by`.

@@ -9,16 +9,16 @@
 namespace surefoot::explain {
 namespace {
 
-constexpr std::size_t kMostRows = 5;  // of a kind that a level shows
-/// Rows of which less is left beside the others are borderline (docs/solver.md): their multipliers
-/// are no prices.
-constexpr double kNearlyDependent = 1e-6;
+constexpr std::size_t kMaxRows = 5;  // of a kind, that a level lists
+/// Below this independence of the others a row is borderline (docs/solver.md), and its multiplier
+/// means little.
+constexpr double kMinIndependence = 1e-6;
 
 std::string number(double value) { return formatted("%.4g", value); }
 
 std::string microseconds(double seconds) { return formatted("%.1f µs", 1e6 * seconds); }
 
-/// With a space before it.
+/// Unit after a space; empty without one.
 std::string with_unit(const std::string& unit) { return unit.empty() ? "" : " " + printable(unit); }
 
 std::string amount(const LevelAccount& level, double value) {
@@ -27,8 +27,10 @@ std::string amount(const LevelAccount& level, double value) {
 
 class Text {
  public:
-  explicit Text(const SolutionExplanation& told)
-      : told_(told), levels_(told.levels), certificates_(told.certificates) {}
+  explicit Text(const SolutionExplanation& explanation)
+      : explanation_(explanation),
+        levels_(explanation.levels),
+        certificates_(explanation.certificates) {}
 
   [[nodiscard]] std::string whole() const {
     const std::vector<std::string> lines = split(aligned(heads()));
@@ -72,7 +74,7 @@ class Text {
             std::to_string(level.held.size()),
             std::to_string(level.missed.size()),
             level.status == kCutOff ? "–" : std::to_string(level.freedom_left),
-            told_.solution.is_swept ? "–" : std::to_string(level.iterations),
+            explanation_.solution.is_swept ? "–" : std::to_string(level.iterations),
             level.time > 0.0 ? microseconds(level.time) : "–"};
   }
 
@@ -99,7 +101,7 @@ class Text {
 
   static std::string missed(const LevelAccount& level) {
     std::string text;
-    for (std::size_t i = 0; i < std::min(level.missed.size(), kMostRows); ++i) {
+    for (std::size_t i = 0; i < std::min(level.missed.size(), kMaxRows); ++i) {
       const MissedRow& row = level.missed[i];
       text += "      " + printable(row.name) + " is " + amount(level, std::abs(row.by)) +
               (row.by > 0.0 ? " too high" : " too low") + weight(row) + "\n";
@@ -110,7 +112,7 @@ class Text {
   static std::string held(const LevelAccount& level) {
     if (level.held.empty()) return "";
     std::string text = "      at a bound: ";
-    for (std::size_t i = 0; i < std::min(level.held.size(), kMostRows); ++i) {
+    for (std::size_t i = 0; i < std::min(level.held.size(), kMaxRows); ++i) {
       const HeldRow& row = level.held[i];
       text += (i == 0 ? "" : ", ") + printable(row.name) + (row.at_upper ? " (upper)" : " (lower)");
     }
@@ -120,7 +122,7 @@ class Text {
   [[nodiscard]] std::string held_back(const LevelAccount& level) const {
     if (level.status == kCutOff)
       return "   so far: the search ended in this level, " +
-             std::string(what_ended(told_.is_budget_spent)) +
+             std::string(what_ended(explanation_.is_budget_spent)) +
              ", so what holds it back is not known\n";
     if (level.status == "missed" && level.blocked_by.empty())
       return "   held back by nothing above: its own rows can't all be had\n";
@@ -130,7 +132,7 @@ class Text {
     return text;
   }
 
-  /// Of the levels beside `by` that hold the same.
+  /// Names of the other levels that hold `level` back.
   [[nodiscard]] std::string others(const LevelAccount& level,
                                    const BlockingLevelAccount& by) const {
     std::string names;
@@ -143,9 +145,9 @@ class Text {
     if (std::isnan(by.cost))
       return " at a cost that is not known: without it the level could not be solved\n";
     if (by.cost == 0.0) {
-      const bool is_said_again = std::ranges::any_of(
+      const bool costs_with_others = std::ranges::any_of(
           by.rows, [](const BlockingRowAccount& row) { return row.cost > 0.0; });
-      return is_said_again
+      return costs_with_others
                  ? ", which costs nothing alone: other levels say the same\n"
                  : " and by " + others(level, by) + ", none of which costs anything alone\n";
     }
@@ -154,16 +156,16 @@ class Text {
   }
 
   static std::string dependence(const BlockingRowAccount& row) {
-    if (row.independence >= kNearlyDependent) return "";
+    if (row.independence >= kMinIndependence) return "";
     return ", which says little: the row is nearly dependent on others that hold, only " +
            number(row.independence) + " of its length is its own";
   }
 
-  /// Rows that say the same have a cost only together.
+  /// Rows that ask for the same have a cost only together.
   static std::string costs(const BlockingRowAccount& row, std::size_t level) {
     if (row.same.empty()) return ", alone costs ";
     std::string names;
-    const std::size_t shown = std::min(row.same.size(), kMostRows);
+    const std::size_t shown = std::min(row.same.size(), kMaxRows);
     for (std::size_t i = 0; i < shown; ++i) {
       const bool is_last = i + 1 == row.same.size();
       names += (i == 0 ? " " : (is_last ? " and " : ", ")) + printable(row.same[i].name);
@@ -176,7 +178,7 @@ class Text {
   [[nodiscard]] std::string rows(const LevelAccount& level, const BlockingLevelAccount& by) const {
     const std::string unit = with_unit(multiplier_unit(level, levels_[by.level]));
     std::string text;
-    for (std::size_t i = 0; i < std::min(by.rows.size(), kMostRows); ++i) {
+    for (std::size_t i = 0; i < std::min(by.rows.size(), kMaxRows); ++i) {
       const BlockingRowAccount& row = by.rows[i];
       text += "      " + printable(row.name) + ", " + std::string(row.state);
       if (row.would_gain && row.cost == 0.0) {
@@ -192,22 +194,23 @@ class Text {
   }
 
   static std::string more(std::size_t count, const std::string& before, const std::string& after) {
-    return count <= kMostRows ? "" : before + std::to_string(count - kMostRows) + " more" + after;
+    return count <= kMaxRows ? "" : before + std::to_string(count - kMaxRows) + " more" + after;
   }
 
-  const SolutionExplanation& told_;
+  const SolutionExplanation& explanation_;
   const std::vector<LevelAccount>& levels_;
   const std::vector<solver::LevelCertificate>& certificates_;
 };
 
-std::string headline(const SolutionExplanation& told) {
-  const solver::Solution& solution = told.solution;
+std::string headline(const SolutionExplanation& explanation) {
+  const solver::Solution& solution = explanation.solution;
   const std::string unit = solution.is_swept ? " sweep" : " iteration";
   const int iterations = num_iterations(solution);
   std::string text = "status: " + std::string(name(solution.status));
   if (solution.status == solver::SolveStatus::iteration_cap)
-    text += ", " + std::string(what_ended(told.is_budget_spent));
-  const bool are_all_finished = solution.failed_level == static_cast<int>(told.levels.size());
+    text += ", " + std::string(what_ended(explanation.is_budget_spent));
+  const bool are_all_finished =
+      solution.failed_level == static_cast<int>(explanation.levels.size());
   if (are_all_finished)
     text += "; all levels are optimal, x is not yet the shortest that they allow";
   else if (solution.failed_level >= 0)

@@ -42,34 +42,35 @@ std::vector<CostlyRow> estimated_rows(const TickExplanation& explanation, std::i
   return rows;
 }
 
-/// Of a level's dearest row so much is worth telling [share], and so many rows.
-constexpr double kWorthTelling = 0.1;
-constexpr std::ptrdiff_t kMost = 4;
+/// Texts name a level's costliest rows: at most `kMaxShownRows`, each with at least this share of
+/// the largest cost.
+constexpr double kMinShownShare = 0.1;
+constexpr std::ptrdiff_t kMaxShownRows = 4;
 
-double dearest_cost(const std::vector<CostlyRow>& rows) {
-  double dearest = 0.0;
+double largest_cost(const std::vector<CostlyRow>& rows) {
+  double largest = 0.0;
   for (const CostlyRow& row : rows) {
-    if (row.cost > dearest) dearest = row.cost;
+    if (row.cost > largest) largest = row.cost;
   }
-  return dearest;
+  return largest;
 }
 
-// Many rows may cost a level as much, each of them nearly all of it: what the foot does and the
-// limit of its leg. Of a limit one learns the most, so those that are worth telling come first; the
-// dearest row is among those that are told.
+// Several rows can each cost a level nearly its whole residual: the task of a foot and the limit of
+// its leg. Limits explain more, so those with a large cost come first. The costliest row is always
+// among the rows that texts name.
 std::vector<CostlyRow> rows_of(const TickExplanation& explanation, std::int16_t level) {
   std::vector<CostlyRow> rows =
       explanation.exact ? explanation.exact->at(level) : estimated_rows(explanation, level);
-  const double least = kWorthTelling * dearest_cost(rows);
+  const double least = kMinShownShare * largest_cost(rows);
   const auto is_first = [&](const CostlyRow& row) { return row.is_limit && row.cost >= least; };
   std::ranges::stable_sort(rows, [&](const CostlyRow& a, const CostlyRow& b) {
     if (is_first(a) != is_first(b)) return is_first(a);
     return std::isnan(b.cost) ? !std::isnan(a.cost) : a.cost > b.cost;  // unknown ones come last
   });
-  const auto dearest =
-      std::ranges::find(rows, dearest_cost(rows), [](const CostlyRow& row) { return row.cost; });
-  if (dearest != rows.end() && dearest - rows.begin() >= kMost)
-    std::rotate(rows.begin() + kMost - 1, dearest, dearest + 1);
+  const auto costliest =
+      std::ranges::find(rows, largest_cost(rows), [](const CostlyRow& row) { return row.cost; });
+  if (costliest != rows.end() && costliest - rows.begin() >= kMaxShownRows)
+    std::rotate(rows.begin() + kMaxShownRows - 1, costliest, costliest + 1);
   return rows;
 }
 
@@ -82,31 +83,31 @@ std::string joined(const std::vector<std::string>& parts) {
   return text;
 }
 
-/// A row by its level's name, without that of its own where it says no more: torso_height height.
-/// `before`: the row that is told before it; its level is told once.
+/// Level and row: "swing_foot LF x". The level alone where its name ends with the row's
+/// (torso_height height); the row alone where `before`, the row named before it, is of its level.
 std::string named(const CostlyRow& row, const CostlyRow* before) {
   if (row.level.ends_with("_" + row.row)) return row.level;
-  const bool is_told = before != nullptr && before->level == row.level;
-  return is_told ? row.row : row.level + " " + row.row;
+  const bool is_level_named = before != nullptr && before->level == row.level;
+  return is_level_named ? row.row : row.level + " " + row.row;
 }
 
-bool has_costs(const LevelThatGaveWay& level) { return dearest_cost(level.to) > kResidualRounding; }
+bool has_costs(const LevelThatGaveWay& level) { return largest_cost(level.to) > kResidualRounding; }
 
-/// Those that are worth it, at most four.
-std::size_t num_told(const std::vector<CostlyRow>& rows) {
-  const double dearest = dearest_cost(rows);
+/// How many rows texts name.
+std::size_t num_shown(const std::vector<CostlyRow>& rows) {
+  const double largest = largest_cost(rows);
   const auto is_cheap = [&](const CostlyRow& row) {
-    return dearest > kResidualRounding && !(row.cost >= kWorthTelling * dearest);
+    return largest > kResidualRounding && !(row.cost >= kMinShownShare * largest);
   };
   return static_cast<std::size_t>(
-      std::min(std::ranges::find_if(rows, is_cheap) - rows.begin(), kMost));
+      std::min(std::ranges::find_if(rows, is_cheap) - rows.begin(), kMaxShownRows));
 }
 
 bool is_same(const CostlyRow& a, const CostlyRow& b) {
   return a.level == b.level && a.row == b.row;
 }
 
-/// Of levels that nothing costs anything alone.
+/// The same rows hold both levels back, and none of them costs anything alone.
 bool is_by_the_same(const LevelThatGaveWay& a, const LevelThatGaveWay& b) {
   return a.to.size() > 1 && !has_costs(a) && !has_costs(b) &&
          std::ranges::is_permutation(a.to, b.to, is_same);
@@ -126,7 +127,7 @@ std::string to_nobody(Known known) {
                              : "; to what is not known";
 }
 
-/// " with friction_cone LF 1"; empty: no other says the same.
+/// " with friction_cone LF 1": rows that ask for the same; empty if there are none.
 std::string with_same(const CostlyRow& row) {
   std::vector<std::string> names;
   for (std::size_t i = 0; i < row.same.size(); ++i)
@@ -139,7 +140,7 @@ std::string clause(const LevelThatGaveWay& level, Known known) {
   std::string text = level.name + " gave way by " + two_digits(level.residual) + unit;
   if (level.to.empty()) return text + to_nobody(known);
   std::vector<std::string> rows;
-  for (std::size_t i = 0; i < level.num_told; ++i) {
+  for (std::size_t i = 0; i < level.num_shown; ++i) {
     const CostlyRow& row = level.to[i];
     rows.push_back(named(row, i == 0 ? nullptr : &level.to[i - 1]) + with_same(row) +
                    (has_costs(level) ? " (" + two_digits(row.cost) + unit + ")" : ""));
@@ -173,13 +174,13 @@ std::string clauses(const std::vector<LevelThatGaveWay>& levels, Known known) {
   return text + without_costs(levels);
 }
 
-/// `every`: of which levels it is said.
+/// `every`: the levels that it is about, e.g. "Every level".
 std::string nothing_gave_way(const std::string& every,
-                             const std::vector<LevelThatGaveWay>& restless) {
-  if (restless.empty()) return every + " got what it asked for.";
+                             const std::vector<LevelThatGaveWay>& minimised) {
+  if (minimised.empty()) return every + " got what it asked for.";
   std::vector<std::string> names;
-  names.reserve(restless.size());
-  for (const LevelThatGaveWay& level : restless) names.push_back(level.name);
+  names.reserve(minimised.size());
+  for (const LevelThatGaveWay& level : minimised) names.push_back(level.name);
   return every + " got what it asked for but " + joined(names) + ", which never " +
          (names.size() == 1 ? "does." : "do.");
 }
@@ -190,7 +191,7 @@ std::string without_solution(const TickRecord& tick) {
   return text.what + ": " + mode + ", because " + text.why + ".";
 }
 
-/// The level in which a solve was cut off; empty: it came to its end.
+/// The level in which a solve was cut off; empty if it was not.
 std::string cut_off_level(const TickExplanation& explanation) {
   const std::size_t solved = logging::solved_levels(explanation.tick, explanation.order).size();
   return solved < explanation.order.size()
@@ -198,34 +199,34 @@ std::string cut_off_level(const TickExplanation& explanation) {
              : "";
 }
 
-/// Of the levels that are at their optimum.
+/// What the levels at their optimum gave way to.
 std::string account(const TickExplanation& explanation, const std::string& cut_off) {
-  std::vector<LevelThatGaveWay> levels = gave_way(explanation), restless;
-  std::ranges::copy_if(levels, std::back_inserter(restless), &LevelThatGaveWay::restless);
-  std::erase_if(levels, &LevelThatGaveWay::restless);
+  std::vector<LevelThatGaveWay> levels = gave_way(explanation), minimised;
+  std::ranges::copy_if(levels, std::back_inserter(minimised), &LevelThatGaveWay::is_minimised);
+  std::erase_if(levels, &LevelThatGaveWay::is_minimised);
   if (!levels.empty()) return clauses(levels, known(explanation)) + ".";
   return nothing_gave_way(cut_off.empty() ? "Every level" : "Every level above " + cut_off,
-                          restless);
+                          minimised);
 }
 
 bool has_costs(const TickExplanation& explanation) {
   return std::ranges::any_of(gave_way(explanation), [](const LevelThatGaveWay& level) {
-    return !level.restless && has_costs(level);
+    return !level.is_minimised && has_costs(level);
   });
 }
 
-/// The same of a tick beside a blend, with its time; empty: the log does not have it.
-std::string neighbour(const TickExplanation& explanation, const std::optional<NeighbourTick>& tick,
-                      const std::string& where) {
+/// The sentence of the tick before or after a blend, with its time; empty if the log lacks it.
+std::string neighbour_text(const TickExplanation& explanation,
+                           const std::optional<NeighbourTick>& tick, const std::string& where) {
   if (!tick) return "";
-  TickExplanation beside;
-  beside.header = explanation.header;
-  beside.tick = tick->tick;
-  beside.order = tick->order;
-  beside.row_names = explanation.row_names;
-  beside.exact = tick->exact;
-  if (!beside.exact) beside.why_estimates = explanation.why_estimates;
-  return where + formatted(" it, at %.4f s: ", tick->tick.reading.time) + beside.sentence();
+  TickExplanation neighbour;
+  neighbour.header = explanation.header;
+  neighbour.tick = tick->tick;
+  neighbour.order = tick->order;
+  neighbour.row_names = explanation.row_names;
+  neighbour.exact = tick->exact;
+  if (!neighbour.exact) neighbour.why_estimates = explanation.why_estimates;
+  return where + formatted(" it, at %.4f s: ", tick->tick.reading.time) + neighbour.sentence();
 }
 
 /// "Two hierarchies are blended until 9.5700 s (order: torso_yaw from 8 to 5); …"
@@ -238,7 +239,7 @@ std::string blended(const TickExplanation& explanation) {
                    100.0 * explanation.tick.hierarchy.transition_share);
 }
 
-/// What came of the levels that were solved, and where a solve was cut off.
+/// What the solved levels gave way to, and where a solve was cut off.
 std::string outcome(const TickExplanation& explanation) {
   const std::string cut_off = cut_off_level(explanation);
   if (cut_off.empty()) return account(explanation, cut_off);
@@ -247,7 +248,7 @@ std::string outcome(const TickExplanation& explanation) {
          cut_off + ": of it and the levels below it nothing is known.";
 }
 
-/// Of costs that are not exact, where that was asked for.
+/// Why the costs are not exact, where exact ones were asked for.
 std::string estimates(const TickExplanation& explanation) {
   if (explanation.exact || explanation.why_estimates.empty() || !has_costs(explanation)) return "";
   return " The costs are the control loop's estimates, and mostly too high: " +
@@ -281,11 +282,11 @@ std::vector<LevelThatGaveWay> gave_way(const TickExplanation& explanation) {
     const std::string name = explanation.header.level_name(k);
     const std::string unit = explanation.header.level_unit(k);
     const double visible = logging::visible_residual(name, unit);
-    const bool restless = std::isnan(visible);
-    if (!(residual > (restless ? kResidualRounding : visible))) continue;
+    const bool is_minimised = std::isnan(visible);
+    if (!(residual > (is_minimised ? kResidualRounding : visible))) continue;
     std::vector<CostlyRow> rows = rows_of(explanation, k);
-    const std::size_t told = num_told(rows);
-    levels.push_back({name, unit, residual, restless, std::move(rows), told});
+    const std::size_t shown = num_shown(rows);
+    levels.push_back({name, unit, residual, is_minimised, std::move(rows), shown});
   }
   return levels;
 }
@@ -311,8 +312,8 @@ logging::LevelStatus level_status(const TickExplanation& explanation, std::size_
 std::string TickExplanation::sentence() const {
   if (!logging::was_used(tick)) return without_solution(tick);
   if (!blend) return outcome(*this) + estimates(*this);
-  return blended(*this) + outcome(*this) + neighbour(*this, blend->before, " Before") +
-         neighbour(*this, blend->after, " Behind");
+  return blended(*this) + outcome(*this) + neighbour_text(*this, blend->before, " Before") +
+         neighbour_text(*this, blend->after, " Behind");
 }
 
 }  // namespace surefoot::explain

@@ -12,28 +12,28 @@ namespace surefoot::explain {
 struct LevelThatGaveWay {
   std::string name, unit;
   double residual = 0.0;
-  bool restless = false;  ///< asks for no force or torque at all, and is never content
-  /// Limits that cost a tenth of the dearest row and more, then the others, by cost; the dearest
-  /// among the first four. Empty: nothing above holds it back.
+  bool is_minimised = false;  ///< wants zero forces or torques, so it always has a residual
+  /// Limits with at least a tenth of the largest cost, then the other rows, each by cost; the row
+  /// of the largest cost is among the first four. Empty: nothing above holds the level back.
   std::vector<CostlyRow> to;
-  std::size_t num_told = 0;  ///< so many of them are worth telling
+  std::size_t num_shown = 0;  ///< the first ones of `to`, which texts name
 };
 
-/// Of the levels that were solved, in the order of the tick's hierarchy. What is less than
-/// `visible_residual` is left out.
+/// Solved levels that gave way, in the order of the tick's hierarchy. Residuals below
+/// `visible_residual` are left out.
 [[nodiscard]] std::vector<LevelThatGaveWay> gave_way(const TickExplanation& explanation);
 
-/// "row 17" where the log does not name it.
+/// Name of a row; "row 17" if the log does not name it.
 [[nodiscard]] std::string row_name(const TickExplanation& explanation, std::int16_t level,
                                    std::int32_t id);
 
-/// Rows at or beyond a bound, of the levels that were solved.
+/// Rows of solved levels that are at or beyond a bound.
 [[nodiscard]] std::vector<ActiveRow> rows_at_bounds(const TickExplanation& explanation);
 
-/// Equality rows that were missed, of the levels that were solved.
+/// Equality rows of solved levels that were missed.
 [[nodiscard]] std::vector<MissedEquality> missed_rows(const TickExplanation& explanation);
 
-/// Of the level at this place of the tick's order, where the solution was used.
+/// Status of the level at this place of the tick's order; the solution must have been used.
 [[nodiscard]] logging::LevelStatus level_status(const TickExplanation& explanation,
                                                 std::size_t place);
 

@@ -37,7 +37,7 @@ class Accountant {
   Accountant(const config::NamedHierarchy& question, const solver::Solution& solution)
       : question_(question), solution_(solution), reach_(reach()) {}
 
-  /// `explanation`: null where x is not the optimum of the level.
+  /// `explanation`: null if x is not the optimum of the level.
   [[nodiscard]] LevelAccount level(std::size_t k,
                                    const solver::LevelExplanation* explanation) const {
     const solver::LevelResult& result = solution_.levels[k];
@@ -61,7 +61,7 @@ class Accountant {
   }
 
  private:
-  /// Of a level that misses nothing.
+  /// If the level misses no row.
   [[nodiscard]] std::string_view status(std::size_t k) const {
     const std::size_t finished = num_finished(solution_, question_.hierarchy.num_levels());
     if (k > finished) return kNotReached;
@@ -69,8 +69,8 @@ class Accountant {
     return solution_.levels[k].num_rows == 0 ? kNoRows : kMet;
   }
 
-  /// How far x would go for a single row that is at or beyond a bound: what others make of it, down
-  /// to zero, has the rounding of that.
+  /// The largest ‖x‖ that a single row at or beyond a bound asks for. Even if other rows bring x
+  /// close to zero, its rounding is relative to this.
   [[nodiscard]] double reach() const {
     double farthest = solution_.x.norm();
     for (std::size_t k = 0; k < question_.hierarchy.num_levels(); ++k) {
@@ -85,7 +85,7 @@ class Accountant {
     return farthest;
   }
 
-  /// Signed: positive above the upper bound; 0 where it may be rounding of x.
+  /// Positive above the upper bound, negative below the lower; 0 if it may be rounding of x.
   [[nodiscard]] double violation(std::size_t k, Index i) const {
     const solver::Level& level = question_.hierarchy.level(k);
     const double value = level.A().row(i).dot(solution_.x);
@@ -126,19 +126,19 @@ class Accountant {
       std::vector<BlockingRowAccount> rows = blocking_rows(explanation, j);
       if (!rows.empty()) levels.push_back({j, is_rounding ? 0.0 : cost, std::move(rows)});
     }
-    std::ranges::stable_sort(levels, std::ranges::greater{}, most);
-    if (!levels.empty() && most(levels.front()) > 0.0)
-      std::erase_if(levels, [](const BlockingLevelAccount& level) { return most(level) == 0.0; });
+    std::ranges::stable_sort(levels, std::ranges::greater{}, largest_cost);
+    if (!levels.empty() && largest_cost(levels.front()) > 0.0)
+      std::erase_if(levels,
+                    [](const BlockingLevelAccount& level) { return largest_cost(level) == 0.0; });
     return levels;
   }
 
-  /// What a level or a row of it costs, the row with those of other levels that say the same; −1
-  /// where none has a cost and one is not known.
-  static double most(const BlockingLevelAccount& level) {
+  /// Largest cost of the level and of its rows; −1 if there is none and one is not known.
+  static double largest_cost(const BlockingLevelAccount& level) {
     double cost = std::isnan(level.cost) ? -1.0 : level.cost;
     for (const BlockingRowAccount& row : level.rows) {
-      const bool is_dearer = row.cost > std::max(cost, 0.0);
-      if (is_dearer || (std::isnan(row.cost) && cost == 0.0)) cost = is_dearer ? row.cost : -1.0;
+      const bool is_larger = row.cost > std::max(cost, 0.0);
+      if (is_larger || (std::isnan(row.cost) && cost == 0.0)) cost = is_larger ? row.cost : -1.0;
     }
     return cost;
   }

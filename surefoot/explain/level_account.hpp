@@ -10,12 +10,12 @@
 
 namespace surefoot::explain {
 
-/// A row that its level could not reach.
+/// A row that its level could not meet.
 struct MissedRow {
   std::string name;
-  /// In the level's unit, of the row as it was given; positive above the bound, negative below it.
+  /// In the level's unit, without the weight; positive above the bound, negative below it.
   double by = 0.0;
-  double weight = 1.0;  ///< in the residual it counts so many times
+  double weight = 1.0;  ///< of the row, in the residual
 };
 
 /// An inequality row that is held at its bound.
@@ -35,9 +35,9 @@ struct BlockingRowAccount {
   std::string name;
   std::string_view state;      ///< in words: "at its upper bound"
   bool is_limit = false;       ///< an inequality
-  std::vector<NamedRow> same;  ///< others that say the same: the numbers are of all together
+  std::vector<NamedRow> same;  ///< rows that ask for the same: the numbers are of all together
   bool would_gain = false;     ///< see `DistinctBlocker`
-  double cost = 0.0;  ///< what the level's residual falls by without this row alone; NaN: not known
+  double cost = 0.0;  ///< decrease of the level's residual without this row alone; NaN: not known
   double multiplier = 0.0;    ///< see `Blocker`
   double independence = 1.0;  ///< see `Blocker`
 };
@@ -45,29 +45,29 @@ struct BlockingRowAccount {
 /// A level above that holds another back.
 struct BlockingLevelAccount {
   std::size_t level = 0;
-  /// What the residual falls by without any row of it; 0 where others hold the same, though rows
-  /// that say the same as those of others have a cost with them. NaN: not known.
+  /// Decrease of the residual without all rows of this level. 0 if other levels hold the same; a
+  /// row can still have a cost together with its equals there. NaN: not known.
   double cost = 0.0;
-  std::vector<BlockingRowAccount> rows;  ///< dearest first
+  std::vector<BlockingRowAccount> rows;  ///< costliest first
 };
 
-/// How a level came out; cut off: at the cap of iterations or the budget, not reached: after that.
+/// Status of a level. The search was cut off in it (cap of iterations or budget), or before it (not
+/// reached).
 constexpr std::string_view kMet = "met", kMissed = "missed", kNoRows = "no rows",
                            kCutOff = "cut off", kNotReached = "not reached";
 
-/// What ended a search that was cut off: its budget, if it is spent.
+/// What ended a search that was cut off.
 [[nodiscard]] constexpr std::string_view what_ended(bool is_budget_spent) {
   return is_budget_spent ? "at its budget" : "at the solver's own cap of iterations";
 }
 
-/// Why a level came out as it did.
+/// Result of a level, and its causes.
 struct LevelAccount {
   std::string name;
   std::string unit;  ///< of residual and costs; empty: not known
   std::string_view status;
-  /// So far, where the level was cut off, as are `missed` and `held`; nothing above is known to
-  /// hold it back. Of one that was not reached nothing is known but its name, unit and number of
-  /// rows.
+  /// In a level that was cut off, `residual`, `missed` and `held` are those so far, and
+  /// `blocked_by` is empty. A level that was not reached has only name, unit and number of rows.
   double residual = 0.0;
   long num_rows = 0;
   long freedom_left = 0;
@@ -75,20 +75,20 @@ struct LevelAccount {
   double time = 0.0;                             ///< [s]; 0: not measured
   std::vector<MissedRow> missed;                 ///< worst first
   std::vector<HeldRow> held;                     ///< in the order of the rows
-  std::vector<BlockingLevelAccount> blocked_by;  ///< dearest first
+  std::vector<BlockingLevelAccount> blocked_by;  ///< costliest first
 };
 
-/// Of the multiplier of a row in `by`'s unit: of half the squared residual, by the row's bound, as
-/// "N² per m/s²". Empty where a unit is not known.
+/// Unit of the multiplier of a row of `by`: half the squared residual of `level` per bound of the
+/// row, "N² per m/s²". Empty if a unit is not known.
 [[nodiscard]] std::string multiplier_unit(const LevelAccount& level, const LevelAccount& by);
 
-/// How many levels, from the first on, are at their optimum: all, unless the search was cut off.
+/// Number of levels, from the first on, at their optimum: all, unless the search was cut off.
 [[nodiscard]] std::size_t num_finished(const solver::Solution& solution, std::size_t num_levels);
 
-/// Of the whole hierarchy; of one that was swept they are sweeps, and no level has its own.
+/// Of the whole hierarchy. If the solution is swept, they are sweeps over all levels.
 [[nodiscard]] int num_iterations(const solver::Solution& solution);
 
-/// Indices of the levels that have no row: they ask for nothing.
+/// Indices of the levels without rows.
 [[nodiscard]] std::vector<std::size_t> levels_without_rows(const solver::Hierarchy& hierarchy);
 
 /// "optimal", "iteration_cap" or "invalid_input".

@@ -6,7 +6,8 @@
 
 namespace surefoot::explain {
 
-/// What of a robot has touched the ground within `kLyingWindow`: who lies rattles.
+/// Parts of the robot that touched the ground within `kLyingWindow`: contacts of a lying robot come
+/// and go.
 struct GroundTouch {
   PerLeg<bool> feet{};
   bool torso = false;
@@ -16,9 +17,9 @@ struct GroundTouch {
   void see(const simulation::GroundTruth& truth);
 };
 
-inline constexpr double kLyingWindow = 0.05;  // [s]
+inline constexpr double kLyingWindow = 0.05;  ///< [s]
 
-/// What of it beside its feet: "its torso, up to 152 N on a part"; empty of one on its feet.
+/// What it lies on besides its feet: "its torso, up to 152 N on a part"; empty if it stands.
 [[nodiscard]] std::string lying_text(const GroundTouch& touch);
 
 }  // namespace surefoot::explain

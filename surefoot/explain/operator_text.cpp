@@ -7,21 +7,21 @@
 namespace surefoot::explain {
 namespace {
 
-constexpr double kTold = 0.38;  // share of a force that is told: less is within 22.5° of the others
+constexpr double kMinShare = 0.38;  // of a force, along a direction that is named: sin 22.5°
 
-/// Where a force in W goes as the robot sees it: "forwards and to the left"; empty where it or the
-/// heading is not known.
+/// Direction of a force in W, seen from the robot: "forwards and to the left"; empty if the force
+/// or the heading is unknown.
 std::string direction_text(const Vec3& force, double yaw) {
   const Vec3 seen = Eigen::AngleAxisd(-yaw, Vec3::UnitZ()) * force.normalized();
   if (!seen.allFinite() || force.isZero()) return "";
   std::string out;
-  const auto tell = [&](double share, const char* more, const char* less) {
-    if (std::abs(share) < kTold) return;
+  const auto add = [&](double share, const char* more, const char* less) {
+    if (std::abs(share) < kMinShare) return;
     out += (out.empty() ? "" : " and ") + std::string(share > 0.0 ? more : less);
   };
-  tell(seen.x(), "forwards", "backwards");
-  tell(seen.y(), "to the left", "to the right");
-  tell(seen.z(), "upwards", "downwards");
+  add(seen.x(), "forwards", "backwards");
+  add(seen.y(), "to the left", "to the right");
+  add(seen.z(), "upwards", "downwards");
   return out;
 }
 

@@ -4,16 +4,16 @@
 
 namespace surefoot::explain {
 
-/// How a run came out, by the summary of its log.
+/// Result of a run, from the summary of its log.
 struct Outcome {
-  bool known = false;        ///< there is a summary that can be read; else nothing is judged
-  bool interrupted = false;  ///< from outside, or begun again; nothing is judged either
+  bool known = false;        ///< the summary could be read; else all else is unset
+  bool interrupted = false;  ///< from outside, or restarted; not judged
   bool succeeded = false;
   std::string reason;                      ///< why it ended
-  std::size_t num_criteria = 0, held = 0;  ///< and how many of them hold
+  std::size_t num_criteria = 0, held = 0;  ///< criteria, and how many hold
 };
 
-/// From JSON; a summary of another shape is none.
+/// `summary`: JSON; not known if it has another shape.
 [[nodiscard]] Outcome read_outcome(const std::string& summary);
 
 }  // namespace surefoot::explain

@@ -6,20 +6,20 @@
 
 namespace surefoot::explain {
 
-/// How a level came out at a tick, as people see it.
+/// Status of a level at a tick, as the viewer shows it.
 enum class SeenLevel : int {
-  not_solved = 0,  ///< also where the command is not the solution's
+  not_solved = 0,  ///< or its solution was not used
   no_rows,
   met,
-  at_limit,   ///< met, and a row of it is at a bound
+  at_limit,   ///< met, with a row at a bound
   gives_way,  ///< its residual is more than `visible_residual`
-  minimised,  ///< never content, and as small as can be
+  minimised,  ///< minimises forces or torques: always has a residual
 };
 
 inline constexpr std::array<std::string_view, 6> kSeenLevelNames{
     "not solved", "no rows", "met", "at limit", "gives way", "minimised"};
 
-/// Of a solved level; `visible`: see `visible_residual`.
+/// For a solved level; `visible`: see `visible_residual`.
 [[nodiscard]] constexpr SeenLevel seen_level(std::size_t num_rows, double residual, double visible,
                                              bool is_at_bound) {
   if (num_rows == 0) return SeenLevel::no_rows;

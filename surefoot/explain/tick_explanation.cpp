@@ -19,7 +19,7 @@
 
 namespace surefoot::logged {
 
-// What is taken from every /truth around the tick.
+// The members that are read of every /truth around the tick.
 struct OutsideTruth {
   Quat q_WB = Quat::Identity();
   std::vector<double> xfrc_applied;
@@ -36,11 +36,12 @@ namespace surefoot::explain {
 
 namespace {
 
-constexpr double kLoadedFoot = 1.0;    // [N]
-constexpr double kSameInstant = 1e-6;  // of a time [s]
-constexpr int kBeginning = 400;        // ticks, in which the estimate may begin anew
+constexpr double kMinTrueForce = 1.0;    // normal force of a loaded foot [N]
+constexpr double kTimeTolerance = 1e-6;  // of a time that the user gives [s]
+constexpr int kMaxRestartTicks = 400;    // a restart of the estimate comes within these first ticks
 
-/// How belief and truth lay at the first tick of a log; its truth comes before the second tick.
+/// Estimated against true pose at the first tick of a log, whose truth comes before the second
+/// tick.
 std::optional<evaluation::StartAlignment> read_start(const std::string& path) {
   std::optional<simulation::GroundTruth> truth;
   logging::LogReader log(path, [&](const logging::McapMessage& message) {
@@ -49,8 +50,8 @@ std::optional<evaluation::StartAlignment> read_start(const std::string& path) {
   });
   TickRecord first, next;
   if (!log.next(first)) return std::nullopt;
-  for (int tick = 1; tick < kBeginning && log.next(next); ++tick) {
-    if (evaluation::begins_anew(next)) return std::nullopt;
+  for (int tick = 1; tick < kMaxRestartTicks && log.next(next); ++tick) {
+    if (evaluation::estimate_restarts(next)) return std::nullopt;
   }
   if (!truth || std::abs(truth->time - first.reading.time) > 1e-9) return std::nullopt;
   return evaluation::start_alignment(*truth, first.state);
@@ -60,13 +61,13 @@ std::uint64_t nanoseconds(double time) {
   return static_cast<std::uint64_t>(std::llround(1e9 * time));
 }
 
-/// The end of a log's duration, also rounded as it is told: 12.35 s for 12.3475 s.
+/// The end of a log's duration, also as texts round it: 12.35 s for 12.3475 s.
 bool is_end(double time, double end) {
-  return time <= end + kSameInstant ||
-         std::abs(time - 0.01 * std::round(100.0 * end)) <= kSameInstant;
+  return time <= end + kTimeTolerance ||
+         std::abs(time - 0.01 * std::round(100.0 * end)) <= kTimeTolerance;
 }
 
-/// The timing at a time; it stands behind all ticks, so that the last chunks come first.
+/// The timing of a tick. Timings are behind all ticks, so the last chunks are read first.
 std::optional<TickTiming> read_timing(const std::string& path, std::uint64_t time,
                                       const std::vector<std::string>& level_names) {
   logging::McapChunks file(path);
@@ -107,7 +108,7 @@ class BlendWatch {
     blend_.after = last_;
   }
 
-  /// At the tick that was seen last.
+  /// At the last tick seen.
   [[nodiscard]] bool is_going_on() const { return is_going_on_; }
   [[nodiscard]] const HierarchyBlend& blend() const { return blend_; }
 
@@ -123,17 +124,17 @@ class BlendWatch {
   bool is_going_on_ = false;
   logged::Change change_;
   HierarchyBlend blend_;
-  std::optional<NeighbourTick> last_;  // that is in no blend
+  std::optional<NeighbourTick> last_;  // the last tick outside of blends
 };
 
-/// How a run ended, by the summary of its log; empty: not known.
+/// How a run ended, from the summary of its log; empty: not known.
 std::string end_text(const std::string& summary) {
   const Outcome outcome = read_outcome(summary);
   if (!outcome.known) return "";
   return (outcome.interrupted ? "the run was " : "the run ended: ") + outcome.reason;
 }
 
-/// Reads a log from `back` before a time up to a little behind it.
+/// Reads a log from `back` [s] before a time to `window` [s] after it.
 class Search {
  public:
   Search(const std::string& path, double time, double back, double window = kEventWindow)
@@ -182,13 +183,13 @@ class Search {
     return std::move(found_);
   }
 
-  /// No tick of the log was passed over, or those that were can't be read.
+  /// There is no earlier tick in the log that can be read.
   [[nodiscard]] bool saw_the_start() const {
     return first_ > time_ - back_ + 1.5 * log_.header().control_period;
   }
 
  private:
-  /// Up to the end of the window, and of a blend there; true: to the end of the log.
+  /// To the end of the window, or of a blend that the tick is in; true: to the end of the log.
   bool read() {
     log_.skip_until(time_ - back_);
     std::optional<CommandMode> mode_before;
@@ -202,7 +203,7 @@ class Search {
         if (mode_before && log_.follows())
           add_mode(*mode_before);
         else if (std::isinf(window_) && !logging::text_of_stop(tick_).empty())
-          add_mode(CommandMode::optimal);  // all of the log begins, or goes on, in a stop
+          add_mode(CommandMode::optimal);  // the log, or what is left after a gap, begins in a stop
       }
       mode_before = tick_.command.mode;
       if (std::isnan(first_)) first_ = tick_.reading.time;
@@ -224,7 +225,7 @@ class Search {
 
   [[nodiscard]] bool is_near(double time) const { return std::abs(time - time_) <= window_; }
 
-  /// Of the tick that is told.
+  /// Of the tick to explain.
   void find_blend() {
     is_in_blend_ = blends_.is_going_on();
     found_.blend.reset();
@@ -266,7 +267,7 @@ class Search {
   void take_change(const logging::McapMessage& message) {
     logged::Change change;
     logged::Decoder::decode(message.data, change);
-    scenario_->acts(change);
+    scenario_->add_push(change);
     blends_.change(change);
     if (!is_near(change.time)) return;
     found_.events.push_back({change.time, operator_text(change, yaw_), "", "operator"});
@@ -289,7 +290,7 @@ class Search {
     if (!is_near(time)) return;
     logged::OutsideTruth truth;
     logged::Decoder::decode(message.data, truth);
-    scenario_->leave(time, truth.xfrc_applied);
+    scenario_->remove_pushes(time, truth.xfrc_applied);
     const auto changes = forces_.see(time, truth.xfrc_applied, truth.q_WB);
     begun_.insert(begun_.end(), changes.begun.begin(), changes.begun.end());
     ended_.insert(ended_.end(), changes.ended.begin(), changes.ended.end());
@@ -300,7 +301,7 @@ class Search {
     found_.events.insert(later, event);
   }
 
-  /// Those of the operator are told by what the operator did.
+  /// Only the scenario's forces: the operator's are events of their own.
   void add_forces() {
     const auto add = [this](double time, const std::string& text) {
       insert({time, text, "", "outside"});
@@ -331,10 +332,10 @@ class Search {
 
   std::string path_;
   double time_, back_, window_, nearest_ = kNaN;
-  double first_ = kNaN, last_ = kNaN;  // of the ticks that were looked at [s]
-  double yaw_ = kNaN;                  // believed at the last tick
+  double first_ = kNaN, last_ = kNaN;  // times of the first and last tick seen [s]
+  double yaw_ = kNaN;                  // estimated, at the last tick [rad]
   BlendWatch blends_;
-  bool is_in_blend_ = false;  // the tick that is told, and none behind it was out of it yet
+  bool is_in_blend_ = false;  // the tick to explain is in a blend that has not ended yet
   std::optional<logging::ScenarioForces> scenario_;
   logging::AppliedForceWatch forces_;
   std::vector<logging::AppliedForce> begun_, ended_;
@@ -350,7 +351,7 @@ double level_time(const TickExplanation& explanation, std::size_t level) {
   return is_known ? static_cast<double>(explanation.timing->levels[level]) : kNaN;
 }
 
-// A blend may have begun long before: it is looked for further and further back.
+// A blend may have begun long before the tick: search further back until its begin is found.
 TickExplanation read_tick(const std::string& path, double time) {
   for (double back = kEventWindow;; back *= 4.0) {
     Search search(path, time, back);
@@ -366,7 +367,7 @@ std::vector<NearbyEvent> read_events(const std::string& path) {
 
 double true_friction_use(const simulation::TrueContact& contact) {
   const double along_normal = contact.normal.dot(contact.force);
-  if (along_normal < kLoadedFoot || contact.friction <= 0.0) return kNaN;
+  if (along_normal < kMinTrueForce || contact.friction <= 0.0) return kNaN;
   return (contact.force - along_normal * contact.normal).norm() / (contact.friction * along_normal);
 }
 

@@ -15,67 +15,67 @@
 
 namespace surefoot::explain {
 
-/// Something that the planner did, or the operator of a run that was steered; a force from outside
-/// that began or ended; another mode of the command, as of a safety stop; the end of the run.
+/// An event of the planner, a change by the operator of a steered run, the begin or end of an
+/// external force, a change of the command's mode (a safety stop), or the end of the run.
 struct NearbyEvent {
   double time = 0.0;  ///< [s]
   std::string text;
-  std::string leg;             ///< that it happened to: "RF"; empty: none
+  std::string leg;             ///< "RF"; empty: of no leg
   std::string by = "planner";  ///< "operator", "outside", "controller", "run"
 };
 
-/// A row of a higher level, and what it cost a level that gave way by itself.
+/// A row of a higher level, and its cost for a level that gave way.
 struct CostlyRow {
   std::string level, row;
-  double cost = 0.0;  ///< in the unit of the level that gave way; 0: nothing alone; NaN: not known
-  std::vector<CostlyRow> same;  ///< others that say the same: the cost is of all together
+  double cost = 0.0;  ///< in the unit of the level that gave way; 0: none alone; NaN: not known
+  std::vector<CostlyRow> same;  ///< rows that ask for the same: `cost` is of all together
   bool is_limit = false;        ///< an inequality
 };
 
-/// What held each level of a tick back, by its number in the header.
+/// Rows that held each level of a tick back, by the level's number in the header.
 using ExactCosts = std::map<std::int16_t, std::vector<CostlyRow>>;
 
-/// A tick beside another.
+/// The tick before or after a blend.
 struct NeighbourTick {
   TickRecord tick;
-  std::vector<std::int16_t> order;  ///< as of a TickExplanation
-  std::optional<ExactCosts> exact;  ///< the same
+  std::vector<std::int16_t> order;  ///< as in TickExplanation
+  std::optional<ExactCosts> exact;  ///< as in TickExplanation
 };
 
-/// On the way from one hierarchy to another, as after a change of the order: the torques lie
+/// Transition from one hierarchy to another, e.g. after a change of the order: the torques lie
 /// between the optima of both.
 struct HierarchyBlend {
-  double until = kNaN;  ///< the first tick behind it [s]; NaN: the log does not have it
-  std::string change;   ///< what it came from, in words; empty: not known
-  std::optional<NeighbourTick> before, after;  ///< the last tick of the one, the first of the other
+  double until = kNaN;                         ///< first tick after it [s]; NaN: not in the log
+  std::string change;                          ///< its cause, in words; empty: not known
+  std::optional<NeighbourTick> before, after;  ///< last tick before it, first tick after it
 };
 
-/// One tick of a log, with what is needed to say why it came out so.
+/// One tick of a log, with what is needed to explain it.
 struct TickExplanation {
-  std::string log;            ///< that it is of
+  std::string log;            ///< its path
   logging::LogHeader header;  ///< without its attachments
   TickRecord tick;
   CommandedForces forces;            ///< of the tick
-  std::optional<TickTiming> timing;  ///< of logs that have it
-  std::vector<std::int16_t> order;   ///< numbers in the header of the tick's levels, highest first
-  std::optional<simulation::GroundTruth> truth;  ///< of logs that have it
-  std::optional<GroundTouch> touch;              ///< up to the tick, the same
-  std::vector<logging::AppliedForce> applied;    ///< from outside, as the truth has it
+  std::optional<TickTiming> timing;  ///< if the log has it
+  std::vector<std::int16_t> order;   ///< its levels' numbers in the header, highest first
+  std::optional<simulation::GroundTruth> truth;  ///< if the log has it
+  std::optional<GroundTouch> touch;              ///< up to the tick, from the truth
+  std::vector<logging::AppliedForce> applied;    ///< external forces, from the truth
   std::vector<std::string> bodies;  ///< names by their row of the truth's `xfrc_applied`
-  std::optional<evaluation::AlignedEstimate> estimate;                     ///< the same
+  std::optional<evaluation::AlignedEstimate> estimate;  ///< if the log has the truth
   std::map<std::pair<std::int16_t, std::int32_t>, std::string> row_names;  ///< by level and id
-  std::optional<HierarchyBlend> blend;                                     ///< that the tick is in
-  /// See `explain_tick`; without it the costs are those of the log, estimates of the loop.
+  std::optional<HierarchyBlend> blend;  ///< if the tick is in one
+  /// See `explain_tick`; if empty, the costs are the log's, which the control loop estimated.
   std::optional<ExactCosts> exact;
-  std::string why_estimates;        ///< why there are no exact costs; empty: it was not tried
+  std::string why_estimates;        ///< why there are no exact costs; empty: not asked for
   std::vector<NearbyEvent> events;  ///< around the tick, in order
-  double asked = kNaN;              ///< [s]
-  bool is_behind_end = false;       ///< the log ends before that; the tick is its last
+  double asked = kNaN;              ///< time asked for [s]
+  bool is_behind_end = false;       ///< the log ends before that time; the tick is its last
   std::string problem;              ///< why the log could not be read further; empty if it could
 
-  /// "com_xy gave way by 0.31 m/s² to torque_limits LF_KFE (0.2) and friction_cone RH (0.1)." Of a
-  /// solve that was cut off also where. Of a blend of two hierarchies that it is one, until when,
-  /// and the same of the ticks before and behind it.
+  /// "com_xy gave way by 0.31 m/s² to torque_limits LF_KFE (0.2) and friction_cone RH (0.1)." Says
+  /// where a solve was cut off. In a blend of two hierarchies it says so, until when, and the same
+  /// for the ticks before and after it.
   [[nodiscard]] std::string sentence() const;
   /// For people: the sentence, then state, command, feet, levels, rows at a bound and the events
   /// around the tick.
@@ -85,22 +85,21 @@ struct TickExplanation {
   [[nodiscard]] std::string json() const;
 };
 
-/// How far around a tick events are told [s].
+/// Events within this time of a tick are part of its explanation [s].
 inline constexpr double kEventWindow = 1.0;
 
-/// The tick next to a time; the last one for the time at which the log's duration ends, which is
-/// one period behind it. Throws FileError as LogReader does, and Error, with the range, where
-/// the log has no tick at that time.
+/// The tick nearest to a time, without exact costs. The log's duration ends one period after its
+/// last tick; for that time it is the last tick. Throws FileError as LogReader does, and Error,
+/// with the log's range, if the log has no tick at that time.
 [[nodiscard]] TickExplanation read_tick(const std::string& path, double time);
 
-/// What happened in all of a log. Throws FileError as LogReader does.
+/// All events of a log. Throws FileError as LogReader does.
 [[nodiscard]] std::vector<NearbyEvent> read_events(const std::string& path);
 
-/// That solving a level took, by its number in the header [µs]; NaN: not measured.
+/// Time of solving a level, by its number in the header [µs]; NaN: not measured.
 [[nodiscard]] double level_time(const TickExplanation& explanation, std::size_t level);
 
-/// Share of the round friction cone of the true ground that its force uses; NaN of a foot without
-/// load.
+/// Share of the true ground's friction cone that a foot's force uses; NaN for a foot without load.
 [[nodiscard]] double true_friction_use(const simulation::TrueContact& contact);
 
 }  // namespace surefoot::explain

@@ -40,7 +40,7 @@ Json yielding_levels(const TickExplanation& explanation) {
     list.push_back({{"level", level.name},
                     {"residual", level.residual},
                     {"unit", level.unit},
-                    {"never_content", level.restless},
+                    {"never_content", level.is_minimised},
                     {"to", std::move(to)}});
   }
   return list;
@@ -168,7 +168,7 @@ Json events_json(const std::vector<NearbyEvent>& events) {
 Json gave_way_json(const TickExplanation& explanation) {
   Json levels = yielding_levels(explanation);
   const std::vector<LevelThatGaveWay> gave = gave_way(explanation);
-  for (std::size_t i = 0; i < levels.size(); ++i) levels[i]["told"] = gave[i].num_told;
+  for (std::size_t i = 0; i < levels.size(); ++i) levels[i]["told"] = gave[i].num_shown;
   return {{"time", explanation.tick.reading.time},
           {"sentence", explanation.sentence()},
           {"gave_way", std::move(levels)},

@@ -18,7 +18,7 @@ using Table = std::vector<std::vector<std::string>>;
 
 constexpr double kDegrees = 180.0 / kPi;
 
-/// Without the sign of what is rounded away.
+/// To a multiple of `unit`; what is rounded to zero has no sign.
 double rounded(double value, double unit) {
   const double result = std::round(value / unit) * unit;
   return result == 0.0 ? 0.0 : result;
@@ -46,14 +46,15 @@ std::string velocity(const Vec3& v, const Vec3& w) {
                    rounded(w.y(), 1e-3), rounded(w.z(), 1e-3));
 }
 
-/// Nothing where it is less than a weighing tells, or where no one has weighed.
+/// The payload; empty if it is unknown or within the error of its estimate. Its place only from 1
+/// kg on: below that the place is not known well enough.
 std::string carried(const BaseLoad& load) {
-  constexpr double kTold = 0.5, kPlaced = 1.0;  // [kg]
+  constexpr double kMinMass = 0.5, kMinMassWithPlace = 1.0;  // [kg]
   const double mass = std::abs(load.mass);
-  if (!(mass >= kTold) || !load.first_moment.allFinite()) return "";
+  if (!(mass >= kMinMass) || !load.first_moment.allFinite()) return "";
   const std::string much =
       formatted("%.1f kg %s than described", mass, load.mass > 0.0 ? "more" : "less");
-  if (!(load.mass >= kPlaced)) return much;
+  if (!(load.mass >= kMinMassWithPlace)) return much;
   const Vec3 at = load.first_moment / load.mass;
   return much + formatted(", at x %.2f, y %.2f, z %.2f m in B", rounded(at.x(), 0.01),
                           rounded(at.y(), 0.01), rounded(at.z(), 0.01));
@@ -85,7 +86,7 @@ bool is_beyond_limits(const TickExplanation& explanation, Leg leg) {
   return beyond_limits(explanation.forces, explanation.tick.plan, leg) != Beyond::nothing;
 }
 
-bool has_wishes(const TickExplanation& explanation) {
+bool asks_beyond_limits(const TickExplanation& explanation) {
   return explanation.tick.command.mode == CommandMode::optimal &&
          logging::was_used(explanation.tick) &&
          std::ranges::any_of(kLegs, [&](Leg leg) { return is_beyond_limits(explanation, leg); });
@@ -96,7 +97,7 @@ std::string command(const TickExplanation& explanation) {
   std::string out(logged::kModeNames[static_cast<std::size_t>(tick.command.mode)]);
   const std::string why = logging::text_of_stop(tick);
   if (!why.empty()) out += ", as " + why;
-  if (has_wishes(explanation)) out += ", but for contact forces that no ground gives";
+  if (asks_beyond_limits(explanation)) out += ", but for contact forces that no ground gives";
   return out + "; " + largest_torque(explanation) + "; " + faults(tick.health);
 }
 
@@ -132,7 +133,7 @@ std::string true_force(const simulation::TrueContact& contact) {
   return formatted("%.1f N", rounded(contact.normal.dot(contact.force), 0.1));
 }
 
-/// Of a tick whose command is no solution: plan and commanded forces are not of it.
+/// Of a tick whose command is no solution: plan and commanded forces mean nothing there.
 std::string true_feet_table(const simulation::GroundTruth& truth) {
   Table table{{"foot", "in truth", "friction used"}};
   for (const Leg leg : kLegs) {
@@ -145,7 +146,7 @@ std::string true_feet_table(const simulation::GroundTruth& truth) {
 
 std::string feet_table(const TickExplanation& explanation) {
   const TickRecord& tick = explanation.tick;
-  const bool are_wishes = has_wishes(explanation);
+  const bool is_marked = asks_beyond_limits(explanation);
   Table table{{"foot", "phase", "normal force", "of at most", "pyramid used", "slides"}};
   if (explanation.truth) {
     for (const char* title : {"in truth", "friction used"}) table[0].emplace_back(title);
@@ -157,7 +158,7 @@ std::string feet_table(const TickExplanation& explanation) {
     table.push_back({std::string(kLegNames[k]),
                      std::string(logged::kPhaseNames[static_cast<std::size_t>(foot.phase)]),
                      known(rounded(explanation.forces.normal[k], 0.1), "%.1f N") +
-                         (are_wishes && is_beyond_limits(explanation, leg) ? " *" : ""),
+                         (is_marked && is_beyond_limits(explanation, leg) ? " *" : ""),
                      carries ? formatted("%.0f N", foot.force_max) : "–",
                      known(100.0 * explanation.forces.friction_use[k], "%.0f %%"),
                      tick.state.slips[k] ? "yes" : "no"});
@@ -167,11 +168,10 @@ std::string feet_table(const TickExplanation& explanation) {
     table.back().push_back(known(100.0 * true_friction_use(contact), "%.0f %%"));
   }
   return aligned(table) +
-         (are_wishes ? "* the solution's wish, beyond the foot's limits: no ground gives it\n"
-                     : "");
+         (is_marked ? "* the solution's wish, beyond the foot's limits: no ground gives it\n" : "");
 }
 
-/// Of a level's rows, as the sentence has it: from 100 on all digits before the point.
+/// With the level's unit; three digits, from 100 on all before the point.
 std::string amount(const TickExplanation& explanation, std::int16_t level, double value) {
   const std::string unit = explanation.header.level_unit(level);
   return formatted(std::abs(value) < 100.0 ? "%.3g" : "%.0f", value) +
@@ -183,14 +183,15 @@ std::string residual(const TickExplanation& explanation, std::int16_t level) {
   return value > kResidualRounding ? amount(explanation, level, value) : "0";
 }
 
-/// Of a level that is to be as small as can be, and never content, in the page's words.
+/// A level that minimises forces or torques always has a residual; it is called "minimised", as on
+/// the viewer's page.
 std::string status_of(const TickExplanation& explanation, std::size_t place) {
   const logging::LevelStatus status = level_status(explanation, place);
   const logging::LogHeader& header = explanation.header;
   const std::int16_t level = explanation.order[place];
-  const bool is_restless =
+  const bool is_minimised =
       std::isnan(logging::visible_residual(header.level_name(level), header.level_unit(level)));
-  return status == logging::LevelStatus::missed && is_restless
+  return status == logging::LevelStatus::missed && is_minimised
              ? "minimised"
              : std::string(logging::name_of(status));
 }
@@ -245,7 +246,7 @@ std::string at_bounds(const TickExplanation& explanation) {
   return out;
 }
 
-/// Of levels that gave way; those that are never content miss their rows always.
+/// Rows of levels that gave way; levels that minimise always miss their rows and are left out.
 std::string missed(const TickExplanation& explanation) {
   std::string out;
   for (const MissedEquality& row : missed_rows(explanation)) {

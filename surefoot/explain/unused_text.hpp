@@ -8,7 +8,7 @@
 
 namespace surefoot::explain {
 
-/// Why what a tick solved and planned commands nothing; texts are empty where it does.
+/// Why a tick's solution and plan are not used; both texts are empty if they are.
 struct UnusedText {
   std::string what;  ///< "No hierarchy was solved"
   std::string why;   ///< "IMU stopped", "it stands up"
@@ -16,7 +16,7 @@ struct UnusedText {
 
 [[nodiscard]] UnusedText unused_text(const TickRecord& tick);
 
-/// All that `what` and `why` may be; first the empty text.
+/// All possible values of `what` and `why`; first the empty text.
 [[nodiscard]] const std::vector<std::string>& unused_texts();
 [[nodiscard]] const std::vector<std::string>& unused_reasons();
 

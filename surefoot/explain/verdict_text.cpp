@@ -27,9 +27,10 @@ double worst_ratio(const solver::Hierarchy& hierarchy) {
   return worst;
 }
 
-/// Rows of a level that differ more in length: a long limit that gives way to short rows of its own
-/// level does so by 1 / ratio² of its length, which is no longer told from holding.
-constexpr double kLargestRatio = 1e4;
+/// Largest ratio between lengths of a level's rows for which a proof is promised. A long limit
+/// gives way to short rows of its level by 1 / ratio² of its length: beyond this that looks like
+/// holding.
+constexpr double kMaxLengthRatio = 1e4;
 
 std::string number_of(std::vector<solver::LevelCertificate>::const_iterator level,
                       const std::vector<solver::LevelCertificate>& levels) {
@@ -49,9 +50,9 @@ std::string why_not_proven(const solver::Hierarchy& hierarchy,
        << " from its optimality conditions, relative to its rows; at most "
        << solver::kProvenStationarity << " is rounding";
   const double ratio = worst_ratio(hierarchy);
-  if (ratio > kLargestRatio) {
+  if (ratio > kMaxLengthRatio) {
     text << ", which is promised where rows of one level differ in length by at most "
-         << kLargestRatio << ", and here by " << ratio;
+         << kMaxLengthRatio << ", and here by " << ratio;
   } else {
     text << ". Either x is beside the optimum, or rows that hold it are so nearly dependent that "
             "it can't be told";

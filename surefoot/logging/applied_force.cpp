@@ -10,9 +10,8 @@
 namespace surefoot::logging {
 namespace {
 
-constexpr double kMinShare = 0.38;  // of a force in a direction named: more than 22.5° off
-constexpr double kMinForce = 1e-6;  // less comes from rounding at a push's last step [N]
-constexpr double kDegrees = 57.29577951308232;
+constexpr double kMinShare = 0.38;  // of a force, along a direction that is named: sin 22.5°
+constexpr double kMinForce = 1e-6;  // less is rounding at a push's last step [N]
 
 double yaw_of(const Quat& q) {
   return std::atan2(2.0 * (q.w() * q.z() + q.x() * q.y()),
@@ -23,7 +22,7 @@ std::string direction(const AppliedForce& force) {
   const double up = force.force.z() / force.force.norm();
   std::string out;
   if (std::hypot(force.force.x(), force.force.y()) > kMinShare * force.force.norm()) {
-    const double degrees = std::round(kDegrees * angle_from_ahead(force));
+    const double degrees = std::round(180.0 / kPi * angle_from_ahead(force));
     out = formatted(", %.0f° from ahead", std::abs(degrees));
     if (degrees != 0.0 && std::abs(degrees) != 180.0)
       out += degrees > 0.0 ? " to the left" : " to the right";
@@ -100,7 +99,7 @@ std::vector<std::string> body_names(const LogHeader& header) {
 double angle_from_ahead(const AppliedForce& force) {
   if (std::hypot(force.force.x(), force.force.y()) == 0.0) return kNaN;
   const double angle = std::atan2(force.force.y(), force.force.x()) - yaw_of(force.q_WB);
-  return std::remainder(angle, 2.0 * 3.141592653589793);
+  return std::remainder(angle, 2.0 * kPi);
 }
 
 std::string body_text(std::size_t body, const std::vector<std::string>& bodies) {

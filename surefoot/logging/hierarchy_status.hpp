@@ -9,24 +9,24 @@
 
 namespace surefoot::logging {
 
-/// Of `HierarchyReport::status`, as in the log's schema.
+/// Values of `HierarchyReport::status`, as in the log's schema.
 inline constexpr std::int32_t kIterationCap = 1, kInvalidInput = 2;
 
-/// False where no state was believed, or the input was invalid: no force and no residual is of
-/// that tick, whatever its record has.
+/// False if no state was believed, or the solver's input was invalid: the record's forces and
+/// residuals are not of that tick.
 [[nodiscard]] inline bool was_solved(const HierarchyReport& report) {
   return report.status != kInvalidInput;
 }
 
-/// False also where the controller stopped for safety at that very tick, behind the solver: what
-/// was solved and planned commands nothing then.
+/// False also if the controller stopped for safety at that tick, after the solver: solution and plan
+/// are not used.
 [[nodiscard]] inline bool was_used(const TickRecord& tick) {
   const CommandMode mode = tick.command.mode;
   return was_solved(tick.hierarchy) && mode != CommandMode::sit && mode != CommandMode::damping;
 }
 
-/// Of a tick's levels, highest first by their numbers in the header, those that are at their
-/// optimum: of a solve that was cut off the numbers of the others say nothing.
+/// The tick's levels at their optimum, by their numbers in the header, highest first. If the solve was
+/// cut off, the numbers of the other levels mean nothing.
 [[nodiscard]] inline std::span<const std::int16_t> solved_levels(
     const TickRecord& tick, std::span<const std::int16_t> order) {
   const HierarchyReport& report = tick.hierarchy;
@@ -36,7 +36,7 @@ inline constexpr std::int32_t kIterationCap = 1, kInvalidInput = 2;
   return order.first(static_cast<std::size_t>(failed - order.begin()));
 }
 
-/// Of a tick that was computed here, not read; of a level by its place. NaN: not solved.
+/// Residual of a level by its place, for a tick that was computed and not read. NaN: not solved.
 [[nodiscard]] inline double computed_residual(const HierarchyReport& report, std::size_t level) {
   const auto place = static_cast<std::int32_t>(level);
   const bool is_cut_off = report.status == kIterationCap;

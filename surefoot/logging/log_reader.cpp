@@ -1,6 +1,7 @@
 #include "surefoot/logging/log_reader.hpp"
 
 #include "surefoot/base/error.hpp"
+#include "surefoot/logging/hierarchy_status.hpp"
 #include "surefoot/logging/log_header_reader.hpp"
 #include "surefoot/logging/logged_timing.hpp"
 #include "surefoot/logging/message_decoder.hpp"
@@ -73,7 +74,6 @@ void add_switch(const logged::Hierarchy& named, const LevelNumbers& numbers,
 /// After an early stop the level it happened in, and those below, have no residual.
 void forget_unsolved(const logged::Hierarchy& named, const LevelNumbers& numbers,
                      HierarchyReport& report) {
-  constexpr std::int32_t kIterationCap = 1;  // as in the message's schema
   if (named.status != kIterationCap || named.failed_level < 0) return;
   for (auto i = static_cast<std::size_t>(named.failed_level); i < named.levels.size(); ++i) {
     const auto number = static_cast<std::size_t>(numbers.of(named.levels[i].name));

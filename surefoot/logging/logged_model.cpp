@@ -3,7 +3,7 @@
 namespace surefoot::logged {
 namespace {
 
-constexpr double kMinLoad = 1.0;  // [N]
+constexpr double kMinLoad = 1.0;  // of all feet [N]
 
 }  // namespace
 

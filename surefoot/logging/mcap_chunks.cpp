@@ -17,9 +17,9 @@ using mcap::kRecordHead;
 using mcap::Malformed;
 using mcap::Opcode;
 
-constexpr std::uint64_t kDates = 16;                   // of an attachment [bytes]
+constexpr std::uint64_t kDatesSize = 16;               // of an attachment [bytes]
 constexpr std::uint64_t kMaxHead = 1024;               // of an attachment, with its name [bytes]
-constexpr std::uint64_t kMaxChannel = 1 << 20;         // [bytes]
+constexpr std::uint64_t kMaxChannel = 1 << 20;         // of its record [bytes]
 constexpr std::uint64_t kMaxBareSize = 1 << 22;        // of messages taken together [bytes]
 constexpr std::uint64_t kMaxBareTime = 1'000'000'000;  // of messages taken together [ns]
 constexpr std::uint64_t kBeforeTime = 6;               // of a message's content [bytes]
@@ -58,7 +58,7 @@ std::string McapChunks::attachment(const std::string& name) {
     try {
       const std::string start = file_.bytes(place->offset, std::min(place->length, kMaxHead));
       Cursor cursor(start);
-      cursor.bytes(kDates);
+      cursor.bytes(kDatesSize);
       if (cursor.text() != name) continue;
       const std::string content = file_.bytes(place->offset, place->length);
       const mcap::AttachmentRecord record = mcap::attachment_record(content);

@@ -26,7 +26,7 @@ enum class Opcode : std::uint8_t {
   data_end = 0x0F,
 };
 
-inline constexpr std::uint64_t kMaxChunkTime = 10'000'000'000;  ///< a recorder's last a second [ns]
+inline constexpr std::uint64_t kMaxChunkTime = 10'000'000'000;  ///< ours take one second [ns]
 
 /// Are these plausible first and last times of a chunk's messages [ns]?
 [[nodiscard]] constexpr bool can_be_times(std::uint64_t first, std::uint64_t last) {

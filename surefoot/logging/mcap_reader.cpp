@@ -33,7 +33,7 @@ std::string shown(const std::string& name) {
 }
 
 std::string valid_instead(const std::string& path) {
-  const std::string partial = partial_beside(path);
+  const std::string partial = existing_partial(path);
   return partial.empty() ? "a log (.mcap) would be valid"
                          : partial + ", of a run that goes on or was cut off, would be valid";
 }

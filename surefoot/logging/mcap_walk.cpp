@@ -16,9 +16,9 @@ constexpr std::uint64_t kMaxName = 16;            // of a compression [bytes]
 constexpr std::uint64_t kFixedIndexSize = 6;      // of a message index's content, without entries
 constexpr std::uint64_t kMinSearch = 1 << 12;     // first block of a search [bytes]
 constexpr std::uint64_t kMaxSearch = 1 << 20;     // largest block of a search [bytes]
-constexpr std::uint64_t kFooter = 20;             // content of a footer [bytes]
-constexpr std::uint64_t kDataEnd = kRecordHead + 4;  // the record before the index [bytes]
-constexpr std::uint64_t kMaxIndex = 1 << 28;         // [bytes]
+constexpr std::uint64_t kFooterSize = 20;         // content of a footer [bytes]
+constexpr std::uint64_t kDataEndSize = kRecordHead + 4;  // the record before the index [bytes]
+constexpr std::uint64_t kMaxIndex = 1 << 28;             // [bytes]
 
 // Are the sizes in a record's content consistent? `start` has its first bytes.
 bool fits(Opcode opcode, std::string_view start, std::uint64_t length) {
@@ -134,7 +134,7 @@ std::span<const IndexedRecord> RecordWalk::skipped_records() const {
 std::vector<IndexedRecord> RecordWalk::read_index() {
   std::vector<IndexedRecord> records;
   try {
-    const std::uint64_t behind = kRecordHead + kFooter + kMagic.size();
+    const std::uint64_t behind = kRecordHead + kFooterSize + kMagic.size();
     if (size_ < behind) return {};
     const std::string end = bytes(size_ - behind, behind);
     Cursor footer(end);
@@ -142,13 +142,14 @@ std::vector<IndexedRecord> RecordWalk::read_index() {
     const auto begin = footer.number<std::uint64_t>();
     footer.bytes(sizeof(std::uint64_t));  // start of the summary offsets
     const auto crc = footer.number<std::uint32_t>();
-    const bool is_footer = opcode == Opcode::footer && length == kFooter && footer.rest() == kMagic;
+    const bool is_footer =
+        opcode == Opcode::footer && length == kFooterSize && footer.rest() == kMagic;
     const std::uint64_t summed = size_ - kMagic.size() - sizeof(crc);
     if (!is_footer || begin == 0 || begin > summed || summed - begin > kMaxIndex) return {};
     const std::string summary = bytes(begin, summed - begin);
     if (crc != 0 && crc != crc32(summary)) return {};
     records.push_back({.offset = begin});
-    if (begin > kDataEnd) records.push_back({begin - kDataEnd, Opcode::data_end});
+    if (begin > kDataEndSize) records.push_back({begin - kDataEndSize, Opcode::data_end});
     for (Cursor rest(std::string_view(summary).substr(0, size_ - behind - begin));
          !rest.rest().empty();) {
       const auto [kind, size] = take_head(rest);

@@ -5,8 +5,7 @@
 
 namespace surefoot::logging {
 
-/// Throws FileError, with the reason, if a file could not be written at this path. Leaves nothing
-/// behind.
+/// Throws FileError, with the reason, if a file can't be written at this path. Leaves no file.
 void check_writable_file(const std::filesystem::path& file);
 
 /// Throws FileError, naming the process, while another run records to this log.
@@ -19,16 +18,14 @@ void check_not_the_input(const std::filesystem::path& output, const std::filesys
 /// written into it.
 void prepare_folder(const std::filesystem::path& folder);
 
-/// Removes the page of a report folder, and a log with what a crash left of it, so that an earlier
-/// run's never lie beside what the next one leaves. A log without a name stays. Throws FileError,
-/// also where another run records to the log.
+/// Removes the page of a report folder, and its log with the unfinished one, so that no files of an
+/// earlier run stay there. `log` may be empty. Throws FileError, also if another run records to it.
 void remove_outdated(const std::filesystem::path& report_folder, const std::filesystem::path& log);
 
 /// Removes the folder if nothing is in it.
 void remove_if_empty(const std::filesystem::path& folder);
 
-/// "run.mcap" → "run-2.mcap", or the next number of which there is neither a log nor one that was
-/// cut off.
+/// "run.mcap" → "run-2.mcap", or the next number without a log, finished or not.
 [[nodiscard]] std::filesystem::path next_free_log(const std::filesystem::path& log);
 
 /// Writes a file whole (WholeFile). Throws FileError.

@@ -7,7 +7,7 @@ namespace surefoot::logging {
 
 std::string partial_path(const std::string& path) { return path + ".partial"; }
 
-std::string partial_beside(const std::string& path) {
+std::string existing_partial(const std::string& path) {
   std::error_code ignored;
   const std::string partial = partial_path(path);
   return std::filesystem::is_regular_file(partial, ignored) ? partial : "";

@@ -8,6 +8,6 @@ namespace surefoot::logging {
 [[nodiscard]] std::string partial_path(const std::string& path);
 
 /// The log of an unfinished or cut-off run next to `path`; empty without one.
-[[nodiscard]] std::string partial_beside(const std::string& path);
+[[nodiscard]] std::string existing_partial(const std::string& path);
 
 }  // namespace surefoot::logging

@@ -7,19 +7,18 @@
 
 namespace surefoot::logging {
 
-/// Takes what the operator did out of the forces from outside, of which the truth has the sum: what
-/// is left is the scenario's.
+/// Subtracts the operator's pushes from the truth's external forces, so that the scenario's remain.
 class ScenarioForces {
  public:
-  /// `bodies`: their names by the rows of the truth's `xfrc_applied`.
+  /// `bodies`: names by row of the truth's `xfrc_applied`.
   explicit ScenarioForces(std::vector<std::string> bodies);
 
-  /// A push of the operator; before the ticks that have its force.
-  void acts(const logged::Change& change);
-  /// Of the forces at a tick leaves the scenario's; torques stay as they are. A tick has the force
-  /// of the physics step before it. Which share of that a push had that ended meanwhile is not
-  /// known: then what was left on its body stays what it was at the tick before.
-  void leave(double time, std::vector<double>& xfrc);
+  /// Adds a push of the operator, before the first tick with its force; ignores other changes.
+  void add_push(const logged::Change& change);
+  /// Removes the pushes from a tick's forces; torques stay. A tick has the force of the physics step
+  /// before it. If a push ended since the tick before, its share of that force is unknown: its body
+  /// keeps the remaining force of the tick before.
+  void remove_pushes(double time, std::vector<double>& xfrc);
 
  private:
   struct Force {
@@ -29,9 +28,9 @@ class ScenarioForces {
   };
 
   std::vector<std::string> bodies_;
-  std::vector<Force> forces_;  // of the operator, that act or will
-  std::vector<double> last_;   // what was left at the tick before
-  double before_ = kNaN;       // its time [s]
+  std::vector<Force> forces_;  // of the operator, present and future
+  std::vector<double> last_;   // remaining forces of the tick before
+  double before_ = kNaN;       // time of the tick before [s]
 };
 
 }  // namespace surefoot::logging

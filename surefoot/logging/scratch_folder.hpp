@@ -5,17 +5,17 @@
 
 namespace surefoot::logging {
 
-/// A folder for files that only another reader understands; gone with the object.
+/// A temporary folder, for readers that need files. Removed with the object.
 class ScratchFolder {
  public:
-  /// Throws FileError if none can be made.
+  /// Throws FileError if it can't be made.
   ScratchFolder();
   ~ScratchFolder();
   ScratchFolder(const ScratchFolder&) = delete;
   ScratchFolder& operator=(const ScratchFolder&) = delete;
 
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-  /// Path of a new file with this text.
+  /// Writes a file with this text; returns its path.
   [[nodiscard]] std::string write(const std::string& name, const std::string& text) const;
 
  private:

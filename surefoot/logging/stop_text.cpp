@@ -39,7 +39,7 @@ std::string joint_name(int joint) {
 /// A log may hold any number.
 bool is_joint(int joint) { return joint >= 0 && joint < kNumJoints; }
 
-/// Silent or late are all of a group at once.
+/// A group is silent or late as a whole; other faults are of single values.
 bool is_of_one_value(SampleFault fault) {
   return fault != SampleFault::none && fault != SampleFault::silent && fault != SampleFault::late;
 }

@@ -9,18 +9,18 @@
 namespace surefoot::logging {
 
 /// Why the controller stopped for safety: "IMU stopped", "encoder LF_KFE changed too fast",
-/// "encoders of several joints left the range", "the torso tilted too far"; empty: it has not. Of a
-/// group of sensors its fault, and the only joint at fault, or −1; the IMU has none. Films
-/// say the same (tests/support/stop_words.json).
+/// "encoders of several joints left the range", "the torso tilted too far"; empty if it has not.
+/// `fault`: of a group of sensors; `joint`: the only one at fault, or −1. Films use the same texts
+/// (tests/support/stop_words.json).
 [[nodiscard]] std::string text_of_stop(StopCause cause, SampleFault fault, int joint);
-/// The same of a tick: what was wrong with a sensor when it was lost; in logs before 2.8, which
-/// don't tell, what is wrong with it now.
+/// The same for a tick, with the fault when the sensor was lost; in logs before 2.8, which lack it,
+/// with its present fault.
 [[nodiscard]] std::string text_of_stop(const TickRecord& tick);
 
-/// "command mode: sit, as IMU stopped"; `why`: as of `text_of_stop`.
+/// "command mode: sit, as IMU stopped"; `why`: from `text_of_stop`.
 [[nodiscard]] std::string mode_text(CommandMode mode, std::string_view why);
 
-/// All that `text_of_stop` may say; first the empty text.
+/// All possible values of `text_of_stop`; first the empty text.
 [[nodiscard]] const std::vector<std::string>& stop_texts();
 
 struct FaultText {
@@ -28,7 +28,7 @@ struct FaultText {
   double age = kNaN;  ///< of the last good sample [s]
 };
 
-/// What is wrong with the sensors at a tick, in the same words; one for each group.
+/// Present faults of the sensors in the same words, at most one for each group.
 [[nodiscard]] std::vector<FaultText> faults_of(const SensorHealth& health);
 
 }  // namespace surefoot::logging

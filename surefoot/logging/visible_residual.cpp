@@ -8,6 +8,7 @@
 namespace surefoot::logging {
 namespace {
 
+/// Smallest visible residuals by unit.
 constexpr double kOtherUnits = 0.05;
 constexpr std::array<std::pair<std::string_view, double>, 4> kVisible{
     {{"m/s²", 0.02}, {"rad/s²", 0.05}, {"N·m", 0.1}, {"N", 0.5}}};

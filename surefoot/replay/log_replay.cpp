@@ -13,7 +13,7 @@
 namespace surefoot::replay {
 namespace {
 
-/// Gives the states that it is handed, whatever the readings.
+/// Gives a state that others set, whatever the readings.
 class PlaybackEstimator final : public estimation::StateEstimator {
  public:
   explicit PlaybackEstimator(const RobotState& state) : state_(state) {}
@@ -35,7 +35,7 @@ void check_attachments(const std::string& path, const logging::LogReader& log) {
   }
 }
 
-/// What was changed stands in the log before the first tick that has it.
+/// Changes are in the log before the first tick that has them.
 void keep_change(const logging::McapMessage& message, std::vector<logged::Change>& changes) {
   if (message.channel->topic != "/changes") return;
   logged::Decoder::decode(message.data, changes.emplace_back());
@@ -69,7 +69,7 @@ LogReplay::LogReplay(const std::string& path, const ReplayOptions& options)
 bool LogReplay::step() {
   if (gap_ || !log_.next(tick_)) return false;
   if (!log_.follows()) {
-    pass_over_rest();
+    count_rest();
     return false;
   }
   last_time_ = tick_.reading.time;
@@ -79,7 +79,7 @@ bool LogReplay::step() {
   return true;
 }
 
-void LogReplay::pass_over_rest() {
+void LogReplay::count_rest() {
   gap_ = {.from = last_time_, .to = tick_.reading.time};
   do {
     ++gap_->ticks_behind;
@@ -87,13 +87,13 @@ void LogReplay::pass_over_rest() {
   } while (log_.next(tick_));
 }
 
-// As it was done to the controller at the run.
+// As the run did.
 void LogReplay::apply_changes() {
   for (const logged::Change& change : changes_) {
     if (change.kind == "friction") controller_->set_friction(change.friction);
     if (change.kind != "stack") continue;
     const control::StackOptions stack = config::parse_stack(change.stack, "/changes");
-    // Refused only where the program is another one; then `is_same` says so.
+    // Refused only if the log is of another version; then `is_same` is false.
     (void)controller_->set_stack(stack, change.duration);
   }
   changes_.clear();
@@ -107,7 +107,7 @@ void LogReplay::switch_levels(const LevelSwitchReport& logged) {
     if (logged.change[k] == LevelChange::comes) change.add.push_back(names[k]);
     if (logged.change[k] == LevelChange::goes) change.remove.push_back(names[k]);
   }
-  // Refused only where the program is another one; then `is_same` says so.
+  // Refused only if the log is of another version; then `is_same` is false.
   (void)controller_->switch_levels(change);
 }
 

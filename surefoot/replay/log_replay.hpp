@@ -11,56 +11,56 @@
 
 namespace surefoot::replay {
 
-/// Which state a replayed controller believes.
+/// State that a replayed controller uses.
 enum class ReplayedState {
-  logged,     ///< that of the log, at every tick
-  estimated,  ///< what the run's own estimator makes of the readings; logged where it was the truth
+  logged,     ///< the log's, at every tick
+  estimated,  ///< from the run's own estimator; the log's if that was the truth
 };
 
 struct ReplayOptions {
   ReplayedState state = ReplayedState::logged;
-  /// Is told of messages that no tick is made of, such as those of the truth; may be none.
+  /// Called with messages on other channels, such as /truth; may be empty.
   logging::LogReader::Other observer;
 };
 
-/// Ticks that are lost within a log, or at its begin. A controller can't be computed again behind
-/// them: what it remembers is not known.
+/// Ticks that are lost within a log, or at its begin. A controller can't be computed again after
+/// them, because its memory is unknown.
 struct LogGap {
-  std::optional<double> from;  ///< time of the last tick before [s]; none: the first ticks are lost
-  double to = 0.0;             ///< time of the first tick behind [s]
-  long ticks_behind = 0;       ///< that can be read, but not computed again
+  std::optional<double> from;  ///< time of the last tick before [s]; empty: the first are lost
+  double to = 0.0;             ///< time of the first tick after [s]
+  long ticks_behind = 0;       ///< that can be read, but not computed
 };
 
-/// Whether two numbers are the same to the bit, also where they are not numbers.
+/// Whether two numbers have the same bits, NaN included.
 [[nodiscard]] bool same_bits(double a, double b);
 
-/// Runs a log's controller again on the logged readings, commands and states: from the first tick
-/// on it computes the same bits.
+/// Runs a log's controller again on the logged readings, commands and states. It computes the same
+/// bits from the first tick on.
 class LogReplay {
  public:
-  /// Throws FileError if the file is not a log of ours or lacks what its controller was made
-  /// from, Error if this program can't make sense of that.
+  /// Throws FileError if the file is no log of surefoot or lacks the controller's attachments,
+  /// Error if this program can't read these.
   explicit LogReplay(const std::string& path, const ReplayOptions& options = {});
 
-  /// See `Controller::explain_levels`; a replay does unless it is told not to.
+  /// See `Controller::explain_levels`; on by default.
   void explain_levels(bool wanted) { controller_->explain_levels(wanted); }
 
   /// One tick; false after the last one, or the last before a gap. Throws FileError.
   [[nodiscard]] bool step();
 
   [[nodiscard]] const control::Controller& controller() const { return *controller_; }
-  /// That it was made with.
+  /// The stack at the run's start.
   [[nodiscard]] const control::StackOptions& stack() const { return stack_; }
-  /// As it stands in the log.
+  /// The last tick, as in the log.
   [[nodiscard]] const TickRecord& logged() const { return tick_; }
   [[nodiscard]] const logging::LogHeader& header() const { return log_.header(); }
-  /// Whether the run's estimator runs again, too.
+  /// Whether the run's estimator is computed again, too.
   [[nodiscard]] bool estimates() const { return estimates_; }
   /// After the last tick: why the log could not be read further; empty if it is whole.
   [[nodiscard]] std::string problem() const { return log_.problem(); }
   /// After the last tick: the gap that ended the replay.
   [[nodiscard]] const std::optional<LogGap>& gap() const { return gap_; }
-  /// After the last tick: whether the run may have had more behind all that can be read.
+  /// After the last tick: whether later ticks may be lost.
   [[nodiscard]] bool may_go_on() const { return log_.may_go_on(); }
   [[nodiscard]] const logging::ClockSkips& clock_skips() const { return log_.clock_skips(); }
   /// Whether the controller gave the torques of the log at this tick, bit for bit.
@@ -69,12 +69,12 @@ class LogReplay {
  private:
   void switch_levels(const LevelSwitchReport& logged);
   void apply_changes();
-  void pass_over_rest();
+  void count_rest();
 
-  std::vector<logged::Change> changes_;  // that stand before the tick
+  std::vector<logged::Change> changes_;  // since the last tick
   logging::LogReader log_;
   TickRecord tick_;
-  std::optional<double> last_time_;  // of the ticks that were computed [s]
+  std::optional<double> last_time_;  // of the last computed tick [s]
   std::optional<LogGap> gap_;
   bool estimates_ = false;
   std::unique_ptr<control::Controller> controller_;

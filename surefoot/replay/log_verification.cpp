@@ -25,7 +25,7 @@ std::string message_of(const Signal& signal) {
   return text;
 }
 
-/// A message without the members that another of its kind lacks.
+/// A message without the members that `kind` lacks.
 Json reduced(const Json& message, const Json& kind) {
   if (!message.is_object() || !kind.is_object()) return message;
   Json result = Json::object();
@@ -34,7 +34,7 @@ Json reduced(const Json& message, const Json& kind) {
   return result;
 }
 
-/// Compares messages, of a log of an older version in what they have: it lacks some members.
+/// Compares messages; those of an older log only in the members that it has.
 class MessageComparison {
  public:
   MessageComparison(const std::string& path, bool is_older) {
@@ -62,7 +62,7 @@ class MessageComparison {
   }
 
  private:
-  /// From the first message of a topic; null where it lacks nothing.
+  /// Keeps the first message of a topic; null if it lacks no member.
   template <typename Signal>
   void learn(const logging::McapMessage& message, const Signal& signal) {
     Json kind = Json::parse(message.data, nullptr, false);

@@ -10,7 +10,7 @@
 
 namespace surefoot::replay {
 
-/// A joint torque that a replay does not give as the log has it.
+/// A joint torque that differs between replay and log.
 struct TorqueDifference {
   long tick = 0;        ///< counted from 0
   double time = 0.0;    ///< [s]
@@ -19,31 +19,31 @@ struct TorqueDifference {
   double computed = 0.0;
 };
 
-/// Messages that a replay gives other than they stand in the log.
+/// Messages that differ between replay and log.
 struct MessageDifferences {
   std::string_view topic;
-  long ticks = 0;      ///< how many of them
+  long ticks = 0;      ///< number of them
   double first = 0.0;  ///< time of the first [s]
 };
 
-/// What came of running a log's controller again.
+/// Result of running a log's controller again.
 struct Verification {
   logging::LogHeader header;  ///< of the log, without its attachments
   bool estimated = false;  ///< the run's estimator ran again on the readings; else the logged state
-  long ticks = 0;          ///< that were compared
+  long ticks = 0;          ///< compared
   double first_time = 0.0, last_time = 0.0;  ///< [s]
-  long different_ticks = 0;                  ///< with another torque or another mode
+  long different_ticks = 0;                  ///< with another torque or mode
   std::optional<TorqueDifference> first, largest;
-  /// In the order of the tick. What is not known (NaN) is equal to itself; members that the
-  /// messages of a log of an older version lack are not compared.
+  /// In the order of the tick. NaN is equal to NaN. Members that an older log lacks are not
+  /// compared.
   std::array<MessageDifferences, 4> messages{
       {{"/state", 0, 0.0}, {"/plan", 0, 0.0}, {"/model", 0, 0.0}, {"/command", 0, 0.0}}};
   std::string problem;        ///< why not all of the log could be read; empty if it is whole
-  std::optional<LogGap> gap;  ///< behind which nothing could be compared
-  bool may_go_on = false;     ///< the run may have had more, which is not in the log any more
+  std::optional<LogGap> gap;  ///< nothing could be compared after it
+  bool may_go_on = false;     ///< later ticks may be lost
   logging::ClockSkips clock;
 
-  /// Of what was compared.
+  /// Of the compared ticks.
   [[nodiscard]] bool is_same() const { return different_ticks == 0; }
   [[nodiscard]] bool is_all() const { return !gap && !may_go_on; }
   [[nodiscard]] bool is_whole() const { return problem.empty(); }

@@ -8,15 +8,14 @@
 
 namespace surefoot::replay {
 
-/// The scenario as a log has it: what was set, its stack and its robot. The header has the
-/// attachments `resolved_stack.yaml`, `robot.yaml` and `robot.urdf`; the URDF is written into the
-/// folder and read again when a controller is made. Throws Error if this program can't make sense
-/// of them.
+/// The scenario of a log: its settings, stack and robot. The header must have the attachments
+/// `resolved_stack.yaml`, `robot.yaml` and `robot.urdf`. The URDF is written into the folder, where
+/// a controller reads it. Throws Error if this program can't read them.
 [[nodiscard]] config::Scenario logged_scenario(const logging::LogHeader& header,
                                                const logging::ScratchFolder& folder);
 
-/// The same with another stack, by name or file as `--set stack=` has it, and without the log's
-/// switches of levels. What the log's scenario sets of tasks must be in that one, too.
+/// The same with another stack, a name or file as in `--set stack=`, without the log's switches of
+/// levels. It must have all tasks whose parameters the log's scenario sets.
 [[nodiscard]] config::Scenario logged_scenario(const logging::LogHeader& header,
                                                const logging::ScratchFolder& folder,
                                                const std::string& stack);

@@ -16,7 +16,7 @@
 namespace surefoot::replay {
 namespace {
 
-/// Where a level's numbers are in a report; none where it has none.
+/// Index of a level in a report; empty if it is not there.
 std::optional<std::size_t> place(const HierarchyReport& report,
                                  const std::vector<std::string>& names, const std::string& name) {
   const auto found = std::ranges::find(names, name);
@@ -34,7 +34,7 @@ bool is_answered(const TickRecord& tick) {
   return tick.command.mode == CommandMode::optimal || tick.command.mode == CommandMode::degraded;
 }
 
-/// A stack that is asked what it would command where the log's controller, computed again, stands.
+/// The other stack, made for the log's scenario.
 control::AskedStack asked_stack(const LogReplay& replay, const std::string& name) {
   const logging::ScratchFolder folder;
   const config::Scenario scenario = logged_scenario(replay.header(), folder, name);
@@ -42,7 +42,7 @@ control::AskedStack asked_stack(const LogReplay& replay, const std::string& name
   return {options.stack, options.solver, options.safety, scenario.robot};
 }
 
-/// Sums up, tick by tick.
+/// Sums up differences tick by tick.
 class Comparison {
  public:
   Comparison(const logging::LogHeader& header, const control::AskedStack& other,
@@ -59,7 +59,7 @@ class Comparison {
     solved_.resize(result_.levels.size());
   }
 
-  /// `other` is null where it was not asked.
+  /// `other` is null if it was not asked.
   void add(const TickRecord& logged, const control::StackAnswer* other) {
     const double time = logged.reading.time;
     if (result_.ticks++ == 0) result_.first_time = time;
@@ -182,9 +182,9 @@ void check_has_ticks(const std::string& path, const StackComparison& result) {
 
 }  // namespace
 
-// The log's own controller is computed again, as its model depends on all ticks before; it does
-// what it did in the run, so its torques are those that the sensors felt. A controller with the
-// other stack would find that they are not its own.
+// The log's own controller is computed again, because its model depends on all ticks before. Its
+// torques are those of the logged readings; a controller with the other stack would contradict
+// them.
 StackComparison compare_stack(const std::string& path, const std::string& stack,
                               const StackObserver& observer) {
   WalkEndWatch walk;

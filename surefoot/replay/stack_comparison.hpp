@@ -21,15 +21,14 @@ struct StackAnswer;
 
 namespace surefoot::replay {
 
-/// How far the torques of a joint are apart, over the ticks that both answered.
+/// Difference of a joint's torques, over the ticks that both hierarchies answered.
 struct JointComparison {
   double rms = 0.0;      ///< [N·m]
   double largest = 0.0;  ///< [N·m], other minus logged
   double time = 0.0;     ///< of the largest [s]
 };
 
-/// Residuals of a level, over the ticks that both answered and at which both hierarchies were
-/// solved as far as it.
+/// Residuals of a level, over the ticks that both hierarchies answered and solved up to it.
 struct LevelComparison {
   std::string name, unit;
   bool in_log = false, in_other = false;
@@ -38,7 +37,7 @@ struct LevelComparison {
   double logged_time = 0.0, other_time = 0.0;  ///< of the largest [s]
 };
 
-/// Some of the ticks, which have something in common.
+/// Count of ticks with a property.
 struct TickCount {
   long ticks = 0;
   double first = 0.0;  ///< time of the first of them [s]
@@ -51,9 +50,9 @@ struct TickCount {
   }
 };
 
-/// What another hierarchy would have commanded at each tick of a run, on the model and the plan
-/// that the run had there: each tick is asked for itself, and none of its torques ever moves the
-/// robot. A side answers a tick with torques of its hierarchy, be they optimal or degraded.
+/// What another hierarchy would have commanded at each tick of a run, with the run's model and
+/// plan. Each tick stands alone: the other's torques never move the robot. A hierarchy answers a
+/// tick if it gives torques, optimal or degraded.
 struct StackComparison {
   logging::LogHeader header;  ///< of the log, without its attachments
   std::string other;          ///< name of the other stack
@@ -61,35 +60,34 @@ struct StackComparison {
   double first_time = 0.0, last_time = 0.0;  ///< [s]
   long compared = 0;                         ///< ticks that both answered
   std::array<JointComparison, kNumJoints> joints;
-  std::vector<LevelComparison> levels;  ///< those of the log, then those of the other alone
-  TickCount logged_not_optimal, other_not_optimal;  ///< also where there was no answer
+  std::vector<LevelComparison> levels;  ///< the log's, then those that only the other has
+  TickCount logged_not_optimal, other_not_optimal;  ///< unanswered ticks included
   TickCount logged_unanswered;
-  TickCount not_asked;  ///< nothing was planned in the run, so there was nothing to ask with
+  TickCount not_asked;  ///< the run planned nothing there
   TickCount other_unanswered;
-  TickCount other_stopped;  ///< of these: there its controller would have stopped for safety
+  TickCount other_stopped;  ///< of these: its controller would have stopped for safety
   std::optional<WalkEnd> walk_end;
-  /// Where this build computes other torques for the run itself, so that the model with which the
-  /// other hierarchy was asked may be another than the run's, too.
+  /// This build computes other torques for the run itself, so the other hierarchy's model may also
+  /// differ from the run's.
   TickCount not_reproduced;
-  long logged_switches = 0;   ///< changes of levels, which the other hierarchy did not make
+  long logged_switches = 0;   ///< switches of levels, which the other hierarchy did not make
   std::string problem;        ///< why not all of the log could be read
-  std::optional<LogGap> gap;  ///< behind which nothing was asked
+  std::optional<LogGap> gap;  ///< nothing was asked after it
 };
 
-/// A level of the other hierarchy, and the unit of its residual; empty: none.
+/// A level of the other hierarchy, and its residual's unit (may be empty).
 struct OtherLevel {
   std::string name, unit;
 };
 
-/// Is told of each tick: what the log has, and what the other hierarchy answers; null where it was
-/// not asked.
+/// Called at each tick with the logged tick and the other hierarchy's answer; null if it was not
+/// asked.
 using StackObserver =
     std::function<void(const TickRecord& logged, const control::StackAnswer* other,
                        const std::vector<OtherLevel>& other_levels)>;
 
-/// `stack` by name or file, as `--set stack=` has it. Throws Error as `LogReplay`, if there is no
-/// such stack or none that fits the log's scenario, if the log holds no tick, and when it is
-/// interrupted.
+/// `stack`: name or file, as in `--set stack=`. Throws Error as `LogReplay`, if the stack does not
+/// exist or does not fit the log's scenario, if the log has no tick, and on interruption.
 [[nodiscard]] StackComparison compare_stack(const std::string& path, const std::string& stack,
                                             const StackObserver& observer = {});
 

@@ -11,25 +11,25 @@ struct TickRecord;
 
 namespace surefoot::replay {
 
-/// From when on a run says nothing of its walk.
+/// End of a run's walk: what comes later says nothing about it.
 struct WalkEnd {
   double time = 0.0;  ///< [s]
   std::string why;    ///< "its torso came to the ground", "its controller stopped for safety: …"
 };
 
-/// Finds it while a log is read.
+/// Finds the end of the walk while a log is read.
 class WalkEndWatch {
  public:
-  /// Any message; those of the truth count.
+  /// Any message; only /truth is used.
   void see(const logging::McapMessage& message);
   void see(const TickRecord& tick);
 
-  /// After the last message: what came first; none where the walk went on to the log's end.
+  /// After the last message: the first end; empty if the walk went on to the log's end.
   [[nodiscard]] std::optional<WalkEnd> end() const;
 
  private:
   std::optional<double> torso_down_;  // first [s]
-  std::optional<double> feet_up_;     // all of them, since then [s]
+  std::optional<double> feet_up_;     // since when no foot touches the ground [s]
   bool was_torso_up_ = false;
   std::optional<WalkEnd> stop_;
 };

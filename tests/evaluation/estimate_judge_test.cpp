@@ -33,11 +33,11 @@ TEST(EstimateJudge, HeadingAndPositionOfTheStartAreNoError) {
 
 TEST(EstimateJudge, OnlyAnEventSaysThatAnEstimateBeginsAnew) {
   TickRecord tick;
-  EXPECT_FALSE(begins_anew(tick));
+  EXPECT_FALSE(estimate_restarts(tick));
   tick.plan.events.add({.kind = PlanEvent::calibration});
-  EXPECT_FALSE(begins_anew(tick));
+  EXPECT_FALSE(estimate_restarts(tick));
   tick.plan.events.add({.kind = PlanEvent::begun_anew});
-  EXPECT_TRUE(begins_anew(tick));
+  EXPECT_TRUE(estimate_restarts(tick));
 }
 
 TEST(EstimateJudge, MeasuresVelocityTiltAndDrift) {
