@@ -25,9 +25,12 @@ std::string headline(const std::string& path, const logging::LogHeader& header) 
          header.stack + " (" + built_from(header) + ")\n";
 }
 
+std::string number_of_ticks(long ticks) {
+  return std::to_string(ticks) + (ticks == 1 ? " tick" : " ticks");
+}
+
 std::string span(long ticks, double first, double last) {
-  return std::to_string(ticks) + (ticks == 1 ? " tick, " : " ticks, ") + seconds(first) + " to " +
-         seconds(last);
+  return number_of_ticks(ticks) + ", " + seconds(first) + " to " + seconds(last);
 }
 
 std::string not_whole(const std::string& problem) {
@@ -40,8 +43,7 @@ std::string behind_gap(const std::optional<replay::LogGap>& gap, const std::stri
   return (gap->from ? "Behind " + seconds(*gap->from) + " nothing" : "Nothing") + " could be " +
          done + (gap->from ? ": no tick from there to " : ": no tick before ") + to +
          " can be read, and a controller can't be computed again behind a gap (" +
-         std::to_string(gap->ticks_behind) + (gap->ticks_behind == 1 ? " tick" : " ticks") +
-         " from then on).\n";
+         number_of_ticks(gap->ticks_behind) + " from then on).\n";
 }
 
 std::string not_compared(const replay::Verification& result) {
@@ -165,10 +167,6 @@ std::string level_table(const replay::StackComparison& result) {
                      at(level.in_other, level.other_max, level.other_time)});
   }
   return aligned(table);
-}
-
-std::string number_of_ticks(long ticks) {
-  return std::to_string(ticks) + (ticks == 1 ? " tick" : " ticks");
 }
 
 /// "3 ticks, first at 1.0000 s".

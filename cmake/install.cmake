@@ -8,14 +8,14 @@ list(TRANSFORM SUREFOOT_FOLDERS PREPEND surefoot_ OUTPUT_VARIABLE folder_targets
 list(REMOVE_ITEM folder_targets ${alone_targets})
 install(TARGETS ${alone_targets} EXPORT surefootSolverTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
 install(TARGETS ${folder_targets} EXPORT surefootTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
-# surefoot/*.hpp and the headers that these reach.
+# surefoot/*.hpp and the headers that these reach, found when it installs.
 install(CODE "
-  execute_process(COMMAND ${SUREFOOT_PYTHON} ${PROJECT_SOURCE_DIR}/tools/installed_headers.py
+  execute_process(COMMAND \"${SUREFOOT_PYTHON}\" \"${PROJECT_SOURCE_DIR}/tools/installed_headers.py\"
                   OUTPUT_VARIABLE headers COMMAND_ERROR_IS_FATAL ANY)
   foreach(header IN LISTS headers)
     cmake_path(GET header PARENT_PATH folder)
-    file(INSTALL ${PROJECT_SOURCE_DIR}/\${header}
-         DESTINATION \${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_INCLUDEDIR}/\${folder})
+    file(INSTALL \"${PROJECT_SOURCE_DIR}/\${header}\"
+         DESTINATION \"\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_INCLUDEDIR}/\${folder}\")
   endforeach()")
 if(TARGET surefoot)
   install(TARGETS surefoot)
