@@ -66,7 +66,7 @@ const std::vector<std::string>& EventFinder::see(const ViewFrame& frame) {
 void EventFinder::see_forces(const ViewFrame& frame) {
   const auto begin = frame.floats.begin() + static_cast<std::ptrdiff_t>(force_);
   std::vector<double> xfrc(begin, begin + static_cast<std::ptrdiff_t>(force_size_));
-  scenario_.remove_pushes(frame.time, xfrc);
+  scenario_.leave(frame.time, xfrc);
   const float* q = &frame.floats[rotation_];
   const auto tell = [&](double time, const std::string& text) {
     events_.push_back(text_event(time, "force", text));

@@ -25,7 +25,7 @@ class EventFinder {
   /// What happened at this frame, as `/api/events` has it; valid until the next.
   [[nodiscard]] const std::vector<std::string>& see(const ViewFrame& frame);
   /// A push of the operator, which is told as a change; before the frames from then on.
-  void acts(const logged::Change& change) { scenario_.add_push(change); }
+  void acts(const logged::Change& change) { scenario_.acts(change); }
 
  private:
   void see_forces(const ViewFrame& frame);

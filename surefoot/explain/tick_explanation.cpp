@@ -267,7 +267,7 @@ class Search {
   void take_change(const logging::McapMessage& message) {
     logged::Change change;
     logged::Decoder::decode(message.data, change);
-    scenario_->add_push(change);
+    scenario_->acts(change);
     blends_.change(change);
     if (!is_near(change.time)) return;
     found_.events.push_back({change.time, operator_text(change, yaw_), "", "operator"});
@@ -290,7 +290,7 @@ class Search {
     if (!is_near(time)) return;
     logged::OutsideTruth truth;
     logged::Decoder::decode(message.data, truth);
-    scenario_->remove_pushes(time, truth.xfrc_applied);
+    scenario_->leave(time, truth.xfrc_applied);
     const auto changes = forces_.see(time, truth.xfrc_applied, truth.q_WB);
     begun_.insert(begun_.end(), changes.begun.begin(), changes.begun.end());
     ended_.insert(ended_.end(), changes.ended.begin(), changes.ended.end());

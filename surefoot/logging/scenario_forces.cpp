@@ -13,7 +13,7 @@ constexpr double kRounding = 1e-5;  // of forces, which live pages get in single
 
 ScenarioForces::ScenarioForces(std::vector<std::string> bodies) : bodies_(std::move(bodies)) {}
 
-void ScenarioForces::add_push(const logged::Change& change) {
+void ScenarioForces::acts(const logged::Change& change) {
   const auto body = std::ranges::find(bodies_, change.body);
   if (change.kind != "push" || body == bodies_.end() || !change.force.allFinite()) return;
   forces_.push_back({.body = static_cast<std::size_t>(body - bodies_.begin()),
@@ -22,7 +22,7 @@ void ScenarioForces::add_push(const logged::Change& change) {
                      .to = change.time + change.duration});
 }
 
-void ScenarioForces::remove_pushes(double time, std::vector<double>& xfrc) {
+void ScenarioForces::leave(double time, std::vector<double>& xfrc) {
   std::vector<double> sizes(xfrc.size() / 6, 0.0);  // of the operator's forces [N]
   for (const Force& force : forces_) {
     const bool has_begun = force.from < time - kSameTime, has_ended = force.to < time - kSameTime;

@@ -14,11 +14,11 @@ class ScenarioForces {
   explicit ScenarioForces(std::vector<std::string> bodies);
 
   /// Adds a push of the operator, before the first tick with its force; ignores other changes.
-  void add_push(const logged::Change& change);
-  /// Removes the pushes from a tick's forces; torques stay. A tick has the force of the physics step
-  /// before it. If a push ended since the tick before, its share of that force is unknown: its body
-  /// keeps the remaining force of the tick before.
-  void remove_pushes(double time, std::vector<double>& xfrc);
+  void acts(const logged::Change& change);
+  /// Removes the pushes from a tick's forces; torques stay. A tick has the force of the physics
+  /// step before it. If a push ended since the tick before, its share of that force is unknown: its
+  /// body keeps the remaining force of the tick before.
+  void leave(double time, std::vector<double>& xfrc);
 
  private:
   struct Force {
