@@ -18,15 +18,15 @@ inline constexpr std::int32_t kIterationCap = 1, kInvalidInput = 2;
   return report.status != kInvalidInput;
 }
 
-/// False also if the controller stopped for safety at that tick, after the solver: solution and plan
-/// are not used.
+/// False also if the controller stopped for safety at that tick, after the solver: solution and
+/// plan are not used.
 [[nodiscard]] inline bool was_used(const TickRecord& tick) {
   const CommandMode mode = tick.command.mode;
   return was_solved(tick.hierarchy) && mode != CommandMode::sit && mode != CommandMode::damping;
 }
 
-/// The tick's levels at their optimum, by their numbers in the header, highest first. If the solve was
-/// cut off, the numbers of the other levels mean nothing.
+/// The tick's levels at their optimum, by their numbers in the header, highest first. If the solve
+/// was cut off, the numbers of the other levels mean nothing.
 [[nodiscard]] inline std::span<const std::int16_t> solved_levels(
     const TickRecord& tick, std::span<const std::int16_t> order) {
   const HierarchyReport& report = tick.hierarchy;
