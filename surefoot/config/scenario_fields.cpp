@@ -133,7 +133,7 @@ Group plant_fields(simulation::PlantOptions& o) {
   const Entries lifts{{shape_of<simulation::Lift>(
       "", [&o](const auto& lift, const Given&) { o.disturbances.lifts.push_back(lift); })}};
   return {
-      {"timestep", &o.timestep, kTimestep, "s", "of the physics"},
+      {"timestep", &o.timestep, kTimestep, "s", "of the physics", Sizing::none},
       {"terrain", terrain_fields(o.terrain), "the ground"},
       {"foot_contact", fields(o.contact).with([&o](const Given& given) {
          if (o.contact.solref_time < 2.0 * o.timestep)
@@ -243,7 +243,7 @@ Group fields(TimedCommand& o) {
   return {Field{"time", &o.time, kNotNegative, "s", "from which on it holds"}.required(),
           {"walk", &o.user.walk, "or else stand"},
           {"velocity", Numbers{o.user.velocity.data(), {"x", "y"}}, kAnyNumber, "m/s",
-           "forward and to the left"},
+           "forward and to the left", Sizing::stride},
           {"yaw_rate", &o.user.yaw_rate, kAnyNumber, "rad/s", "to the left"},
           {"height", &o.user.height, kHeight, "m", "over the stance's height"},
           {"calibrate", &o.user.calibrate, "stand, begin the estimate anew, calibrate, go on"}};

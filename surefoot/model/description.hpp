@@ -1,5 +1,6 @@
 #pragma once
 
+#include "surefoot/base/scale.hpp"
 #include "surefoot/signals/leg.hpp"
 
 #include <string>
@@ -23,6 +24,7 @@ struct RobotDescription {
   std::vector<std::string> package_folders;  ///< searched for package:// names
   std::string base_link;
   PerLeg<LegDescription> legs;
+  Scale scale;  ///< multiplies every constant and default that has a length, a mass or a time
   double foot_radius = 0.0;         ///< [m]
   Vec3 foot_center = Vec3::Zero();  ///< centre of the foot sphere in the foot frame [m]
   JointVector torque_limit = JointVector::Zero();    ///< |τ| ≤ limit [N·m]
