@@ -29,8 +29,10 @@ struct RobotDescription {
   Vec3 foot_center = Vec3::Zero();  ///< centre of the foot sphere in the foot frame [m]
   JointVector torque_limit = JointVector::Zero();    ///< |τ| ≤ limit [N·m]
   JointVector velocity_limit = JointVector::Zero();  ///< [rad/s]
-  JointVector q_min = JointVector::Zero();           ///< [rad]
-  JointVector q_max = JointVector::Zero();           ///< [rad]
+  /// Torque–speed line of the drives: at rest [N·m], and where no torque is left [rad/s].
+  JointVector stall_torque = JointVector::Zero(), no_load_speed = JointVector::Zero();
+  JointVector q_min = JointVector::Zero();  ///< [rad]
+  JointVector q_max = JointVector::Zero();  ///< [rad]
   /// Nominal standing posture, X-configuration: front knees backward, hind knees forward [rad].
   JointVector q_nominal = JointVector::Zero();
   double hold_kp = 0.0;     ///< joint hold of the safety ladder [N·m/rad]

@@ -26,6 +26,7 @@ constexpr NumberRange kDuration{.min = 0.0,
 Numbers axes(Vec3& value) { return {value.data(), axis_elements()}; }
 Numbers angles(Vec3& value) { return {value.data(), angle_elements()}; }
 Numbers joints(JointVector& value) { return {value.data(), joint_elements()}; }
+Numbers one_or_joints(JointVector& value) { return {value.data(), joint_elements(), true}; }
 Numbers legs(PerLeg<double>& value) { return {value.data(), leg_elements()}; }
 
 Field place_of(Vec3& position, const char* help) {
@@ -150,9 +151,12 @@ Group fields(ActuatorOptions& o) {
       {"delay_ticks", &o.delay_ticks, kDelay, "ticks", "between command and motor"},
       {"bandwidth_hz", &o.bandwidth_hz, kPositive, "Hz",
        "of the lag, at level 2 of the torque loop", Sizing::none},
-      {"stall_torque", &o.stall_torque, kPositive, "N·m", "torque–speed line: at rest"},
-      {"no_load_speed", &o.no_load_speed, kPositive, "rad/s",
-       "torque–speed line: no torque; at level 2 the rotor's speed over the gear ratio"},
+      {"stall_torque", one_or_joints(o.stall_torque), kPositive, "N·m",
+       "torque–speed line: at rest; without it the robot's", Sizing::none},
+      {"no_load_speed", one_or_joints(o.no_load_speed), kPositive, "rad/s",
+       "torque–speed line: no torque, at level 2 the rotor's speed over the gear ratio; without it "
+       "the robot's",
+       Sizing::none},
       {"quantisation", &o.quantisation, kNotNegative, "N·m",
        "of the torque, at level 2 as measured"},
       {"torque_gain", &o.torque_gain, kPositive, "", "true torque per commanded, of all joints"},
