@@ -115,7 +115,7 @@ Controller::Implementation::Implementation(
              .estimation = {options, *estimator, model},
              .calibration = {options.link_masses, robot, model.base_mass(), options.period},
              .footing = {options.planner.stance, options.period},
-             .planner = {options.planner, options.period},
+             .planner = {options.planner, options.period, robot.scale},
              .last = {}},
       at_start(memory),
       first_readings(options.period),

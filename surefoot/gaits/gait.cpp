@@ -84,7 +84,8 @@ void Gait::act(const Action& action, Situation& now, Body& body) {
 
 bool Gait::wants_plan(const Situation& now) {
   const PushBalance& balance = now.body.balance;
-  const bool off = (now.dynamics.com.p.head<2>() - now.before.com.p).norm() > kOffPlan;
+  const double far = now.body.scale.length * kOffPlan;
+  const bool off = (now.dynamics.com.p.head<2>() - now.before.com.p).norm() > far;
   return balance.wants_plan(now.time) || (off && balance.may_plan(now.time));
 }
 
