@@ -114,7 +114,7 @@ Controller::Implementation::Implementation(
       memory{.guard = {options.guard, robot, checked_period(options.period)},
              .estimation = {options, *estimator, model},
              .calibration = {options.link_masses, robot, model.base_mass(), options.period},
-             .footing = {options.planner.stance, options.period},
+             .footing = {options.planner.stance, options.period, robot.scale},
              .planner = {options.planner, options.period, robot.scale},
              .last = {}},
       at_start(memory),

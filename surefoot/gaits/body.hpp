@@ -43,7 +43,7 @@ struct Body {
 
   /// The terrain plane through the footholds.
   void fit_plane() {
-    plane = estimation::fit_terrain_plane(legs.footholds(), options.torso.max_tilt);
+    plane = estimation::fit_terrain_plane(legs.footholds(), options.torso.max_tilt, scale);
   }
   /// Nothing but the present footholds is known of the ground.
   void learn_ground() {

@@ -14,7 +14,7 @@ LegEvent look_at(Leg k, const Situation& now, Body& body) {
   const Vec3& normal = body.plane.normal;
   // |n · (Jᵀ)⁻¹|: of the normal force by the leg's torques.
   const double force_per_torque =
-      (model::damped_inverse(model::leg_jacobian(foot, k)) * normal).norm();
+      (model::damped_inverse(model::leg_jacobian(foot, k), body.scale) * normal).norm();
   return body.legs[k].observe(now.time, {now.dynamics.hip[index(k)], foot,
                                          now.state.foot_force[index(k)], normal, force_per_torque});
 }
