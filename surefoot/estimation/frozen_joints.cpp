@@ -18,7 +18,8 @@ Vec3 asked_velocity(const model::Dynamics& dynamics, bool stands, const Vec3& v_
   const model::PointKinematics& point = stands ? dynamics.contact[k] : dynamics.foot[k];
   const Vec3 target = stands ? Vec3(Vec3::Zero()) : v_WF;
   const Vec3 by_base = point.J.leftCols<6>() * dynamics.u.head<6>();
-  return model::damped_inverse(model::leg_jacobian(point, leg)) * (target - by_base);
+  return model::damped_inverse(model::leg_jacobian(point, leg), dynamics.scale) *
+         (target - by_base);
 }
 
 }  // namespace
