@@ -3,6 +3,7 @@
 #include "surefoot/base/error.hpp"
 #include "surefoot/base/formatted.hpp"
 #include "surefoot/base/names_of.hpp"
+#include "surefoot/config/scaling.hpp"
 #include "surefoot/config/terrain_fields.hpp"
 #include "surefoot/simulation/check_options.hpp"
 #include "surefoot/simulation/plant_elements.hpp"
@@ -179,6 +180,7 @@ Group named_fields(Scenario& scenario) {
           "", [&switches](const auto& change, const Given&) { switches.push_back(change); })},
       "must be a list of switches, each with its time"};
   return {{"base", Other{"text"}, "scenario that this one is laid over"},
+          {kScaled, Other{"flag"}, "numbers are for ANYmal B; another robot gets its own by size"},
           {"robot", Other{"text"}, "name or file"},
           {"stack", Other{"text"}, "name or file"},
           {"tasks", Other{"tasks"}, "changes to the stack's tasks"},

@@ -54,7 +54,8 @@ StateEstimation::StateEstimation(const ControllerOptions& options,
       contact_force_(options.contact_force, options.period, model.description().scale),
       slip_(options.slip, options.period),
       external_force_(options.external_force),
-      consistency_(options.consistency, options.period),
+      consistency_(options.consistency, options.period,
+                   {.min = model.description().q_min, .max = model.description().q_max}),
       lift_(options.period) {}
 
 bool StateEstimation::has_begun() const { return std::isfinite(time_); }

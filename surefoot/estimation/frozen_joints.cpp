@@ -43,7 +43,8 @@ void FrozenJoints::look_at_angles(const SensorReading& reading, const JointVecto
   const double kept = 1.0 - period_ / kMotionMemory;
   for (int i = 0; i < kNumJoints; ++i) {
     int& same = same_angle_[static_cast<std::size_t>(i)];
-    const bool moves = reading.q[i] != q_[i] || !std::isfinite(motion[i]);
+    const bool moves =
+        reading.q[i] != q_[i] || !std::isfinite(motion[i]) || stops_.holds(i, reading.q[i]);
     same = moves ? 0 : same + 1;
     unseen_[i] = moves ? 0.0 : kept * unseen_[i] + motion[i];
   }
