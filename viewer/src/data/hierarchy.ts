@@ -1,5 +1,3 @@
-import { groupBy } from "./group_by.ts";
-import { quantity } from "./numbers.ts";
 import { percent } from "../math/friction.ts";
 import type { Explained } from "./explained.ts";
 import { MISSED_EQUALITY, scalar, word, type Frame } from "./frame.ts";
@@ -85,12 +83,10 @@ function nothingText(frame: Frame, [first]: LevelState[]): string {
 
 const cutOffText = (level: LevelState): string => `The solver was cut off in ${plainName(level)}: of it and the levels below it nothing is known.`;
 
-/** What the hierarchy came to: a line, and sentences for whoever wants more. */
+/** What the hierarchy came to. */
 export interface Account {
   kind: "good" | "bad" | "none";
   line: string;
-  /** That two hierarchies are blended and that what holds back what is estimated, where that is so; then a sentence for each level that gives way. */
-  more: string[];
 }
 
 /** How far the torques are on the way from one hierarchy to another; 1: on none. */
@@ -99,12 +95,12 @@ export function blendShare(frame: Frame): number {
   return Number.isNaN(share) ? 1 : share;
 }
 
-export interface Circumstances {
-  /** What holds back which level exactly is being found out. */
+interface Circumstances {
+  /** The exact costs of what holds levels back are being computed. */
   computing?: boolean;
   /** See `blendShare`. */
   share?: number;
-  /** The controller, for safety. */
+  /** The controller has stopped for safety. */
   stopped?: boolean;
 }
 
@@ -113,32 +109,29 @@ export function accountAt(frame: Frame, states = levelStates(frame), computing =
   return accountOf(states, nothingText(frame, states), { share: blendShare(frame), stopped: stopText(frame) !== "", computing });
 }
 
-/** What gives way to what, and what is held back without that; `nothing`: what is said where nothing is solved. */
+/** What gives way to what, and what is held back without that; `nothing`: the line where nothing is solved. */
 export function accountOf(states: LevelState[], nothing: string, { share = 1, stopped = false, computing = false }: Circumstances = {}): Account {
-  if (states.every((state) => state.status === "not solved")) return { kind: stopped ? "bad" : "none", line: nothing, more: [] };
-  const account = accountOfLevels(states, computing);
-  if (share >= 1) return account;
-  const blended = `Two hierarchies are blended; this tick is ${percent(share)} of the way, at the optimum of neither.`;
-  const line = account.kind === "good" ? "all tasks are met." : account.line; // who holds back what is minimised is not known on the way
-  return { ...account, line: `Between two hierarchies: ${line}`, more: [blended, ...account.more] };
+  if (states.every((state) => state.status === "not solved")) return { kind: stopped ? "bad" : "none", line: nothing };
+  const { kind, line } = accountOfLevels(states, computing);
+  if (share >= 1) return { kind, line };
+  // What holds back a minimised level is not known in a blend.
+  return { kind, line: `Between two hierarchies (${percent(share)} of the way): ${kind === "good" ? "all tasks are met." : line}` };
 }
 
 function accountOfLevels(states: LevelState[], computing: boolean): Account {
   const yielding = states.filter((state) => state.status === "gives way");
   const held = states.filter((state) => state.status === "minimised" && state.blocked.length > 0);
   const isEstimated = [...yielding, ...held].some(({ blocked, others }) => blocked.length > 0 && others === undefined);
-  const estimate = isEstimated ? [ESTIMATED + (computing ? " It is being computed exactly." : "")] : [];
-  const more = [...estimate, ...[...yielding, ...held].map((state) => sentenceOf(state, states))];
   const note = isEstimated ? ` (${computing ? "computing …" : "estimate"})` : "";
   const first = states.find((state) => state.status === "not solved");
   const cut = first === undefined ? [] : [cutOffText(first)];
-  if (yielding.length > 0) return { kind: "bad", line: [...cut, `${yieldingText(yielding, states)}${note}.`].join(" "), more };
+  if (yielding.length > 0) return { kind: "bad", line: [...cut, `${yieldingText(yielding, states)}${note}.`].join(" ") };
   const kept = held.length > 0 ? `${heldText(held, states)}.` : "";
-  if (first !== undefined) return { kind: "bad", line: [...cut, ...(kept === "" ? [] : [kept])].join(" "), more };
-  return { kind: "good", line: kept === "" ? "Every level gets what it asks for." : `All tasks are met; ${kept}`, more };
+  if (first !== undefined) return { kind: "bad", line: [...cut, kept].join(" ").trimEnd() };
+  return { kind: "good", line: kept === "" ? "Every level gets what it asks for." : `All tasks are met; ${kept}` };
 }
 
-/** Of levels that are to be as small as can be, and would be smaller alone. */
+/** Minimised levels that would be smaller alone. */
 function heldText(held: LevelState[], states: LevelState[]): string {
   if (held.length > 1) return `${listed(held.map(plainName))} are kept above 0`;
   return `${held.map(plainName).join()} is kept above 0 by ${aboveOf(held[0] as LevelState, states)}`;
@@ -149,23 +142,13 @@ function aboveOf({ blocked }: LevelState, states: LevelState[]): string {
   return listed([...new Set(blocked.map(({ by }) => nameOf(states, by)))]);
 }
 
-/** Levels that give way to the same are told once with it. */
+/** Levels that give way to the same levels share a part of the sentence. */
 function yieldingText(yielding: LevelState[], states: LevelState[]): string {
-  const groups = groupBy(yielding, (state) => aboveOf(state, states));
+  const groups = Map.groupBy(yielding, (state) => aboveOf(state, states));
   return [...groups].map(([above, group], k) => {
     const verb = k > 0 && above !== "" ? "" : group.length > 1 ? " give way" : " gives way";
     return `${listed(group.map(plainName))}${verb}${above === "" ? "" : ` to ${above}`}`;
   }).join("; ");
-}
-
-/** Of the rows that hold levels back, where they are not known exactly: live, while the time goes on, and of a log that can't be replayed. */
-const ESTIMATED = "Which rows hold back what is the control loop's estimate.";
-
-function sentenceOf(state: LevelState, states: LevelState[]): string {
-  const told = state.blocked.map(({ by, row }) => `${nameOf(states, by)} (${row})`);
-  const rows = listed(state.others ? [...told, `${state.others} more`] : told);
-  if (state.status === "minimised") return `${plainName(state)} is as small as it can be, held back by ${rows}.`;
-  return `${plainName(state)} gives way${rows === "" ? "" : ` to ${rows}`}, ${quantity(state.residual, state.unit)} short.`;
 }
 
 const plainName = ({ name }: LevelState): string => name.replaceAll("_", " ");

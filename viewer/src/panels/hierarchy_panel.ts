@@ -2,14 +2,14 @@ import { scalar, type Frame } from "../data/frame.ts";
 import { accountAt, levelStates, type LevelState } from "../data/hierarchy.ts";
 import { Wish } from "../data/wish.ts";
 import { counted, digits } from "../data/numbers.ts";
-import { AccountView } from "./account_view.ts";
 import { h, say } from "./dom.ts";
 import { LevelCard } from "./level_card.ts";
 
 /** The levels in order: how each came out, which rows are active, and what held it back. */
 export class HierarchyPanel {
   onOrder: (levels: string[]) => void = () => {};
-  private readonly account = new AccountView();
+  private readonly line = h("p", { class: "account-line" });
+  private readonly account = h("div", { class: "account", id: "account" }, this.line);
   private readonly facts = h("p", { class: "facts" });
   private readonly list = h("ol", { class: "levels", "aria-label": "levels, highest priority first" });
   private cards: LevelCard[] = [];
@@ -22,14 +22,14 @@ export class HierarchyPanel {
 
   /** `isCut`: of a log without its end, which has the times of all ticks. */
   constructor(root: HTMLElement, private readonly isCut = false) {
-    root.append(this.account.root, this.facts, this.list);
+    root.append(this.account, this.facts, this.list);
     this.clear();
   }
 
   /** The run begins again, with the order of its scenario: nothing is said until the next tick. */
   clear(): void {
     this.wish.drop();
-    this.account.root.hidden = this.facts.hidden = this.list.hidden = true;
+    this.account.hidden = this.facts.hidden = this.list.hidden = true;
   }
 
   /** Whether the order may be changed here. */
@@ -37,13 +37,15 @@ export class HierarchyPanel {
     this.list.classList.toggle("movable", can);
   }
 
-  /** Gives the line over the levels. */
+  /** Returns the account's line. */
   show(frame: Frame, states = levelStates(frame), account = accountAt(frame, states)): string {
     const names = states.map((state) => state.name).join();
     if (names !== this.names) this.build(states, names);
     states.forEach((state, k) => this.cards[k]?.show(state, states));
-    this.account.root.hidden = this.facts.hidden = this.list.hidden = false;
-    this.account.show(account);
+    this.account.hidden = this.facts.hidden = this.list.hidden = false;
+    this.account.dataset["kind"] = account.kind;
+    say(this.line, account.line);
+    this.line.title = account.line; // three lines are visible
     say(this.facts, effortOf(scalar(frame, "timings.solve"), scalar(frame, "timings.total"), states, this.isCut));
     return account.line;
   }

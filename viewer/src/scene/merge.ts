@@ -1,6 +1,5 @@
 import * as THREE from "three";
 import { mergeGeometries } from "three/examples/jsm/utils/BufferGeometryUtils.js";
-import { groupBy } from "../data/group_by.ts";
 
 /** Of all that has no image: the colour stands at each corner. */
 const COLOURED = new THREE.MeshLambertMaterial({ vertexColors: true, side: THREE.DoubleSide });
@@ -18,7 +17,7 @@ export function merged(object: THREE.Object3D): THREE.Group {
   });
   const result = new THREE.Group();
   object.matrix.decompose(result.position, result.quaternion, result.scale);
-  for (const [map, group] of groupBy(pieces, ({ material }) => material.map)) {
+  for (const [map, group] of Map.groupBy(pieces, ({ material }) => material.map)) {
     const geometry = mergeGeometries(group.map((piece) => piece.geometry));
     result.add(new THREE.Mesh(geometry, map === null ? COLOURED : (group[0] as Piece).material));
   }
