@@ -29,7 +29,6 @@ import { missingText } from "./scene/mesh_library.ts";
 import { NoGraphics, withoutPictureText } from "./scene/stage.ts";
 import { World } from "./scene/world.ts";
 import type { Theme } from "./theme.ts";
-import { Recent } from "./data/recent.ts";
 import { Wish } from "./data/wish.ts";
 
 /** Ground without a robot is drawn only after this: a picture with both would come later by its rest [ms]. */
@@ -40,6 +39,8 @@ const OF_A_LOG = "This is a log: only a run can be pushed, steered or changed (`
 const LONGEST_DRESSING = 10000;
 /** Commands that a run takes with its next tick. */
 const CHANGES = new Set(["push", "walk", "gain", "order", "friction"]);
+/** Pictures whose script time is kept. */
+const MOST_COSTS = 2000;
 /** Texts and the time bar change this often [s]. */
 const TEXT_PERIOD = 0.1;
 
@@ -54,8 +55,8 @@ export class App {
   pictures = 0;
   /** Time from the page's beginning to the first picture with a robot [ms]. */
   firstPicture = NaN;
-  /** Script time of each frame with a picture, until all of it is handed to the graphics [ms]. */
-  readonly costs = new Recent(2000);
+  /** Script time of each of the last pictures, until all of it is handed to the graphics [ms]. */
+  readonly costs: number[] = [];
   private readonly commands: Commands;
   private readonly hierarchy: HierarchyPanel;
   private readonly tune: TunePanel;
@@ -341,7 +342,9 @@ export class App {
     this.plots.update(dt, this.frame);
     this.texts(dt);
     this.numbers(dt);
-    if (drawn) this.costs.add(performance.now() - begin);
+    if (!drawn) return;
+    this.costs.push(performance.now() - begin);
+    if (this.costs.length > MOST_COSTS) this.costs.shift();
   }
 
   /** Draws where something has changed and the machine can follow; without WebGL there is nothing to draw. */
@@ -411,6 +414,6 @@ export class App {
     const account = accountAt(frame, states, source.isComputing?.(frame.tick));
     this.levels = this.hierarchy.show(frame, states, account);
     this.state.show(frame, account);
-    this.tune.showBelief(LEG_CHANNELS.friction.map((name) => scalar(frame, name)));
+    this.tune.showBelief(LEG_CHANNELS.map(({ friction }) => scalar(frame, friction)));
   }
 }

@@ -8,6 +8,7 @@ import type { Picture } from "../src/overlays/overlay.ts";
 import { commandText, faultsText } from "../src/data/stop.ts";
 import { FrameTable } from "../src/data/table.ts";
 import { sentences } from "../src/panels/state_panel.ts";
+import { coloursOf, paletteOf } from "../src/scene/palette.ts";
 import { schemaOf, STATES } from "./make.ts";
 
 const PHASES = ["stance", "unloading", "swing", "search"];
@@ -86,7 +87,7 @@ function arrowsOf(base: number[], leg: number[]): { texts: string[]; starts: num
   const labels = { put: (_: unknown, text: string) => texts.push(text) };
   const centreOf = (body: string, out: THREE.Vector3): boolean => (out.set(BODIES.indexOf(body), 0, 0.4), BODIES.includes(body));
   const overlay = new OutsideForce();
-  overlay.update({ frame: table.frame(0), labels, newton: 0.005, centreOf } as unknown as Picture);
+  overlay.update({ frame: table.frame(0), labels, colours: coloursOf(paletteOf(false)), newton: 0.005, centreOf } as unknown as Picture);
   const [shafts] = overlay.root.children.at(-1)?.children as [THREE.InstancedMesh];
   const place = new THREE.Matrix4();
   const starts = Array.from({ length: shafts.count }, (_, k) => (shafts.getMatrixAt(k, place), new THREE.Vector3().setFromMatrixPosition(place).toArray()));
@@ -112,7 +113,7 @@ test("an arrow that would leave the picture is cut short, with two heads, and ke
   const texts: string[] = [], feet: number[] = [];
   const labels = { put: (at: THREE.Vector3, text: string) => (texts.push(text), feet.push(at.z)) };
   const overlay = new GroundForces();
-  overlay.update({ frame: table.frame(0), labels, newton: 0.0025, longest: 1.5 } as unknown as Picture);
+  overlay.update({ frame: table.frame(0), labels, colours: coloursOf(paletteOf(false)), newton: 0.0025, longest: 1.5 } as unknown as Picture);
   assert.deepEqual([texts, feet], [["LF 300 N", "RF 2792 N"], [0, 0]], "under the foot");
   const [shafts, heads] = overlay.root.children.at(-1)?.children as THREE.InstancedMesh[];
   assert.deepEqual([shafts?.count, heads?.count], [2, 3]);

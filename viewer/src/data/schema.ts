@@ -2,27 +2,28 @@ import type { ChannelInfo, Order, Session } from "../protocol/session.ts";
 
 export const LEGS = ["LF", "RF", "LH", "RH"] as const;
 
-/** The channels of the legs, by their number; made once, as the picture looks for many of them again and again. */
-export const LEG_CHANNELS = {
-  phase: ofLegs((leg) => `plan.feet.${leg}.phase`),
-  friction: ofLegs((leg) => `plan.feet.${leg}.friction`),
-  frictionUse: ofLegs((leg) => `commanded.friction_use.${leg}`),
-  normalForce: ofLegs((leg) => `commanded.normal_force.${leg}`),
-  beyond: ofLegs((leg) => `told.beyond.${leg}`),
-  pyramid: ofLegs((leg) => `commanded.q_WP.${leg}`),
-  pyramidFriction: ofLegs((leg) => `commanded.pyramid_friction.${leg}`),
-  plannedFoot: ofLegs((leg) => `plan.feet.${leg}.p_WF`),
-  foot: ofLegs((leg) => `model.p_WF.${leg}`),
-  hip: ofLegs((leg) => `model.p_WH.${leg}`),
-  force: ofLegs((leg) => `model.force.${leg}`),
-  touching: ofLegs((leg) => `truth.feet.${leg}.touching`),
-  trueForce: ofLegs((leg) => `truth.feet.${leg}.force`),
-  truePoint: ofLegs((leg) => `truth.feet.${leg}.point`),
-};
-
-function ofLegs(name: (leg: string) => string): string[] {
-  return LEGS.map(name);
+/** Names of a leg's channels. */
+function channelsOf(name: (typeof LEGS)[number]) {
+  return {
+    name,
+    phase: `plan.feet.${name}.phase`,
+    friction: `plan.feet.${name}.friction`,
+    plannedFoot: `plan.feet.${name}.p_WF`,
+    frictionUse: `commanded.friction_use.${name}`,
+    normalForce: `commanded.normal_force.${name}`,
+    pyramid: `commanded.q_WP.${name}`,
+    pyramidFriction: `commanded.pyramid_friction.${name}`,
+    beyond: `told.beyond.${name}`,
+    foot: `model.p_WF.${name}`,
+    hip: `model.p_WH.${name}`,
+    force: `model.force.${name}`,
+    touching: `truth.feet.${name}.touching`,
+    trueForce: `truth.feet.${name}.force`,
+    truePoint: `truth.feet.${name}.point`,
+  };
 }
+export type LegChannels = ReturnType<typeof channelsOf>;
+export const LEG_CHANNELS = LEGS.map(channelsOf);
 
 /** A level's residual has the unit of its rows, which the header says. */
 function withUnit(channel: ChannelInfo, { header }: Session): ChannelInfo {
@@ -47,7 +48,7 @@ function withBodies(channel: ChannelInfo, { bodies }: Session): ChannelInfo {
   return { ...channel, labels, about: `push, outside force on each body (${channel.about})` };
 }
 
-/** Of a robot [N]. */
+/** Weight of a robot [N]. */
 export const newtonsOf = ({ mass }: { mass: number }): number => 9.81 * mass;
 
 /** Where the numbers of a frame stand, and the names of levels and rows that go with them. */

@@ -27,14 +27,12 @@ export class CentreOfMass implements Overlay {
   private readonly inside = new THREE.Mesh(new THREE.CircleGeometry(0.016, 24), this.material);
   private readonly outside = new THREE.Mesh(new THREE.RingGeometry(0.018, 0.026, 32), this.material);
   private readonly ring = new THREE.Mesh(new THREE.RingGeometry(0.016, 0.022, 32), this.planMaterial);
-  private readonly colour = new THREE.Color();
-  private readonly planColour = new THREE.Color();
   /** The plan, seen while somebody follows it. */
   private readonly planned = new THREE.Group();
   private readonly planTrail = new Trails(1, 255, true);
   private readonly pastTrail = new Trails(0.7, 255, true);
-  private readonly planPen = new Pen(this.planTrail, this.planColour);
-  private readonly pastPen = new Pen(this.pastTrail, this.colour);
+  private readonly planPen = new Pen(this.planTrail);
+  private readonly pastPen = new Pen(this.pastTrail);
   private readonly plane = new BelievedPlane();
   private readonly com = new THREE.Vector3();
   private readonly point = new THREE.Vector3();
@@ -50,9 +48,7 @@ export class CentreOfMass implements Overlay {
 
   wear(palette: Palette): void {
     this.material.color.set(palette.com);
-    this.colour.set(palette.com);
     this.planMaterial.color.set(palette.plan);
-    this.planColour.set(palette.plan);
   }
 
   update(picture: Picture): void {
@@ -83,11 +79,11 @@ export class CentreOfMass implements Overlay {
     picture.labels.put(this.point, `COM ${(100 * distance).toFixed(1)} cm outside`, "com");
   }
 
-  private drawTrails({ frame, source }: Picture): void {
+  private drawTrails({ frame, source, colours }: Picture): void {
     this.planTrail.begin();
     this.pastTrail.begin();
-    this.planPen.lift();
-    this.pastPen.lift();
+    this.planPen.begin(colours.plan);
+    this.pastPen.begin(colours.com);
     source.sample(frame.time - TRAIL_SECONDS, frame.time + TRAIL_SECONDS, 240, (one) => {
       if (!isFollowed(one)) this.planPen.lift();
       else if (read(one, "plan.com.p", this.plan)) {

@@ -2,7 +2,6 @@ import * as THREE from "three";
 import { scalar, type Frame } from "../data/frame.ts";
 import { isFollowed } from "../data/hierarchy.ts";
 import { LEG_CHANNELS, LEGS } from "../data/schema.ts";
-import type { Palette } from "../scene/palette.ts";
 import { paint } from "./arrow.ts";
 import { TRAIL_SECONDS } from "./com.ts";
 import { Copies } from "./copies.ts";
@@ -19,9 +18,8 @@ export class SwingCurves implements Overlay {
   /** Seen while somebody follows it. */
   private readonly plan = new THREE.Group();
   private readonly real = new Trails(1, 1020);
-  private readonly colours = LEGS.map(() => new THREE.Color());
-  private readonly plannedPens = this.colours.map((colour) => new Pen(this.planned, colour));
-  private readonly realPens = this.colours.map((colour) => new Pen(this.real, colour));
+  private readonly plannedPens = LEGS.map(() => new Pen(this.planned));
+  private readonly realPens = LEGS.map(() => new Pen(this.real));
   private readonly targets = new Copies(new THREE.SphereGeometry(0.009, 12, 8), paint(), LEGS.length);
   private readonly foot = new THREE.Vector3();
   private readonly place = new THREE.Matrix4();
@@ -31,33 +29,29 @@ export class SwingCurves implements Overlay {
     this.root.add(this.plan, this.real.lines);
   }
 
-  wear(palette: Palette): void {
-    this.colours.forEach((colour, k) => colour.set(palette.legs[k] as number));
-  }
-
   update(picture: Picture): void {
-    const { frame } = picture;
+    const { frame, colours } = picture;
     this.plan.visible = isFollowed(frame);
     this.targets.begin();
-    if (this.plan.visible) LEGS.forEach((_, k) => {
-      if (scalar(frame, LEG_CHANNELS.phase[k] as string) >= 2 && vector(frame, LEG_CHANNELS.plannedFoot[k] as string, this.foot))
-        this.targets.add(this.place.setPosition(this.foot), this.colours[k] as THREE.Color);
+    if (this.plan.visible) LEG_CHANNELS.forEach(({ phase, plannedFoot }, k) => {
+      if (scalar(frame, phase) >= 2 && vector(frame, plannedFoot, this.foot)) this.targets.add(this.place.setPosition(this.foot), colours.legs[k] as THREE.Color);
     });
     this.targets.end();
     if (picture.trails) this.drawTrails(picture);
   }
 
-  private drawTrails({ frame, source }: Picture): void {
+  private drawTrails({ frame, source, colours }: Picture): void {
     this.planned.begin();
     this.real.begin();
-    for (const pen of [...this.plannedPens, ...this.realPens]) pen.lift();
+    for (const pens of [this.plannedPens, this.realPens]) pens.forEach((pen, k) => pen.begin(colours.legs[k] as THREE.Color));
     source.sample(frame.time - TRAIL_SECONDS, frame.time + TRAIL_SECONDS, 240, (one) => {
       const isPlanned = isFollowed(one);
-      for (let k = 0; k < LEGS.length; ++k) {
-        if (!isPlanned) (this.plannedPens[k] as Pen).lift();
-        else if (vector(one, LEG_CHANNELS.plannedFoot[k] as string, this.foot)) (this.plannedPens[k] as Pen).to(this.foot);
-        if (one.time <= frame.time && vector(one, LEG_CHANNELS.foot[k] as string, this.foot)) (this.realPens[k] as Pen).to(this.foot);
-      }
+      LEG_CHANNELS.forEach(({ plannedFoot, foot }, k) => {
+        const planned = this.plannedPens[k] as Pen;
+        if (!isPlanned) planned.lift();
+        else if (vector(one, plannedFoot, this.foot)) planned.to(this.foot);
+        if (one.time <= frame.time && vector(one, foot, this.foot)) (this.realPens[k] as Pen).to(this.foot);
+      });
     });
     this.planned.end();
     this.real.end();
@@ -70,7 +64,6 @@ export class Footholds implements Overlay {
   readonly root = new THREE.Group();
   private readonly perLeg = 6;
   private readonly discs = new Copies(new THREE.RingGeometry(0.02, 0.031, 28), paint(0.6), this.perLeg * LEGS.length);
-  private readonly colours = LEGS.map(() => new THREE.Color());
   /** Of each leg the latest, its own over and over. */
   private readonly prints = LEGS.map(() => Array.from({ length: this.perLeg }, () => new THREE.Vector3()));
   private readonly counts = LEGS.map(() => 0);
@@ -82,17 +75,13 @@ export class Footholds implements Overlay {
     this.root.add(this.discs.mesh);
   }
 
-  wear(palette: Palette): void {
-    this.colours.forEach((colour, k) => colour.set(palette.legs[k] as number));
-  }
-
   update(picture: Picture): void {
     this.root.visible = isFollowed(picture.frame);
     if (!picture.trails) return;
     this.collect(picture);
     this.discs.begin();
     this.prints.forEach((prints, k) => {
-      for (const print of prints.slice(0, this.counts[k])) this.discs.add(this.place.setPosition(print), this.colours[k] as THREE.Color);
+      for (const print of prints.slice(0, this.counts[k])) this.discs.add(this.place.setPosition(print), picture.colours.legs[k] as THREE.Color);
     });
     this.discs.end();
   }
@@ -101,16 +90,16 @@ export class Footholds implements Overlay {
     this.counts.fill(0);
     source.sample(frame.time - 4 * TRAIL_SECONDS, frame.time + TRAIL_SECONDS, 120, (one) => {
       if (!isFollowed(one)) return;
-      for (let k = 0; k < LEGS.length; ++k) {
-        if (!(scalar(one, LEG_CHANNELS.phase[k] as string) <= 1) || !vector(one, LEG_CHANNELS.plannedFoot[k] as string, this.foot)) continue;
+      LEG_CHANNELS.forEach(({ phase, plannedFoot }, k) => {
+        if (!(scalar(one, phase) <= 1) || !vector(one, plannedFoot, this.foot)) return;
         const count = this.counts[k] as number;
         const last = this.last[k] as THREE.Vector3;
-        if (count > 0 && this.foot.distanceTo(last) < 0.03) continue;
+        if (count > 0 && this.foot.distanceTo(last) < 0.03) return;
         this.counts[k] = count + 1;
         last.copy(this.foot);
         const print = (this.prints[k] as THREE.Vector3[])[count % this.perLeg] as THREE.Vector3;
         print.copy(this.foot).setZ(this.foot.z - header.robot.foot_radius + 0.003);
-      }
+      });
     });
   }
 }
@@ -143,7 +132,6 @@ export class LimbLimits implements Overlay {
   readonly root = new THREE.Group();
   private readonly shells = LEGS.map(() => ({ min: shell(), max: shell() }));
   private readonly lines = new Trails(1, LEGS.length);
-  private readonly colours = LEGS.map(() => new THREE.Color());
   private readonly hip = new THREE.Vector3();
   private readonly foot = new THREE.Vector3();
 
@@ -152,27 +140,22 @@ export class LimbLimits implements Overlay {
     this.root.add(this.lines.lines);
   }
 
-  wear(palette: Palette): void {
-    this.colours.forEach((colour, k) => colour.set(palette.legs[k] as number));
-  }
-
-  update({ frame, header, labels, beliefToWorld }: Picture): void {
+  update({ frame, header, labels, colours, beliefToWorld }: Picture): void {
     const { min, max, form } = header.limb;
     this.lines.begin();
-    LEGS.forEach((leg, k) => {
+    LEG_CHANNELS.forEach(({ name, hip, foot }, k) => {
       const shells = this.shells[k] as { min: Shell; max: Shell };
-      const known =
-        vector(frame, LEG_CHANNELS.hip[k] as string, this.hip) && vector(frame, LEG_CHANNELS.foot[k] as string, this.foot);
+      const known = vector(frame, hip, this.hip) && vector(frame, foot, this.foot);
       shells.min.visible = known && min !== null;
       shells.max.visible = known && max !== null;
       if (!known) return;
       const length = form === "vertical" ? Math.abs(this.hip.z - this.foot.z) : this.hip.distanceTo(this.foot);
       const [above, below] = [max === null ? Infinity : max - length, min === null ? Infinity : length - min];
-      const colour = this.colours[k] as THREE.Color;
+      const colour = colours.legs[k] as THREE.Color;
       place(shells.max, this.hip, max ?? 0, above, colour);
       place(shells.min, this.hip, min ?? 0, below, colour);
       this.lines.add(this.hip, this.foot, colour);
-      labels.put(this.hip.lerp(this.foot, 0.5).applyMatrix4(beliefToWorld), limbText(leg, length, Math.min(above, below), brakeOf(frame, leg, header.limb.level)), `limb leg${k}`);
+      labels.put(this.hip.lerp(this.foot, 0.5).applyMatrix4(beliefToWorld), limbText(name, length, Math.min(above, below), brakeOf(frame, name, header.limb.level)), `limb leg${k}`);
     });
     this.lines.end();
   }

@@ -3,8 +3,7 @@ import { scalar } from "../data/frame.ts";
 import { isFollowed } from "../data/hierarchy.ts";
 import { digits } from "../data/numbers.ts";
 import { leverOf, pushesOf, type Push } from "../data/pushes.ts";
-import { LEG_CHANNELS, LEGS } from "../data/schema.ts";
-import type { Palette } from "../scene/palette.ts";
+import { LEG_CHANNELS } from "../data/schema.ts";
 import { Arrows, paint, paintOverBodies } from "./arrow.ts";
 import { vector, type Overlay, type Picture } from "./overlay.ts";
 
@@ -12,8 +11,7 @@ import { vector, type Overlay, type Picture } from "./overlay.ts";
 export class GroundForces implements Overlay {
   readonly space = "world";
   readonly root = new THREE.Group();
-  private readonly arrows = new Arrows(paint(), 0.0075, LEGS.length);
-  private readonly colours = LEGS.map(() => new THREE.Color());
+  private readonly arrows = new Arrows(paint(), 0.0075, LEG_CHANNELS.length);
   private readonly force = new THREE.Vector3();
   private readonly point = new THREE.Vector3();
 
@@ -21,19 +19,13 @@ export class GroundForces implements Overlay {
     this.root.add(this.arrows.root);
   }
 
-  wear(palette: Palette): void {
-    this.colours.forEach((colour, k) => colour.set(palette.legs[k] as number));
-  }
-
-  update({ frame, labels, newton, longest }: Picture): void {
+  update({ frame, labels, colours, newton, longest }: Picture): void {
     this.arrows.begin();
-    LEGS.forEach((leg, k) => {
-      if (!(scalar(frame, LEG_CHANNELS.touching[k] as string) > 0)) return;
-      if (!vector(frame, LEG_CHANNELS.trueForce[k] as string, this.force)) return;
-      if (!vector(frame, LEG_CHANNELS.truePoint[k] as string, this.point)) return;
+    LEG_CHANNELS.forEach(({ name, touching, trueForce, truePoint }, k) => {
+      if (!(scalar(frame, touching) > 0) || !vector(frame, trueForce, this.force) || !vector(frame, truePoint, this.point)) return;
       const newtons = this.force.length();
-      if (this.arrows.add(this.point, this.force.multiplyScalar(newton), this.colours[k] as THREE.Color, longest))
-        labels.put(this.point, `${leg} ${newtons.toFixed(0)} N`, `leg${k}`, true);
+      if (this.arrows.add(this.point, this.force.multiplyScalar(newton), colours.legs[k] as THREE.Color, longest))
+        labels.put(this.point, `${name} ${newtons.toFixed(0)} N`, `leg${k}`, true);
     });
     this.arrows.end();
   }
@@ -43,8 +35,7 @@ export class GroundForces implements Overlay {
 export class WantedForces implements Overlay {
   readonly space = "belief";
   readonly root = new THREE.Group();
-  private readonly arrows = new Arrows(paint(), 0.003, LEGS.length);
-  private readonly colour = new THREE.Color();
+  private readonly arrows = new Arrows(paint(), 0.003, LEG_CHANNELS.length);
   private readonly force = new THREE.Vector3();
   private readonly point = new THREE.Vector3();
 
@@ -52,18 +43,13 @@ export class WantedForces implements Overlay {
     this.root.add(this.arrows.root);
   }
 
-  wear(palette: Palette): void {
-    this.colour.set(palette.com);
-  }
-
-  update({ frame, header, newton, longest }: Picture): void {
+  update({ frame, header, colours, newton, longest }: Picture): void {
     this.arrows.begin();
-    if (isFollowed(frame)) LEGS.forEach((_, k) => {
-      if (!vector(frame, LEG_CHANNELS.force[k] as string, this.force)) return;
-      if (!vector(frame, LEG_CHANNELS.foot[k] as string, this.point)) return;
+    if (isFollowed(frame)) for (const { force, foot } of LEG_CHANNELS) {
+      if (!vector(frame, force, this.force) || !vector(frame, foot, this.point)) continue;
       this.point.z -= header.robot.foot_radius;
-      this.arrows.add(this.point, this.force.multiplyScalar(newton), this.colour, longest);
-    });
+      this.arrows.add(this.point, this.force.multiplyScalar(newton), colours.com, longest);
+    }
     this.arrows.end();
   }
 }
@@ -88,8 +74,6 @@ const BODY_REACH = 1;
 export class OutsideForce implements Overlay {
   readonly space = "world";
   readonly root = new THREE.Group();
-  private readonly colour = new THREE.Color();
-  private readonly edgeColour = new THREE.Color();
   private readonly believed = new Arrows(paintOverBodies(0.45), 0.009, 1, 2);
   private readonly edges = new Arrows(paintOverBodies(), 0.02, MOST_PUSHES, 3, 0.08);
   private readonly arrows = new Arrows(paintOverBodies(), 0.015, MOST_PUSHES, 4, 0.08);
@@ -101,11 +85,6 @@ export class OutsideForce implements Overlay {
 
   constructor() {
     this.root.add(this.believed.root, this.edges.root, this.arrows.root);
-  }
-
-  wear(palette: Palette): void {
-    this.colour.set(palette.push);
-    this.edgeColour.set(palette.halo);
   }
 
   update(picture: Picture): void {
@@ -121,22 +100,22 @@ export class OutsideForce implements Overlay {
     return this.force.setLength(SEEN_LENGTH + newton * this.force.length());
   }
 
-  private draw(push: Push, { frame, labels, newton, longest, centreOf }: Picture): void {
+  private draw(push: Push, { frame, labels, colours, newton, longest, centreOf }: Picture): void {
     if (centreOf(frame.schema.bodies[push.body] ?? "", this.start)) this.start.add(this.point.fromArray(leverOf(push, BODY_REACH)));
     else if (!vector(frame, "truth.p_WCom", this.start)) return;
     const newtons = this.force.fromArray(push.force).length();
-    this.arrows.add(this.start, this.stretch(newton), this.colour, longest);
+    this.arrows.add(this.start, this.stretch(newton), colours.push, longest);
     this.point.copy(this.arrows.tip).z += NUMBER_OVER;
     labels.put(this.point, `push ${newtons < 10 ? digits(newtons) : newtons.toFixed(0)} N`, "push");
     this.over.copy(this.force).setLength(EDGE);
-    this.edges.add(this.start.sub(this.over), this.force.addScaledVector(this.over, 2.5), this.edgeColour, longest + 2.5 * EDGE);
+    this.edges.add(this.start.sub(this.over), this.force.addScaledVector(this.over, 2.5), colours.halo, longest + 2.5 * EDGE);
   }
 
-  private drawBelieved({ frame, labels, newton, longest, beliefToWorld }: Picture): void {
+  private drawBelieved({ frame, labels, colours, newton, longest, beliefToWorld }: Picture): void {
     if (!vector(frame, "truth.p_WCom", this.start)) return;
     if (!vector(frame, "state.external_force", this.force) || this.force.length() < LEAST_BELIEVED) return;
     const newtons = this.force.applyMatrix4(this.turn.extractRotation(beliefToWorld)).length();
-    this.believed.add(this.start, this.stretch(newton), this.colour, longest);
+    this.believed.add(this.start, this.stretch(newton), colours.push, longest);
     labels.put(this.believed.tip, `believed ${newtons.toFixed(0)} N`, "believed");
   }
 }

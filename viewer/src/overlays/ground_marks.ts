@@ -1,7 +1,7 @@
 import * as THREE from "three";
 import { read, scalar } from "../data/frame.ts";
 import { isFollowed } from "../data/hierarchy.ts";
-import { LEG_CHANNELS, LEGS } from "../data/schema.ts";
+import { LEG_CHANNELS } from "../data/schema.ts";
 import { centreOfPressure, convexHull, planeHeight, type Point3 } from "../math/geometry.ts";
 import type { Palette } from "../scene/palette.ts";
 import { ON_GROUND, ON_GROUND_ORDER, paint, paintOnGround } from "./arrow.ts";
@@ -34,9 +34,9 @@ export class BelievedPlane {
 export function standing({ frame, header }: Picture): Point3[] {
   const points: Point3[] = [];
   if (!isFollowed(frame)) return points;
-  for (let k = 0; k < LEGS.length; ++k) {
+  for (const leg of LEG_CHANNELS) {
     const foot: Point3 = [0, 0, 0];
-    if (!(scalar(frame, LEG_CHANNELS.phase[k] as string) <= 1) || scalar(frame, LEG_CHANNELS.touching[k] as string) === 0 || !read(frame, LEG_CHANNELS.foot[k] as string, foot)) continue;
+    if (!(scalar(frame, leg.phase) <= 1) || scalar(frame, leg.touching) === 0 || !read(frame, leg.foot, foot)) continue;
     foot[2] += OVER - header.robot.foot_radius;
     points.push(foot);
   }
@@ -103,12 +103,10 @@ export class ZeroMomentPoint implements Overlay {
     if (known) this.planned.position.set(x, y, this.plane.height(x, y) + 0.002);
     const points: number[][] = [];
     const forces: number[][] = [];
-    for (let k = 0; k < LEGS.length; ++k) {
+    for (const { touching, truePoint, trueForce } of LEG_CHANNELS) {
       const point = [0, 0, 0];
       const force = [0, 0, 0];
-      if (!(scalar(picture.frame, LEG_CHANNELS.touching[k] as string) > 0)) continue;
-      if (!read(picture.frame, LEG_CHANNELS.truePoint[k] as string, point)) continue;
-      if (!read(picture.frame, LEG_CHANNELS.trueForce[k] as string, force)) continue;
+      if (!(scalar(picture.frame, touching) > 0) || !read(picture.frame, truePoint, point) || !read(picture.frame, trueForce, force)) continue;
       points.push(point);
       forces.push(force);
     }

@@ -2,7 +2,7 @@ import * as THREE from "three";
 import type { Frame } from "../data/frame.ts";
 import type { FrameSource } from "../data/source.ts";
 import type { Header } from "../protocol/session.ts";
-import type { Palette } from "../scene/palette.ts";
+import type { Colours, Palette } from "../scene/palette.ts";
 import type { Labels } from "./labels.ts";
 
 /** What overlays know of a picture. */
@@ -11,6 +11,7 @@ export interface Picture {
   source: FrameSource;
   header: Header;
   labels: Labels;
+  colours: Colours;
   /** Length of an arrow of 1 N [m/N]. */
   newton: number;
   /** An arrow of a force is drawn no longer [m]: those of a fall would leave the picture. */
@@ -19,7 +20,7 @@ export interface Picture {
   beliefToWorld: THREE.Matrix4;
   /** Centre of mass of a body in W; false: there is no such body. */
   centreOf: (body: string, out: THREE.Vector3) => boolean;
-  /** Trails are drawn anew in this picture. */
+  /** Trails are drawn again in this picture. */
   trails: boolean;
 }
 
@@ -28,7 +29,8 @@ export interface Overlay {
   /** In the coordinates of W as the controller believes them, or as they are. */
   readonly space: "belief" | "world";
   readonly root: THREE.Object3D;
-  wear(palette: Palette): void;
+  /** Sets the colours of its materials. */
+  wear?(palette: Palette): void;
   update(picture: Picture): void;
 }
 

@@ -43,8 +43,15 @@ export class Trails {
 export class Pen {
   private readonly last = new THREE.Vector3();
   private down = false;
+  private colour = new THREE.Color();
 
-  constructor(private readonly trails: Trails, private readonly colour: THREE.Color) {}
+  constructor(private readonly trails: Trails) {}
+
+  /** A line of its own, in this colour. */
+  begin(colour: THREE.Color): void {
+    this.colour = colour;
+    this.lift();
+  }
 
   lift(): void {
     this.down = false;

@@ -1,6 +1,6 @@
 import { read, scalar, word, type Frame } from "../data/frame.ts";
 import { accountAt, type Account } from "../data/hierarchy.ts";
-import { LEG_CHANNELS, LEGS } from "../data/schema.ts";
+import { LEG_CHANNELS, type LegChannels } from "../data/schema.ts";
 import { pushesOf } from "../data/pushes.ts";
 import { pyramidUse } from "../data/pyramid_use.ts";
 import { yawOf } from "../math/geometry.ts";
@@ -22,29 +22,29 @@ const PHASES: Record<string, [as_planned: string, in_the_air: string]> = {
 const WITHOUT_PLAN = ["hold", "sit", "damping", "lifted", "rise"];
 
 /** Of a foot that touches the ground: the size of its force. */
-function sizeText(frame: Frame, k: number): string {
+function sizeText(frame: Frame, leg: LegChannels): string {
   const force = [0, 0, 0];
-  return read(frame, LEG_CHANNELS.trueForce[k] as string, force) ? `, |f| ${digits(Math.hypot(...force))} N` : "";
+  return read(frame, leg.trueForce, force) ? `, |f| ${digits(Math.hypot(...force))} N` : "";
 }
 
 /** What a foot is to do and what it does, with the size of the ground's force on it where it touches. */
-function footText(frame: Frame, leg: string, k: number): string {
-  const [asPlanned, inTheAir] = PHASES[word(frame, LEG_CHANNELS.phase[k] as string)] ?? ["is not known", "is in the air"];
-  const touching = scalar(frame, LEG_CHANNELS.touching[k] as string);
-  if (Number.isNaN(touching)) return `${leg} ${asPlanned}`;
-  if (touching === 0) return `${leg} ${inTheAir}`;
-  return `${leg} ${asPlanned}${asPlanned === "swings" ? ", touches" : ""}${sizeText(frame, k)}`;
+function footText(frame: Frame, leg: LegChannels): string {
+  const [asPlanned, inTheAir] = PHASES[word(frame, leg.phase)] ?? ["is not known", "is in the air"];
+  const { name } = leg, touching = scalar(frame, leg.touching);
+  if (Number.isNaN(touching)) return `${name} ${asPlanned}`;
+  if (touching === 0) return `${name} ${inTheAir}`;
+  return `${name} ${asPlanned}${asPlanned === "swings" ? ", touches" : ""}${sizeText(frame, leg)}`;
 }
 
 /** What feet are to do and what they do; of a command that is not the solution's, that nobody asks them for anything. */
 function feetText(frame: Frame): string {
   const mode = word(frame, "command.mode");
-  if (!WITHOUT_PLAN.includes(mode)) return LEGS.map((leg, k) => footText(frame, leg, k)).join("; ");
-  const touching = LEGS.map((_, k) => scalar(frame, LEG_CHANNELS.touching[k] as string));
+  if (!WITHOUT_PLAN.includes(mode)) return LEG_CHANNELS.map((leg) => footText(frame, leg)).join("; ");
+  const touching = LEG_CHANNELS.map((leg) => scalar(frame, leg.touching));
   const asked = `nothing is asked of them (${mode})`;
   if (touching.some(Number.isNaN)) return asked;
   if (!touching.some((one) => one > 0)) return `${asked}; all are in the air`;
-  return [asked, ...LEGS.map((leg, k) => `${leg} ${(touching[k] as number) > 0 ? `touches${sizeText(frame, k)}` : "is in the air"}`)].join("; ");
+  return [asked, ...LEG_CHANNELS.map((leg, k) => `${leg.name} ${(touching[k] as number) > 0 ? `touches${sizeText(frame, leg)}` : "is in the air"}`)].join("; ");
 }
 
 /** Velocity of the base in the plane. */
@@ -71,7 +71,7 @@ function estimateError(frame: Frame): string {
 
 /** What each foot that carries uses of its friction pyramid, in words. */
 function pyramidUses(frame: Frame): string {
-  const uses = LEGS.map((leg, k) => [leg, pyramidUse(frame, k)] as const);
+  const uses = LEG_CHANNELS.map((leg) => [leg.name, pyramidUse(frame, leg)] as const);
   return uses.filter(([, use]) => !Number.isNaN(use)).map(([leg, use]) => `${leg} ${percent(use)}`).join(", ");
 }
 

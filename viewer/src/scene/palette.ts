@@ -1,3 +1,5 @@
+import { Color } from "three";
+
 /** Colours of the scene. Those of the legs are Okabe and Ito's, as the report and the plots have them, and no mark of the picture has one of
  * them: all are told apart with weak red or green, too. */
 export interface Palette {
@@ -61,5 +63,15 @@ const DARK: Palette = {
 };
 
 export const paletteOf = (dark: boolean): Palette => (dark ? DARK : LIGHT);
+
+/** The colours of overlays that paint many things with one material. */
+export function coloursOf({ legs, com, plan, push, halo, margin, alarmEdge }: Palette) {
+  const colour = (hex: number): Color => new Color(hex);
+  return {
+    legs: legs.map(colour), com: colour(com), plan: colour(plan), push: colour(push), halo: colour(halo),
+    margin: { good: colour(margin.good), near: colour(margin.near), bad: colour(margin.bad) }, alarmEdge: colour(alarmEdge),
+  };
+}
+export type Colours = ReturnType<typeof coloursOf>;
 
 export const css = (colour: number): string => `#${colour.toString(16).padStart(6, "0")}`;

@@ -44,7 +44,6 @@ export class World {
   private wantsGhost = false;
   /** Time for which pictures go on after the last change: the camera and the trails come after it [s]. */
   private settling = SETTLING;
-  private copies: OverlaySet[] = [];
   private readonly view = new THREE.Matrix4();
   private onFirstPicture: () => void = () => {};
   private readonly posture: Posture;
@@ -166,20 +165,7 @@ export class World {
     this.shown = frame.time;
     const { header } = this.session;
     const { labels, newton, centreOf } = this;
-    for (const set of [this.overlays, ...this.copies]) set.update({ frame, source, header, labels, newton, longest: LONGEST, trails, centreOf, beliefToWorld: set.beliefToWorld });
-  }
-
-  /** Draws all overlays as often as for this many robots, side by side. */
-  repeatOverlays(robots: number): void {
-    for (const { root } of this.copies) root.removeFromParent();
-    this.copies = Array.from({ length: robots - 1 }, (_, k) => {
-      const copy = new OverlaySet();
-      copy.wear(this.palette);
-      copy.root.position.y = k + 1;
-      for (const set of [this.overlays, copy]) for (const { id, on } of set.switches) if (!on) set.toggle(id);
-      this.stage.scene.add(copy.root);
-      return copy;
-    });
+    this.overlays.update({ frame, source, header, labels, newton, longest: LONGEST, trails, centreOf });
   }
 
   /** `base` and `legs`: topics that say where they are; of a base that is not known: false. */
@@ -215,12 +201,7 @@ export class World {
     return ray.intersectObject(this.terrain.root, true).find(({ face }) => face)?.point.z;
   }
 
-  /** Colour of the picture where a point of W is in it: red, green, blue, from 0 to 255. */
-  pixel(p_W: [number, number, number]): number[] {
-    return this.pixelAt(...this.place(p_W));
-  }
-
-  /** The same at a place of the page [pixels]. */
+  /** Colour of the picture at a place of the page [pixels]: red, green, blue, from 0 to 255. */
   pixelAt(x: number, y: number): number[] {
     this.stage.render(); // what was drawn is gone once it has been shown
     const context = this.stage.renderer.getContext();
