@@ -59,13 +59,17 @@ inline constexpr std::size_t kBlockHeadBytes = 16;
 /// Appends the frame's bytes.
 void pack(const ViewFrame& frame, std::string& out);
 
-/// A block in parts: what a reader finds in its bytes.
-struct ReadBlock {
-  BlockHead head;
-  std::vector<ViewFrame> frames;
+/// A frame in the bytes in which `pack` puts it into a block.
+struct PackedFrame {
+  std::uint32_t tick = 0;
+  double time = 0.0;  ///< [s]
+  std::string_view bytes;
 };
 
-/// Throws Error where the bytes are no block of frames with so many floats.
-[[nodiscard]] ReadBlock read_block(std::string_view bytes, std::size_t frame_floats);
+/// Of packed frames, the first. They must be ours and whole.
+[[nodiscard]] PackedFrame first_frame(std::string_view frames);
+
+/// Copies the first floats of a frame, as many as there is room for.
+void read_floats(const PackedFrame& frame, std::span<float> floats);
 
 }  // namespace surefoot::server

@@ -1,7 +1,5 @@
 #include "server/frame_history.hpp"
 
-#include "server/packed_frame.hpp"
-
 #include <algorithm>
 #include <optional>
 

@@ -30,8 +30,7 @@ class LogContent final : public WebContent {
   void describe(const std::string& path, const logging::LogHeader& header);
   [[nodiscard]] std::string session();
   [[nodiscard]] WebAnswer explained(const Query& query);
-  [[nodiscard]] std::string plain_frames(const FrameRequest& asked);
-  [[nodiscard]] std::string kept_frames(const FrameRequest& asked);
+  [[nodiscard]] std::string frames(const FrameRequest& asked);
   [[nodiscard]] std::string ranges(const FrameRequest& asked);
   [[nodiscard]] bool range(std::uint32_t first, std::uint32_t last);
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "server/event_finder.hpp"
+#include "server/frame_range.hpp"
 #include "server/log_frames.hpp"
 #include "server/view_session.hpp"
 
@@ -26,10 +27,9 @@ class LogSummary {
   [[nodiscard]] std::uint32_t end_tick() const { return known_.load(); }
   /// Ticks of a stretch: more, the longer the log is.
   [[nodiscard]] std::uint32_t stretch();
-  /// Least and greatest of every channel over the stretches that ticks `first` to `last` lie in;
-  /// false where that is not known yet.
-  [[nodiscard]] bool range(std::uint32_t first, std::uint32_t last, std::vector<float>& least,
-                           std::vector<float>& greatest);
+  /// Gets the range of the stretches that ticks `first` to `last` lie in; false where it is not
+  /// known yet.
+  [[nodiscard]] bool range(std::uint32_t first, std::uint32_t last, FrameRange& range);
   /// Gets the frame that is kept of the stretch of a tick; false where there is none, or not yet.
   [[nodiscard]] bool frame_near(std::uint32_t tick, ViewFrame& frame);
   /// Sentences on what can't be read, so far.
@@ -42,7 +42,7 @@ class LogSummary {
 
  private:
   struct Range {
-    std::vector<float> least, greatest;
+    FrameRange all;
     ViewFrame first;  // without floats: there is none
   };
 
