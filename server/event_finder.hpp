@@ -30,10 +30,10 @@ class EventFinder {
  private:
   void see_forces(const ViewFrame& frame);
 
-  std::size_t mode_, stop_;          // offsets of channels
+  std::size_t mode_, stop_, rotation_;  // offsets of channels
+  ViewChannel force_;
   std::vector<float> last_;          // floats of the frame before
   std::vector<std::string> events_;  // of the frame
-  std::size_t force_, force_size_, rotation_;
   std::vector<std::string> bodies_;
   logging::AppliedForceWatch forces_;
   logging::ScenarioForces scenario_;

@@ -64,7 +64,6 @@ LiveFeed::LiveFeed(const config::Scenario& scenario, LiveOperator& wishes, std::
   session_.period = scenario.controller.period;
   session_.meshes = robot_.meshes();
   session_.limits = wishes.limits();
-  session_.can_command = true;
 }
 
 void LiveFeed::begin(const closed_loop::RunParts& parts, const control::StackOptions& stack,
@@ -319,7 +318,6 @@ std::string LiveFeed::status(std::size_t clients) {
       .member("time", time_)
       .member("tick", tick_)
       .member("clients", clients)
-      .member("can_command", true)
       .member("recording", std::string_view(recording_))
       .member("generation", session_.generation)
       .member("begun", session_.begun)

@@ -56,7 +56,7 @@ class LiveFeed final : public WebContent {
   [[nodiscard]] bool is_seen() const { return is_seen_; }
 
   /// Of the robot, for the page.
-  [[nodiscard]] std::vector<ViewMesh> meshes() const { return robot_.meshes(); }
+  [[nodiscard]] const std::vector<model::MeshFile>& meshes() const { return robot_.meshes(); }
 
   // Of the server's thread.
   [[nodiscard]] std::string start() const override { return session_.start; }

@@ -85,6 +85,11 @@ void LogFrames::Decoded::take_timing(const logging::McapMessage& message, LogChu
   }
 }
 
+std::string without_path(const std::string& text, const std::string& path) {
+  const std::string prefix = path + ": ";
+  return text.starts_with(prefix) ? text.substr(prefix.size()) : text;
+}
+
 LogFrames::LogFrames(const std::string& path, const logging::LogHeader& header)
     : path_(path),
       file_(path),
@@ -212,12 +217,6 @@ LogChunk LogFrames::decode(std::size_t number) {
   return chunk;
 }
 
-// What a page is told says nothing of this machine's folders.
-std::string LogFrames::without_path(const Error& error) const {
-  const std::string text = error.what(), prefix = path_ + ": ";
-  return text.starts_with(prefix) ? text.substr(prefix.size()) : text;
-}
-
 // What belongs to its times may stand in any chunk: a tick may begin or end in the one beside it,
 // and timings stand apart. What can't be read of other places' chunks is told of those.
 void LogFrames::read_place(std::size_t number, Decoded& decoded, LogChunk& chunk) {
@@ -230,8 +229,8 @@ void LogFrames::read_place(std::size_t number, Decoded& decoded, LogChunk& chunk
       read_chunk(i, place, decoded, chunk);
     } catch (const Error& error) {
       const bool has_ticks = std::ranges::find(places_, i, &Place::chunk) != places_.end();
-      if (i == place.chunk) chunk.problem = without_path(error);
-      if (!has_ticks) chunk.timing_problem = without_path(error);  // the ticks are still good
+      if (i == place.chunk) chunk.problem = without_path(error.what(), path_);
+      if (!has_ticks) chunk.timing_problem = without_path(error.what(), path_);  // the ticks are still good
     }
   }
 }

@@ -28,6 +28,10 @@ struct LogChunk {
   std::string timing_problem;   ///< why their timings are; empty: none are
 };
 
+/// The text of an error without the path that it begins with: a page learns nothing of this machine's
+/// folders.
+[[nodiscard]] std::string without_path(const std::string& text, const std::string& path);
+
 /// The frames of a log, read from its chunks as they are asked for; few are kept in memory. What is
 /// damaged is left out.
 class LogFrames {
@@ -74,7 +78,6 @@ class LogFrames {
   void learn_channels(const std::string& path, const logging::LogHeader& header);
   void find_start();
   [[nodiscard]] LogChunk decode(std::size_t number);
-  [[nodiscard]] std::string without_path(const Error& error) const;
   void read_place(std::size_t number, Decoded& decoded, LogChunk& chunk);
   void read_chunk(std::size_t index, const Place& place, Decoded& decoded, LogChunk& chunk);
 

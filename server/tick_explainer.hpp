@@ -28,7 +28,6 @@ class TickExplainer {
  private:
   void run();
   [[nodiscard]] std::string explained(std::uint32_t tick) const;
-  [[nodiscard]] std::string without_path(const std::string& text) const;
 
   const std::string path_;
   const double period_;

@@ -34,22 +34,11 @@ std::string media_type(const std::filesystem::path& file) {
 ViewRobot::ViewRobot(std::string urdf, const model::MeshFolders& folders)
     : urdf_(std::move(urdf)), meshes_(meshes_of(urdf_, folders)) {}
 
-std::vector<ViewMesh> ViewRobot::meshes() const {
-  std::vector<ViewMesh> list;
-  for (const model::MeshFile& mesh : meshes_) {
-    std::error_code error;
-    const bool found = !mesh.path.empty();
-    const auto bytes = found ? std::filesystem::file_size(mesh.path, error) : 0;
-    list.push_back({.uri = mesh.uri, .found = found, .bytes = error ? 0 : bytes});
-  }
-  return list;
-}
-
-std::string missing_meshes_text(const std::vector<ViewMesh>& meshes) {
+std::string missing_meshes_text(const std::vector<model::MeshFile>& meshes) {
   constexpr std::size_t kTold = 3;
   std::vector<std::string> names;
-  for (const ViewMesh& mesh : meshes)
-    if (!mesh.found) names.push_back(mesh.uri.substr(mesh.uri.rfind('/') + 1));
+  for (const model::MeshFile& mesh : meshes)
+    if (mesh.path.empty()) names.push_back(mesh.uri.substr(mesh.uri.rfind('/') + 1));
   if (names.empty()) return "";
   std::string text = "the page shows primitives, as these meshes are missing: ";
   for (std::size_t i = 0; i < std::min(names.size(), kTold); ++i)

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "server/view_session.hpp"
 #include "server/web_server.hpp"
 #include "surefoot/model/mesh_files.hpp"
 
@@ -16,7 +15,7 @@ class ViewRobot {
   /// Of a URDF that is no XML there are no meshes.
   ViewRobot(std::string urdf, const model::MeshFolders& folders);
 
-  [[nodiscard]] std::vector<ViewMesh> meshes() const;
+  [[nodiscard]] const std::vector<model::MeshFile>& meshes() const { return meshes_; }
   /// The answer for /api/robot.urdf and /api/mesh/ID.
   [[nodiscard]] WebAnswer get(std::string_view path) const;
 
@@ -29,6 +28,6 @@ class ViewRobot {
 
 /// That the page shows primitives for meshes that are missing, and where they are looked for; empty
 /// where none is.
-[[nodiscard]] std::string missing_meshes_text(const std::vector<ViewMesh>& meshes);
+[[nodiscard]] std::string missing_meshes_text(const std::vector<model::MeshFile>& meshes);
 
 }  // namespace surefoot::server

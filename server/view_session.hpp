@@ -1,10 +1,10 @@
 #pragma once
 
 #include "server/view_channels.hpp"
+#include "surefoot/model/mesh_files.hpp"
 
 #include <array>
 #include <cstdint>
-#include <map>
 #include <string>
 #include <vector>
 
@@ -35,20 +35,12 @@ struct ViewTask {
   std::size_t level = 0;  ///< in `header.level_names`
   std::string level_name, task;
   std::vector<ViewNumber> numbers;
-  std::map<std::string, std::string> choices;  ///< e.g. axes: gravity
 };
 
 /// The levels in their order from a tick on.
 struct ViewOrder {
   std::uint32_t tick = 0;
   std::vector<std::string> levels;
-};
-
-/// A mesh of the robot's URDF.
-struct ViewMesh {
-  std::string uri;
-  bool found = false;
-  std::uint64_t bytes = 0;
 };
 
 /// What a page must know of a run before its frames: /api/session of docs/view_protocol.md.
@@ -66,14 +58,13 @@ struct ViewSession {
   ViewChannels channels;
   std::vector<std::vector<std::string>> rows;  ///< of each level of the header
   std::vector<ViewOrder> orders;
-  std::vector<ViewMesh> meshes;
+  std::vector<model::MeshFile> meshes;
   std::vector<ViewTask> tasks;
   std::vector<std::string> bodies;  ///< that can be pushed
   ViewLimits limits;
   double friction = 0.0;  ///< that the controller assumes
   std::uint32_t generation = 0;
   std::uint32_t begun = 0;  ///< generation with which the present run began
-  bool can_command = false;
 };
 
 [[nodiscard]] std::string to_json(const ViewSession& session);

@@ -94,7 +94,6 @@ std::vector<ViewTask> view_tasks(const control::StackOptions& stack,
       view.level = static_cast<std::size_t>(number);
       view.level_name = level.name;
       view.task = task.task;
-      view.choices = task.choices;
       for (const tasks::TaskParameter& parameter : tasks::task_info(task.task).parameters) {
         const std::string name(parameter.name);
         view.numbers.push_back(view_number(task.task, name, task.numbers.at(name), reach));

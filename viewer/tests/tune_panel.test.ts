@@ -12,7 +12,7 @@ const limits = { friction_min: 0.05, friction_max: 2, walk_velocity: 0.5, walk_y
 const sessionOf = (kp: number, friction = 0.5): Session =>
   ({
     limits, friction, orders: [], header: { level_names: ["com"] },
-    tasks: [{ level: 0, level_name: "com", task: "com", choices: {}, numbers: [{ name: "kp", value: kp, unit: "1/s²", about: "", min: 0, max: 1000 }] }],
+    tasks: [{ level: 0, level_name: "com", task: "com", numbers: [{ name: "kp", value: kp, unit: "1/s²", about: "", min: 0, max: 1000 }] }],
   }) as unknown as Session;
 
 /** What is asked of a run, which takes all or refuses all. */

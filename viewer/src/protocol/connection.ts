@@ -9,7 +9,6 @@ export interface Status {
   real_factor: number;
   time: number;
   tick: number;
-  can_command: boolean;
   /** Seconds of the run until the robot has calibrated itself, 0 where it takes longer than usual; null: it does not calibrate. */
   calibrating: number | null;
   ended: string | null;

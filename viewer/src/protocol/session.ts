@@ -15,7 +15,6 @@ export interface MeshInfo {
   id: number;
   uri: string;
   found: boolean;
-  bytes?: number;
 }
 
 export interface TerrainPiece {
@@ -42,8 +41,6 @@ export interface TaskInfo {
   level_name: string;
   task: string;
   numbers: TaskNumber[];
-  /** What it was given besides numbers, e.g. axes: gravity. */
-  choices: Record<string, string>;
 }
 
 export interface LimbLimits {
@@ -127,7 +124,6 @@ export interface Session {
   /** That the operator gave the controller. */
   friction: number;
   tasks: TaskInfo[];
-  can_command: boolean;
 }
 
 /** The levels' order as it is now. */
