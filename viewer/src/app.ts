@@ -57,10 +57,10 @@ export class App {
   firstPicture = NaN;
   /** Script time of each of the last pictures, until all of it is handed to the graphics [ms]. */
   readonly costs: number[] = [];
-  private readonly commands: Commands;
+  readonly commands: Commands;
   private readonly hierarchy: HierarchyPanel;
-  private readonly tune: TunePanel;
-  private readonly drive: DrivePanel;
+  readonly tune: TunePanel;
+  readonly drive: DrivePanel;
   private readonly state: StatePanel;
   private readonly plots: PlotsPanel;
   private readonly transport: Transport;
@@ -319,11 +319,6 @@ export class App {
     this.levels = "";
   }
 
-  /** Replies, changes and state of a live run. */
-  handlers(): { commands: Commands; tune: TunePanel; drive: DrivePanel } {
-    return { commands: this.commands, tune: this.tune, drive: this.drive };
-  }
-
   private tick(now: number): void {
     requestAnimationFrame((next) => this.tick(next));
     const begin = performance.now();
@@ -412,7 +407,8 @@ export class App {
     const { source } = this.player;
     const states = levelStates(frame, source.explained?.(frame.tick));
     const account = accountAt(frame, states, source.isComputing?.(frame.tick));
-    this.levels = this.hierarchy.show(frame, states, account);
+    this.hierarchy.show(frame, states, account);
+    this.levels = account.line;
     this.state.show(frame, account);
     this.tune.showBelief(LEG_CHANNELS.map(({ friction }) => scalar(frame, friction)));
   }

@@ -5,7 +5,7 @@ import { endOf, marksOf, type RawEvent } from "./data/marks.ts";
 import { ReplaySource } from "./data/replay_source.ts";
 import { Schema } from "./data/schema.ts";
 import { part, say } from "./panels/dom.ts";
-import { ask, NoAnswer, textOf } from "./protocol/ask.ts";
+import { ask, askJson, NoAnswer } from "./protocol/ask.ts";
 import { courseOf, type Course } from "./panels/transport.ts";
 import { linkText, NO_ANSWER, showLink } from "./panels/stale.ts";
 import { readBlock, readBlockHead, type BlockHead } from "./protocol/block.ts";
@@ -76,7 +76,7 @@ export class LiveLink {
 
   wire(app: App): void {
     this.app = app;
-    app.handlers().commands.onRefused = () => this.showUse();
+    app.commands.onRefused = () => this.showUse();
     this.connection.onBlock = (block) => this.take(block);
     this.connection.onMessage = (message) => this.hear(message);
     this.connection.onState = (state) => this.turn(state);
@@ -166,7 +166,7 @@ export class LiveLink {
 
   private hear(message: ServerMessage): void {
     const app = this.app as App;
-    const { commands, tune, drive } = app.handlers();
+    const { commands, tune, drive } = app;
     switch (message.type) {
       case "status":
         this.status = message;
@@ -222,14 +222,14 @@ export class LiveLink {
     this.showState();
     if (state !== "open") {
       this.lostBefore = true;
-      app.handlers().commands.lost();
+      app.commands.lost();
     }
     if (state === "lost") {
       app.notes.keep("lost", lossText(this.connection.reason), "error");
       void this.lookForAnother();
     } else if (state === "open") {
       app.notes.take("lost");
-      app.handlers().commands.greet();
+      app.commands.greet();
       this.tellDrawn();
       if (this.lostBefore) this.comeBack();
       else void this.recall();
@@ -261,7 +261,7 @@ export class LiveLink {
   private async recall(): Promise<void> {
     try {
       const { run } = this.source;
-      const events = JSON.parse(textOf(await ask("/api/events"))) as RawEvent[];
+      const events = await askJson<RawEvent[]>("/api/events");
       if (this.source.run !== run) return; // of a run before
       this.source.mark(...marksOf(events, this.source.schema.events));
     } catch (error) {

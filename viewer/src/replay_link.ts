@@ -7,7 +7,7 @@ import type { Mark } from "./data/source.ts";
 import { damageText, readText } from "./data/log_words.ts";
 import { part, say } from "./panels/dom.ts";
 import { showLink } from "./panels/stale.ts";
-import { ask, NoAnswer, textOf } from "./protocol/ask.ts";
+import { ask, askJson, NoAnswer, pause } from "./protocol/ask.ts";
 import { fetchSession, type Session } from "./protocol/session.ts";
 
 /** How often a log that is being summarised is asked for more [ms]. */
@@ -35,7 +35,7 @@ export class ReplayLink {
     private readonly session: Session,
   ) {
     const { period, first_tick, ticks } = session;
-    const explainer = new Explainer(async (tick) => (JSON.parse(textOf(await ask(`/api/explain?tick=${tick}`))) as ExplainAnswer | null) ?? undefined, schema);
+    const explainer = new Explainer(async (tick) => (await askJson<ExplainAnswer | null>(`/api/explain?tick=${tick}`)) ?? undefined, schema);
     explainer.onChange = () => this.app?.refresh();
     this.source = new ReplaySource(schema, period, first_tick, ticks, (url) => this.askForFrames(url), explainer);
   }
@@ -122,8 +122,7 @@ export class ReplayLink {
       this.session.damage = damage;
       if (damage.length > 0) app.notes.keep("damage", damageText(damage), "error");
       try {
-        const events = JSON.parse(textOf(await ask("/api/events"))) as RawEvent[];
-        this.source.marks = [...marksOf(events, this.schema.events), ...this.end()];
+        this.source.marks = [...marksOf(await askJson<RawEvent[]>("/api/events"), this.schema.events), ...this.end()];
       } catch {
         continue; // asked for again with the next session
       }
@@ -135,7 +134,7 @@ export class ReplayLink {
 
 /** The session a little later; the one before where it can't be had just now. */
 async function nextSession(before: Session, failed = (): void => {}): Promise<Session> {
-  await new Promise((resolve) => setTimeout(resolve, SUMMARY_PERIOD));
+  await pause(SUMMARY_PERIOD);
   try {
     return await fetchSession();
   } catch {

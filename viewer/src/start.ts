@@ -1,4 +1,5 @@
 import type { Notes } from "./panels/notes.ts";
+import { pause } from "./protocol/ask.ts";
 import { backoff } from "./protocol/connection.ts";
 
 /** Hears how far it has come with what is asked of the program. */
@@ -22,7 +23,7 @@ async function readRun<T>(read: () => Promise<T>, notes: Told, asking: Asking): 
       console.warn(error);
       asking.failed();
       notes.keep("start", `The run can't be shown: ${(error as Error).message}. The page tries again by itself.`, "error");
-      await new Promise((resolve) => setTimeout(resolve, backoff(attempt)));
+      await pause(backoff(attempt));
     }
   }
 }

@@ -91,5 +91,5 @@ test("what was asked to walk does not go on in a run that begins again", () => {
   drive.nudge("forward", 3);
   drive.restart();
   drive.show({ command: { walk: false, velocity: [0, 0], yaw_rate: 0, height: 0, by: "scenario" }, ended: null } as unknown as Status);
-  assert.deepEqual(drive.walk.velocity, [0, 0]);
+  assert.deepEqual([drive.walk.forward, drive.walk.left], [0, 0]);
 });

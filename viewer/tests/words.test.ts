@@ -9,9 +9,9 @@ import { clockText, courseOf, endedText, newestText, nextSpeed, pastText, playTe
 import { beliefText } from "../src/panels/tune_panel.ts";
 
 const level: LevelState = {
-  level: 1, place: 2, name: "com_xy", unit: "m/s²", status: "met", residual: 0, rows: 2, freedom: 24, iterations: 1, time: NaN, active: [], missed: [], blocked: [],
+  level: 1, name: "com_xy", unit: "m/s²", status: "met", residual: 0, rows: 2, freedom: 24, iterations: 1, time: NaN, active: [], missed: [], blocked: [],
 };
-const above: LevelState = { ...level, level: 0, place: 1, name: "friction_cone" };
+const above: LevelState = { ...level, level: 0, name: "friction_cone" };
 
 test("a clock never exceeds the whole", () => {
   for (const whole of [0.04, 12.3375, 999.9999, 1234.5678]) {
@@ -36,7 +36,7 @@ test("the friction that was given and what the controller believes are two thing
 
 test("a level's second line says what matters most: who holds it back, its limits, its size", () => {
   assert.equal(briefOf(level, [above, level]), "2 rows");
-  const active = [{ name: "LF_KFE", level: 1, state: 1, by: 0 }, { name: "RF_KFE", level: 1, state: -1, by: 0 }];
+  const active = [{ name: "LF_KFE", state: 1, by: 0 }, { name: "RF_KFE", state: -1, by: 0 }];
   assert.equal(briefOf({ ...level, status: "at limit", active }, [above, level]), "2 rows: LF_KFE (upper), …");
   const blocked = [{ by: 0, row: "LF 1", cost: 1 }, { by: 0, row: "LF 2", cost: 0.5 }];
   assert.equal(briefOf({ ...level, status: "gives way", active, blocked }, [above, level]), "to friction cone", "as it gives way");
@@ -111,7 +111,7 @@ test("a row beyond its bound says by how much, where that is known", () => {
 });
 
 test("a level that gives way says which of its rows it missed, one that is never content does not", () => {
-  const active = [{ name: "RF +x", level: 0, state: 3, by: 0.3 }], missed = [{ name: "x", level: 0, state: 2, by: -0.31 }];
+  const active = [{ name: "RF +x", state: 3, by: 0.3 }], missed = [{ name: "x", state: 2, by: -0.31 }];
   assert.equal(rowsOf({ active, missed, status: "gives way", unit: "N" }), "RF +x above its bound by 0.300 N, x missed by 0.310 N");
   assert.equal(rowsOf({ active: [], missed, status: "minimised", unit: "N" }), "");
 });

@@ -1,4 +1,4 @@
-import { NoAnswer } from "../protocol/ask.ts";
+import { NoAnswer, pause } from "../protocol/ask.ts";
 import type { Schema } from "./schema.ts";
 
 /** What `/api/explain` answers of a tick (docs/view_protocol.md). */
@@ -49,14 +49,14 @@ export class Explainer {
   private asked = false;
   private readonly known = new Map<number, Explained | undefined>();
   private tick = -1;
-  private timer: ReturnType<typeof setTimeout> | undefined;
+  private looks = 0;
 
   /** `ask`: undefined while it is computed. */
   constructor(private readonly ask: (tick: number) => Promise<ExplainAnswer | undefined>, private readonly schema: Pick<Schema, "levels">) {}
 
   /** What is known of the tick that is looked at; asks for it if it is looked at for long. */
   at(tick: number): Explained | undefined {
-    if (tick !== this.tick) this.look(tick);
+    if (tick !== this.tick) void this.look(tick);
     return this.known.get(tick);
   }
 
@@ -71,35 +71,31 @@ export class Explainer {
     this.known.set(tick, explained);
   }
 
-  private look(tick: number): void {
+  private async look(tick: number): Promise<void> {
     this.tick = tick;
     this.asked = false;
-    clearTimeout(this.timer);
-    if (!this.known.has(tick)) this.timer = setTimeout(() => void this.fetch(tick), STILL);
-  }
-
-  private async fetch(tick: number): Promise<void> {
-    clearTimeout(this.timer); // of a look at it before this one
-    if (!this.asked) {
-      this.asked = true;
-      this.onChange();
-    }
-    let answer: ExplainAnswer | undefined;
-    try {
-      answer = await this.ask(tick);
-    } catch (error) {
-      if (tick !== this.tick) return;
-      if (error instanceof NoAnswer) this.timer = setTimeout(() => void this.fetch(tick), AGAIN);
-      else {
-        this.keep(tick, undefined); // the frames' estimates stay
+    const look = ++this.looks;
+    if (this.known.has(tick)) return;
+    for (let ms = STILL; ; ms = AGAIN) {
+      await pause(ms);
+      if (look !== this.looks) return;
+      if (!this.asked) {
+        this.asked = true;
         this.onChange();
       }
-      return;
+      if (!this.known.has(tick)) await this.fetch(tick);
+      if (look !== this.looks) return;
+      if (this.known.has(tick)) return this.onChange();
     }
-    if (answer !== undefined) this.keep(tick, readExplained(answer, this.schema));
-    if (tick !== this.tick) return;
-    if (answer !== undefined) return this.onChange();
-    clearTimeout(this.timer);
-    this.timer = setTimeout(() => void this.fetch(tick), AGAIN);
+  }
+
+  /** Keeps the answer, if there is one yet; after a refusal the frames' estimates stay. */
+  private async fetch(tick: number): Promise<void> {
+    try {
+      const answer = await this.ask(tick);
+      if (answer !== undefined) this.keep(tick, readExplained(answer, this.schema));
+    } catch (error) {
+      if (!(error instanceof NoAnswer)) this.keep(tick, undefined);
+    }
   }
 }

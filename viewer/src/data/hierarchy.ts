@@ -8,7 +8,6 @@ export type LevelStatus = "met" | "at limit" | "gives way" | "minimised" | "no r
 
 export interface RowNote {
   name: string;
-  level: number;
   state: number;
   /** How far beyond its bound; 0 at it, NaN: not known. */
   by: number;
@@ -24,8 +23,6 @@ export interface BlockNote {
 export interface LevelState {
   /** Its number in `header.level_names`. */
   level: number;
-  /** Its place in the order of priority, from 1. */
-  place: number;
   name: string;
   unit: string;
   status: LevelStatus;
@@ -47,22 +44,17 @@ export interface LevelState {
 /** What each level of the frame's hierarchy did, highest priority first; `explained`: exactly what holds back which, where that is known. */
 export function levelStates(frame: Frame, explained?: Explained): LevelState[] {
   const { schema } = frame;
-  return schema.order(frame.tick).map((level, index) => {
+  return schema.order(frame.tick).map((level) => {
     const name = schema.levels[level] as string;
     const field = (what: string): number => scalar(frame, `hierarchy.level.${name}.${what}`);
     const unit = schema.units[level] ?? "";
-    const rows = frame.active
-      .filter((row) => row.level === level)
-      .map(({ row, state, by }) => ({ name: schema.rowName(level, row), level, state, by }));
+    const rows = frame.active.filter((row) => row.level === level).map(({ row, state, by }) => ({ name: schema.rowName(level, row), state, by }));
     const active = rows.filter(({ state }) => state !== MISSED_EQUALITY), missed = rows.filter(({ state }) => state === MISSED_EQUALITY);
-    const estimated = frame.blocking
-      .filter((row) => row.level === level)
-      .map(({ by, row, cost }) => ({ by, row: schema.rowName(by, row), cost }));
-    const exact = explained?.get(name);
-    const { rows: blocked, others } = exact ?? { rows: estimated, others: undefined };
+    const estimated = frame.blocking.filter((row) => row.level === level).map(({ by, row, cost }) => ({ by, row: schema.rowName(by, row), cost }));
+    const { rows: blocked, others } = explained?.get(name) ?? { rows: estimated, others: undefined };
     const status = (word(frame, `told.level.${name}.state`) || "not solved") as LevelStatus;
     const state: LevelState = {
-      level, place: index + 1, name, unit, status, active, missed, blocked, ...(others === undefined ? {} : { others }),
+      level, name, unit, status, active, missed, blocked, ...(others === undefined ? {} : { others }),
       residual: field("residual"), rows: field("num_rows") || 0,
       freedom: field("degrees_of_freedom_left"), iterations: field("iterations"),
       time: scalar(frame, `timings.level.${name}.solve`),

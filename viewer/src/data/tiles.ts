@@ -1,3 +1,4 @@
+import { pause } from "../protocol/ask.ts";
 import { readBlock } from "../protocol/block.ts";
 import type { Schema } from "./schema.ts";
 import { FrameTable } from "./table.ts";
@@ -98,7 +99,7 @@ export class TileCache {
     } catch (error) {
       this.stale.add(name);
       this.onError(error as Error);
-      await new Promise((resolve) => setTimeout(resolve, 1000)); // asked for again, but not at once
+      await pause(1000); // asked for again, but not at once
     }
     this.running.delete(name);
     this.pump();

@@ -37,8 +37,7 @@ export class HierarchyPanel {
     this.list.classList.toggle("movable", can);
   }
 
-  /** Returns the account's line. */
-  show(frame: Frame, states = levelStates(frame), account = accountAt(frame, states)): string {
+  show(frame: Frame, states = levelStates(frame), account = accountAt(frame, states)): void {
     const names = states.map((state) => state.name).join();
     if (names !== this.names) this.build(states, names);
     states.forEach((state, k) => this.cards[k]?.show(state, states));
@@ -47,7 +46,6 @@ export class HierarchyPanel {
     say(this.line, account.line);
     this.line.title = account.line; // three lines are visible
     say(this.facts, effortOf(scalar(frame, "timings.solve"), scalar(frame, "timings.total"), states, this.isCut));
-    return account.line;
   }
 
   private build(states: LevelState[], names: string): void {

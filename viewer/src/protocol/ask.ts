@@ -38,6 +38,14 @@ export async function askUntilAnswered(url: string, wait: () => Promise<void>, f
   }
 }
 
+/** Reads a JSON answer. */
+export async function askJson<T>(url: string): Promise<T> {
+  return JSON.parse(textOf(await ask(url))) as T;
+}
+
+/** Ends after this long [ms]. */
+export const pause = (ms: number): Promise<void> => new Promise((resolve) => setTimeout(resolve, ms));
+
 export function textOf(bytes: ArrayBuffer): string {
   return new TextDecoder().decode(bytes);
 }

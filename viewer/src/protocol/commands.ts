@@ -1,12 +1,5 @@
 import type { Connection, Reply } from "./connection.ts";
 
-export interface Walk {
-  walk: boolean;
-  velocity: [number, number];
-  yaw_rate: number;
-  height: number;
-}
-
 /** What a page without the token says wherever it can't do something. */
 export const VIEW_ONLY = "this page can only look: open the link with #token=… that the program printed last";
 

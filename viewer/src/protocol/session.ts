@@ -1,4 +1,4 @@
-import { ask, textOf } from "./ask.ts";
+import { askJson } from "./ask.ts";
 
 /** What `/api/session` answers (docs/view_protocol.md). */
 export interface ChannelInfo {
@@ -135,7 +135,7 @@ export const PROTOCOL = 2;
 
 /** Reads the session; an error says what is wrong in a sentence. */
 export async function fetchSession(): Promise<Session> {
-  const session = JSON.parse(textOf(await ask("/api/session"))) as Session;
+  const session = await askJson<Session>("/api/session");
   if (session.protocol !== PROTOCOL)
     throw new Error(
       `the program speaks version ${session.protocol} of the protocol, this page version ${PROTOCOL}: load the page again`,

@@ -4,7 +4,7 @@ import { OBJLoader } from "three/examples/jsm/loaders/OBJLoader.js";
 import { STLLoader } from "three/examples/jsm/loaders/STLLoader.js";
 import { coarsen } from "./coarse_mesh.ts";
 import { merged } from "./merge.ts";
-import { askUntilAnswered, textOf } from "../protocol/ask.ts";
+import { askUntilAnswered, pause, textOf } from "../protocol/ask.ts";
 import type { MeshInfo } from "../protocol/session.ts";
 
 /** A mesh is asked for again this long after the connection was lost [ms]. */
@@ -89,7 +89,7 @@ export class MeshLibrary {
   private async fetch(uri: string): Promise<THREE.Object3D> {
     const info = this.byUri.get(uri);
     if (info === undefined || !info.found) throw new Error("the file is not there");
-    const bytes = await askUntilAnswered(`/api/mesh/${info.id}`, () => new Promise((resolve) => setTimeout(resolve, AGAIN)));
+    const bytes = await askUntilAnswered(`/api/mesh/${info.id}`, () => pause(AGAIN));
     const breath = new Breath();
     const read = this.parse(uri, bytes);
     await breath.take();
@@ -165,7 +165,7 @@ class Breath {
   async take(): Promise<void> {
     const took = performance.now() - this.since;
     if (took < SHORT_WORK) return;
-    await new Promise((resolve) => setTimeout(resolve, Math.min(took, LONGEST_BREATH)));
+    await pause(Math.min(took, LONGEST_BREATH));
     this.since = performance.now();
   }
 }
