@@ -366,7 +366,7 @@ export class App {
     this.plots.showProgress(this.progress());
     this.tellUnreadable();
     this.tellDrawn();
-    for (const [name, text] of this.aboutRun()) this.state.fact(name, text);
+    this.state.showRun(this.aboutRun());
     say(part("loading"), this.world?.library.progress ?? "");
     this.tellHead(heard);
     this.announcer.tell(this.levels, performance.now());

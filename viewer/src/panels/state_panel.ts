@@ -84,8 +84,8 @@ function pushText(frame: Frame): string {
   return forces.length === 0 ? "nothing" : `${forces.join("; ")} (truth: the controller is not told)`;
 }
 
-/** The state in sentences: what a picture shows to those who see it; "" of what there is nothing to say now. */
-function allSentences(frame: Frame, account: Account): [string, string][] {
+/** The state in sentences, as the picture shows it; "": there is nothing to say of this now. */
+export function sentences(frame: Frame, account = accountAt(frame)): [string, string][] {
   const truth = whereabouts(frame, "truth");
   return [
     ["Time", `${secondsText(frame.time)}, tick ${frame.tick}`],
@@ -102,56 +102,55 @@ function allSentences(frame: Frame, account: Account): [string, string][] {
   ];
 }
 
-/** Those that say something. */
-export function sentences(frame: Frame, account = accountAt(frame)): [string, string][] {
-  return allSentences(frame, account).filter(([, text]) => text !== "");
-}
-
-/** The state in words, and what the run is. */
-export class StatePanel {
-  private readonly list = h("dl", { id: "state", "aria-live": "off" });
+/** Names with texts; a name whose text is "" is hidden and keeps its place. */
+class TextList {
+  readonly root: HTMLElement;
   private readonly rows = new Map<string, { name: HTMLElement; text: HTMLElement }>();
-  private readonly facts = new Map<string, { name: HTMLElement; text: HTMLElement }>();
 
-  constructor(root: HTMLElement, facts: [string, string][], notes: string[]) {
-    const about = h("dl", {});
-    for (const [name, text] of facts) {
-      const row = { name: h("dt", {}, name), text: h("dd", {}) };
-      this.facts.set(name, row);
-      about.append(row.name, row.text);
-      this.fact(name, text);
-    }
-    root.append(h("h2", {}, "Now"), this.list, h("h2", {}, "Run"), about);
-    if (notes.length > 0) root.append(h("h2", {}, "Notes"), h("ul", {}, ...notes.map((note) => h("li", {}, note))));
+  constructor(attributes: Record<string, string> = {}) {
+    this.root = h("dl", attributes);
   }
 
-  /** What the run is, where that has become known only later; "": nothing is known of it. */
-  fact(name: string, text: string): void {
-    const row = this.facts.get(name);
-    if (row === undefined) return;
+  show(name: string, text: string): void {
+    const row = this.rows.get(name) ?? this.add(name);
     row.name.hidden = row.text.hidden = text === "";
     say(row.text, text);
   }
 
   clear(): void {
     this.rows.clear();
-    this.list.replaceChildren();
+    this.root.replaceChildren();
   }
 
-  /** Rows that this frame has nothing for are hidden, and have their place. */
+  private add(name: string): { name: HTMLElement; text: HTMLElement } {
+    const row = { name: h("dt", {}, name), text: h("dd", {}) };
+    this.rows.set(name, row);
+    this.root.append(row.name, row.text);
+    return row;
+  }
+}
+
+/** The state in words, and what the run is. */
+export class StatePanel {
+  private readonly state = new TextList({ id: "state", "aria-live": "off" });
+  private readonly run = new TextList();
+
+  constructor(root: HTMLElement, facts: [string, string][], notes: string[]) {
+    this.showRun(facts);
+    root.append(h("h2", {}, "Now"), this.state.root, h("h2", {}, "Run"), this.run.root);
+    if (notes.length > 0) root.append(h("h2", {}, "Notes"), h("ul", {}, ...notes.map((note) => h("li", {}, note))));
+  }
+
+  /** What the run is, some of which becomes known only later. */
+  showRun(facts: [string, string][]): void {
+    for (const [name, text] of facts) this.run.show(name, text);
+  }
+
+  clear(): void {
+    this.state.clear();
+  }
+
   show(frame: Frame, account: Account): void {
-    const all = allSentences(frame, account);
-    const told = new Map(all.filter(([, text]) => text !== ""));
-    for (const [name] of all) if (!this.rows.has(name)) this.add(name);
-    for (const [row, { name, text }] of this.rows) {
-      name.hidden = text.hidden = !told.has(row);
-      say(text, told.get(row) ?? "");
-    }
-  }
-
-  private add(row: string): void {
-    const made = { name: h("dt", {}, row), text: h("dd", {}) };
-    this.rows.set(row, made);
-    this.list.append(made.name, made.text);
+    for (const [name, text] of sentences(frame, account)) this.state.show(name, text);
   }
 }

@@ -53,7 +53,7 @@ export class Quality {
   private readonly finest: number;
 
   constructor(
-    renderer: THREE.WebGLRenderer,
+    private readonly renderer: THREE.WebGLRenderer,
     private readonly resize: () => void,
     /** The processor draws. */
     readonly software: boolean,
@@ -61,10 +61,7 @@ export class Quality {
     this.finest = software ? SOFTWARE_AT_REST : window.devicePixelRatio <= 1 ? 1 : 0;
     this.step = software ? SOFTWARE : this.finest;
     renderer.shadowMap.enabled = this.shadows;
-    this.apply = () => (renderer.shadowMap.enabled = this.shadows);
   }
-
-  private readonly apply: () => void;
 
   private get current(): Step {
     return STEPS[this.resting ? this.finest : this.step] as Step;
@@ -126,7 +123,7 @@ export class Quality {
 
   /** What is drawn is of another step. */
   private refine(): true {
-    this.apply();
+    this.renderer.shadowMap.enabled = this.shadows;
     this.resize();
     this.onStep();
     return true;
