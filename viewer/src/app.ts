@@ -31,13 +31,13 @@ import { World } from "./scene/world.ts";
 import type { Theme } from "./theme.ts";
 import { Wish } from "./data/wish.ts";
 
-/** Ground without a robot is drawn only after this: a picture with both would come later by its rest [ms]. */
+/** Ground without a robot is drawn only after this: the rest behind it would delay the picture with both [ms]. */
 const WITHOUT_ROBOT = 2000;
-/** What a key that drives a run says where there is none. */
+/** Message of a key that drives a run, in the page of a log. */
 const OF_A_LOG = "This is a log: only a run can be pushed, steered or changed (`surefoot run SCENARIO --view`).";
-/** A run that waits for its page waits no longer for meshes [ms]. */
+/** Longest time that a waiting run waits for meshes [ms]. */
 const LONGEST_DRESSING = 10000;
-/** Commands that a run takes with its next tick. */
+/** Commands that take effect with the next tick. */
 const CHANGES = new Set(["push", "walk", "gain", "order", "friction"]);
 /** Pictures whose script time is kept. */
 const MOST_COSTS = 2000;
@@ -50,7 +50,7 @@ export class App {
   readonly world: World | undefined;
   readonly notes: Notes;
   readonly link: LiveLink | undefined;
-  /** That of the picture: what is told in numbers is of the same time. */
+  /** Frame of the picture; all numbers in the panels are of it. */
   frame: Frame | undefined;
   pictures = 0;
   /** Time from the page's beginning to the first picture with a robot [ms]. */
@@ -70,12 +70,12 @@ export class App {
   private drawn = performance.now();
   private sinceText = Infinity;
   private sinceNumbers = Infinity;
-  /** Whose numbers stand in the panels. */
+  /** Frame of the numbers in the panels. */
   private told: Frame | undefined;
-  /** Which levels give way in the picture, in words. */
+  /** Line of the account, for screen readers. */
   private levels = "";
   private readonly announcer = new Announcer((text) => say(part("events"), text));
-  /** Whether what is asked for comes to effect. */
+  /** Whether commands take effect. */
   private canAct = false;
   private readonly progress: () => string;
   private readonly pauseWish = new Wish<boolean>();
@@ -154,7 +154,7 @@ export class App {
     return this.link?.status?.ended != null;
   }
 
-  /** Why the run has ended; "": it has not, or nobody knows. */
+  /** Why the run has ended; "": it has not, or that is not known. */
   private get ending(): string {
     return this.link === undefined ? this.session.ended : (this.link.status?.ended ?? "");
   }
@@ -186,7 +186,7 @@ export class App {
     if (this.session.cut !== "") this.notes.keep("cut", asSentence(this.session.cut));
   }
 
-  /** Keys that change a live run; of a log letters say so, the others are the browser's. */
+  /** Keys that drive a live run. In a log the letters show a message, the others are left to the browser. */
   private drivingKeys(): KeyActions {
     const { player, drive } = this;
     if (!player.live) return Object.fromEntries([..."wsadqexgp"].map((key) => [key, () => this.notes.say(OF_A_LOG)]));
@@ -221,7 +221,7 @@ export class App {
     part("follow").setAttribute("aria-pressed", String(this.world.camera.follow));
   }
 
-  /** Sends a command of the run; a refusal is shown, and ends the wish. */
+  /** Sends a command; a refusal is shown, and drops the wish. */
   private command(type: string, fields: object = {}, wish?: { drop: () => void }): void {
     const taken = (): void => {
       if (this.paused && CHANGES.has(type)) this.notes.say("The run is paused: that comes with its next tick.", "plain", "waits");
@@ -241,7 +241,7 @@ export class App {
     this.command(paused ? "pause" : "resume", {}, this.pauseWish);
   }
 
-  /** Of a live run's newest picture the simulation, otherwise only what is shown. */
+  /** Pauses the run at its newest picture, otherwise only what is shown. */
   private pause(): void {
     const { player, link } = this;
     if (!player.following || link === undefined) player.toggle();
@@ -251,7 +251,7 @@ export class App {
     else player.seek(player.time);
   }
 
-  /** Who does something to a run that goes on is to see it, not the past. */
+  /** Shows the present, where a command acts. */
   private showNow(): void {
     if (!this.player.past || !this.canAct) return;
     this.player.goLive();
@@ -279,7 +279,7 @@ export class App {
     else this.player.seek(this.player.source.first);
   }
 
-  /** What changes the run can be used where that is of use: `now` the program is there, and its run goes on. */
+  /** Enables or disables what changes the run; `now`: the program answers, and its run has not ended. */
   letCommand(now: boolean): void {
     const { allowed } = this.commands;
     this.canAct = allowed && now;
@@ -289,13 +289,13 @@ export class App {
     this.hierarchy.canReorder = this.canAct;
   }
 
-  /** More of a log has come. */
+  /** More of a log has arrived. */
   refresh(): void {
     this.plots.refresh();
     this.told = undefined;
   }
 
-  /** The session is another one: levels, rows or tasks changed, or the run began again. */
+  /** Takes a new session: tasks, order or friction changed, or the run began again. */
   use(session: Session, schema: Schema): void {
     this.session = session;
     this.plots.use(schema);
@@ -342,7 +342,7 @@ export class App {
     if (this.costs.length > MOST_COSTS) this.costs.shift();
   }
 
-  /** Draws where something has changed and the machine can follow; without WebGL there is nothing to draw. */
+  /** Draws if something has changed and the machine is fast enough; true without WebGL. */
   private draw(now: number, frame: Frame | undefined): boolean {
     const { world, player } = this;
     if (world === undefined) return true;
@@ -372,7 +372,7 @@ export class App {
     this.announcer.tell(this.levels, performance.now());
   }
 
-  /** Why a run has ended stands before what matters less: there is not always room for all. */
+  /** Shows facts in the head, most important first: there is not always room for all. */
   private tellHead(heard: boolean): void {
     const quality = this.world?.stage.quality;
     const rate = heard || !this.player.live ? quality?.rate : "";
@@ -381,7 +381,7 @@ export class App {
     if (this.link !== undefined) showMode(this.player, courseOf(this.link.status, heard), this.link.status?.calibrating);
   }
 
-  /** Once, to a run that waits for it: the robot is in the picture with its meshes, or these take long. */
+  /** Tells a waiting run, once, that the robot is drawn with its meshes, or that these take long. */
   private tellDrawn(): void {
     const isDressed = (this.world?.library.loading ?? 0) === 0 || performance.now() - this.firstPicture > LONGEST_DRESSING;
     if (this.toldDrawn || this.pictures === 0 || !isDressed) return;
@@ -395,7 +395,7 @@ export class App {
     else this.notes.take("unreadable");
   }
 
-  /** The picture's frame in numbers, in the same step as the picture: neither is newer than the other, however slowly it is drawn. */
+  /** Shows the picture's frame in numbers, in the same step as the picture. */
   private numbers(dt: number): void {
     const { frame } = this;
     this.sinceNumbers += dt;

@@ -19,9 +19,9 @@ function showLost(words: string): void {
   part("link-state").dataset["state"] = "lost";
 }
 
-/** Says that the program does not answer, until it does or nothing is asked of it any more. */
+/** Shows that the program does not answer, while a first request is pending. */
 class Waiting {
-  /** When the program was asked; Infinity: it has answered, or there is none to answer. */
+  /** When the pending request was sent; Infinity: none is pending. */
   private since = Infinity;
   private readonly timer = setInterval(() => this.look(), 500);
 
@@ -57,7 +57,7 @@ class Waiting {
 
 function start(): void {
   const notes = new Notes();
-  const theme = new Theme(); // before the program answers, which may take a while
+  const theme = new Theme(); // the first answer may take a while
   const waiting = new Waiting(notes);
   const read = () => Promise.all([fetchSession(), ask("/api/robot.urdf").then(textOf)]);
   void startPage(read, ([session, urdf]) => expose(new App(session, urdf, tokenOf(location.hash), notes, theme)), notes, waiting);

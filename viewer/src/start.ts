@@ -2,18 +2,18 @@ import type { Notes } from "./panels/notes.ts";
 import { pause } from "./protocol/ask.ts";
 import { backoff } from "./protocol/connection.ts";
 
-/** Hears how far it has come with what is asked of the program. */
+/** Progress of the first requests. */
 export interface Asking {
   asked(): void;
   failed(): void;
   answered(): void;
-  /** The page can't be made of what has come. */
+  /** The page can't show the answers. */
   broken(): void;
 }
 
 type Told = Pick<Notes, "keep" | "take">;
 
-/** What `read` gives, asked for until it does. */
+/** Repeats `read` until it succeeds. */
 async function readRun<T>(read: () => Promise<T>, notes: Told, asking: Asking): Promise<T> {
   for (let attempt = 0; ; ++attempt) {
     asking.asked();
@@ -28,7 +28,7 @@ async function readRun<T>(read: () => Promise<T>, notes: Told, asking: Asking): 
   }
 }
 
-/** Makes the page of the run once that is read: what can't be made is not made better by a second one on top of it. */
+/** Reads the run and makes its page, once: a second page on top of a broken one would not help. */
 export async function startPage<T>(read: () => Promise<T>, make: (run: T) => void, notes: Told, asking: Asking): Promise<void> {
   const run = await readRun(read, notes, asking);
   asking.answered();

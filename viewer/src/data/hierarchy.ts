@@ -3,7 +3,7 @@ import type { Explained } from "./explained.ts";
 import { MISSED_EQUALITY, scalar, word, type Frame } from "./frame.ts";
 import { stopText } from "./stop.ts";
 
-/** As `told.level.*.state` says it. */
+/** As in `told.level.*.state`. */
 export type LevelStatus = "met" | "at limit" | "gives way" | "minimised" | "no rows" | "not solved";
 
 export interface RowNote {
@@ -19,7 +19,7 @@ export interface BlockNote {
   cost: number;
 }
 
-/** How a level came out at a tick. */
+/** Result of a level at a tick. */
 export interface LevelState {
   /** Its number in `header.level_names`. */
   level: number;
@@ -30,18 +30,18 @@ export interface LevelState {
   rows: number;
   freedom: number;
   iterations: number;
-  /** That solving it took [µs]; NaN: not measured. */
+  /** Solving time [µs]; NaN: not measured. */
   time: number;
   active: RowNote[];
-  /** Equality rows that it could not reach, worst first. */
+  /** Equality rows that it missed, worst first. */
   missed: RowNote[];
-  /** In the order of the log, dearest first and of those that cost the same limits, or in that of `explain`, limits that are worth telling first. */
+  /** Highest cost first. */
   blocked: BlockNote[];
-  /** How many rows hold it back besides; undefined: the costs are the control loop's estimates. */
+  /** Number of further rows that hold it back; undefined: the costs are the control loop's estimates. */
   others?: number;
 }
 
-/** What each level of the frame's hierarchy did, highest priority first; `explained`: exactly what holds back which, where that is known. */
+/** Results of the frame's levels, highest priority first; `explained`: exact rows, where they are known. */
 export function levelStates(frame: Frame, explained?: Explained): LevelState[] {
   const { schema } = frame;
   return schema.order(frame.tick).map((level) => {
@@ -63,10 +63,10 @@ export function levelStates(frame: Frame, explained?: Explained): LevelState[] {
   });
 }
 
-/** False where what was planned and solved commands nothing: what is planned may then be of the last tick at which it did. */
+/** False where plan and solution command nothing; the plan may then be of an earlier tick. */
 export const isFollowed = (frame: Frame): boolean => word(frame, "told.unused") === "";
 
-/** Of a tick at which no level is at its optimum, or whose solution commands nothing, in the words of `explain`. */
+/** Text of a tick without a solution, or whose solution commands nothing, in the words of `explain`. */
 function nothingText(frame: Frame, [first]: LevelState[]): string {
   if (!isFollowed(frame)) return `${word(frame, "told.unused")}: ${word(frame, "command.mode")}, because ${word(frame, "told.because")}.`;
   const hasRows = first !== undefined && scalar(frame, `hierarchy.level.${first.name}.num_rows`) > 0;
@@ -75,13 +75,13 @@ function nothingText(frame: Frame, [first]: LevelState[]): string {
 
 const cutOffText = (level: LevelState): string => `The solver was cut off in ${plainName(level)}: of it and the levels below it nothing is known.`;
 
-/** What the hierarchy came to. */
+/** Summary of a hierarchy. */
 export interface Account {
   kind: "good" | "bad" | "none";
   line: string;
 }
 
-/** How far the torques are on the way from one hierarchy to another; 1: on none. */
+/** Share of the new hierarchy in a blend; 1: no blend. */
 export function blendShare(frame: Frame): number {
   const share = scalar(frame, "hierarchy.transition_share");
   return Number.isNaN(share) ? 1 : share;
@@ -96,12 +96,12 @@ interface Circumstances {
   stopped?: boolean;
 }
 
-/** What a tick's hierarchy came to. */
+/** Summary of a tick's hierarchy. */
 export function accountAt(frame: Frame, states = levelStates(frame), computing = false): Account {
   return accountOf(states, nothingText(frame, states), { share: blendShare(frame), stopped: stopText(frame) !== "", computing });
 }
 
-/** What gives way to what, and what is held back without that; `nothing`: the line where nothing is solved. */
+/** What gives way to what, or which minimised levels are held back; `nothing`: the line where nothing is solved. */
 export function accountOf(states: LevelState[], nothing: string, { share = 1, stopped = false, computing = false }: Circumstances = {}): Account {
   if (states.every((state) => state.status === "not solved")) return { kind: stopped ? "bad" : "none", line: nothing };
   const { kind, line } = accountOfLevels(states, computing);
@@ -129,7 +129,7 @@ function heldText(held: LevelState[], states: LevelState[]): string {
   return `${held.map(plainName).join()} is kept above 0 by ${aboveOf(held[0] as LevelState, states)}`;
 }
 
-/** The levels above that hold it back, in words; "": none. */
+/** Names of the levels that hold it back; "": none. */
 function aboveOf({ blocked }: LevelState, states: LevelState[]): string {
   return listed([...new Set(blocked.map(({ by }) => nameOf(states, by)))]);
 }
@@ -149,7 +149,7 @@ function listed(parts: string[]): string {
   return parts.length < 2 ? parts.join() : `${parts.slice(0, -1).join(", ")} and ${parts.at(-1)}`;
 }
 
-/** A level by its number, as people read it. */
+/** Readable name of a level, by its number. */
 export function nameOf(states: LevelState[], level: number): string {
   const found = states.find((state) => state.level === level);
   return found === undefined ? "a level above" : plainName(found);

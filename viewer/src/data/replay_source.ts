@@ -7,13 +7,13 @@ import type { FrameSource, Mark, Series } from "./source.ts";
 import type { FrameTable } from "./table.ts";
 import { TILE_FRAMES, TileCache, type FetchBlock, type TileKey } from "./tiles.ts";
 
-/** Memory for pieces of a log [bytes]. */
+/** Memory for tiles [bytes]. */
 const CACHE_BYTES = 160e6;
 
-/** Ticks between the frames that a log's summary has, at least. */
+/** Least ticks between frames of a log's summary. */
 const STRETCH = 64;
 
-/** A log, of which only what is looked at is loaded. */
+/** A log; only what is shown is loaded. */
 export class ReplaySource implements FrameSource {
   marks: Mark[] = [];
   readonly cache: TileCache;
@@ -38,7 +38,7 @@ export class ReplaySource implements FrameSource {
     return (this.firstTick + this.ticks - 1) * this.period;
   }
 
-  /** More of the log is summarised by now: `ticks` from the first on. */
+  /** `ticks` of the log are summarised by now. */
   summarise(ticks: number): void {
     this.cache.renewUnfinished();
     this.cache.summarised = ticks >= this.ticks ? Infinity : ticks;
@@ -67,7 +67,7 @@ export class ReplaySource implements FrameSource {
     return fine !== undefined || off <= 2 * Math.max(this.coarseStride, STRETCH) ? table.frame(i) : undefined;
   }
 
-  /** Goes on over ticks that can't be read, as far as is known, where there is one behind them. */
+  /** Skips unreadable ticks, as far as they are known. */
   neighbour(time: number, steps: number): number {
     const from = Math.min(Math.max(this.tick(time) + steps, 0), this.ticks - 1);
     let tick = from;
@@ -79,7 +79,7 @@ export class ReplaySource implements FrameSource {
     return this.isLost(this.tick(time));
   }
 
-  /** Whether the piece with this tick is here, and has no such tick. */
+  /** Whether the tile of this tick is here and lacks the tick. */
   private isLost(tick: number): boolean {
     const table = this.cache.get({ stride: 1, index: Math.floor(tick / TILE_FRAMES), minMax: false });
     if (table === undefined) return false;

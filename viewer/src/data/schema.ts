@@ -25,23 +25,23 @@ function channelsOf(name: (typeof LEGS)[number]) {
 export type LegChannels = ReturnType<typeof channelsOf>;
 export const LEG_CHANNELS = LEGS.map(channelsOf);
 
-/** A level's residual has the unit of its rows, which the header says. */
+/** Gives a level's residual the unit of its rows, from the header. */
 function withUnit(channel: ChannelInfo, { header }: Session): ChannelInfo {
   const level = /^hierarchy\.level\.(.+)\.residual$/.exec(channel.name)?.[1];
   const unit = level === undefined ? undefined : header.level_units[header.level_names.indexOf(level)];
   return unit === undefined || channel.unit !== "" ? channel : { ...channel, unit };
 }
 
-/** What pushes from outside: a force and a torque on each body, the world's first. */
+/** Outside force and torque on each body, the world first. */
 export const PUSHES = "truth.xfrc_applied";
 const PUSH_PARTS = ["Fx [N]", "Fy [N]", "Fz [N]", "Tx [N·m]", "Ty [N·m]", "Tz [N·m]"];
 
-/** Whether a channel is what pushes from outside, and the names of all its bodies are known. */
+/** Whether a channel has outside forces, and the names of all its bodies are known. */
 export function hasBodies({ name, size }: ChannelInfo, { bodies }: Pick<Session, "bodies">): boolean {
   return name === PUSHES && bodies.length > 0 && size === 6 * (bodies.length + 1);
 }
 
-/** Its numbers by the names of the bodies, found by how people call it. */
+/** Labels outside forces by bodies, and adds words for the search. */
 function withBodies(channel: ChannelInfo, { bodies }: Session): ChannelInfo {
   if (!hasBodies(channel, { bodies })) return channel;
   const labels = ["world", ...bodies].flatMap((body) => PUSH_PARTS.map((part) => `${body}.${part}`));
@@ -51,7 +51,7 @@ function withBodies(channel: ChannelInfo, { bodies }: Session): ChannelInfo {
 /** Weight of a robot [N]. */
 export const newtonsOf = ({ mass }: { mass: number }): number => 9.81 * mass;
 
-/** Where the numbers of a frame stand, and the names of levels and rows that go with them. */
+/** Layout of a frame, and the names of levels and rows. */
 export class Schema {
   readonly channels: ChannelInfo[];
   readonly frameFloats: number;
@@ -64,7 +64,7 @@ export class Schema {
   readonly rows: string[][];
   orders: Order[];
   readonly events: string[];
-  /** All that can be pushed, in the order of the physics. */
+  /** Bodies that can be pushed, in the order of the physics. */
   readonly bodies: string[];
   private readonly byName = new Map<string, ChannelInfo>();
 

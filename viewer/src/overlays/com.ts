@@ -8,15 +8,15 @@ import { BelievedPlane, standing } from "./ground_marks.ts";
 import { vector, type Overlay, type Picture } from "./overlay.ts";
 import { Pen, Trails } from "./trail.ts";
 
-/** How much of the past and, of what is already known, the future a trail shows [s]. */
+/** A trail shows this much of the past and, as far as it is known, of the future [s]. */
 export const TRAIL_SECONDS = 3;
 
-/** Nearer to the support polygon's edge is on it [m]. */
+/** A point this near to the support polygon counts as inside [m]. */
 const ON_EDGE = 0.001;
 const PLUMB = new THREE.CylinderGeometry(1, 1, 1, 8).rotateX(Math.PI / 2).translate(0, 0, 0.5);
 
-/** Centre of mass with its plumb line, and its plan on the ground. The plumb line ends in a disc over the support polygon and beside it in a ring with a
- * number; no body hides it. */
+/** Centre of mass with its plumb line, and its plan on the ground. The plumb line ends in a disc inside the support polygon, and outside it in a
+ * ring with the distance. No body hides it. */
 export class CentreOfMass implements Overlay {
   readonly space = "belief";
   readonly root = new THREE.Group();
@@ -27,7 +27,7 @@ export class CentreOfMass implements Overlay {
   private readonly inside = new THREE.Mesh(new THREE.CircleGeometry(0.016, 24), this.material);
   private readonly outside = new THREE.Mesh(new THREE.RingGeometry(0.018, 0.026, 32), this.material);
   private readonly ring = new THREE.Mesh(new THREE.RingGeometry(0.016, 0.022, 32), this.planMaterial);
-  /** The plan, seen while somebody follows it. */
+  /** The plan, visible while the robot follows it. */
   private readonly planned = new THREE.Group();
   private readonly planTrail = new Trails(1, 255, true);
   private readonly pastTrail = new Trails(0.7, 255, true);
@@ -66,7 +66,7 @@ export class CentreOfMass implements Overlay {
     if (picture.trails) this.drawTrails(picture);
   }
 
-  /** The plumb line, and what it ends in. */
+  /** Places the plumb line and its end. */
   private drop(picture: Picture, ground: number): void {
     const { x, y, z } = this.com;
     for (const mesh of [this.plumb, this.inside, this.outside]) mesh.position.set(x, y, ground);

@@ -10,12 +10,12 @@ import { Pen, Trails } from "./trail.ts";
 
 const X = new THREE.Vector3(1, 0, 0);
 
-/** Ways of the feet: the references (thin) with the planned way ahead as far as it is known, and where they really went. */
+/** Paths of the feet: references (thin), ahead as far as they are known, and the paths that the feet took. */
 export class SwingCurves implements Overlay {
   readonly space = "belief";
   readonly root = new THREE.Group();
   private readonly planned = new Trails(0.55, 1020);
-  /** Seen while somebody follows it. */
+  /** Visible while the robot follows it. */
   private readonly plan = new THREE.Group();
   private readonly real = new Trails(1, 1020);
   private readonly plannedPens = LEGS.map(() => new Pen(this.planned));
@@ -58,13 +58,13 @@ export class SwingCurves implements Overlay {
   }
 }
 
-/** Prints where feet stand, stood, and (where the future is known) will stand, as planned. */
+/** Planned footholds: present, past and, as far as they are known, future. */
 export class Footholds implements Overlay {
   readonly space = "belief";
   readonly root = new THREE.Group();
   private readonly perLeg = 6;
   private readonly discs = new Copies(new THREE.RingGeometry(0.02, 0.031, 28), paint(0.6), this.perLeg * LEGS.length);
-  /** Of each leg the latest, its own over and over. */
+  /** The latest of each leg; the oldest is reused. */
   private readonly prints = LEGS.map(() => Array.from({ length: this.perLeg }, () => new THREE.Vector3()));
   private readonly counts = LEGS.map(() => 0);
   private readonly last = LEGS.map(() => new THREE.Vector3());
@@ -104,29 +104,29 @@ export class Footholds implements Overlay {
   }
 }
 
-/** Nearer to a limit than this is at it: less can't be told in 0.1 cm [m]. */
+/** A leg this near to a limit is at it: labels have 0.1 cm [m]. */
 const AT_LIMIT = 0.0005;
 
 type Brake = "" | "braked" | "not braked enough";
 
-/** What is left between a leg's length and the nearer of its limits, in words; `brake`: of a limit that acts already, so that it is not exceeded. */
+/** Text of a leg's length and of the room to its nearer limit; `brake`: how the limit acts before it is reached. */
 export function limbText(leg: string, length: number, room: number, brake: Brake = ""): string {
   const cm = (metres: number): string => `${(100 * metres).toFixed(1)} cm`;
   const left = !Number.isFinite(room) ? "" : Math.abs(room) < AT_LIMIT ? ", at limit" : room >= 0 ? `, ${cm(room)} left` : `, ${cm(-room)} beyond`;
   return `${leg} ${cm(length)}${left}${brake !== "" && room >= AT_LIMIT ? `, ${brake}` : ""}`;
 }
 
-/** What the controller's rows of these limits are called after their leg. */
+/** Names of the controller's rows of these limits end with this. */
 export const LIMB_ROW = " extension";
 
-/** How the limit of this leg acts, which bounds the acceleration before the leg is as long as it may be: its row is kept, or violated. */
+/** How a leg's limit acts: it bounds the acceleration before the leg reaches its length, and its row is kept or violated. */
 export function brakeOf({ active, schema }: Frame, leg: string, limits: number): Brake {
   const acting = active.filter(({ level, row }) => level === limits && schema.rowName(level, row).includes(leg + LIMB_ROW));
   if (acting.length === 0) return "";
   return acting.some(({ state }) => Math.abs(state) > 1) ? "not braked enough" : "braked";
 }
 
-/** Spheres around the hips between which the feet must stay, of each leg in its colour; plainer the nearer a foot is to one. */
+/** Spheres around the hips between which the feet must stay; more opaque the nearer a foot is to one. */
 export class LimbLimits implements Overlay {
   readonly space = "belief";
   readonly root = new THREE.Group();

@@ -7,7 +7,7 @@ import { LEG_CHANNELS } from "../data/schema.ts";
 import { Arrows, paint, paintOverBodies } from "./arrow.ts";
 import { vector, type Overlay, type Picture } from "./overlay.ts";
 
-/** Forces of the ground on the feet as they are; their size in N stands under the foot, where no leg is. */
+/** True forces of the ground on the feet; the size in N stands under the foot. */
 export class GroundForces implements Overlay {
   readonly space = "world";
   readonly root = new THREE.Group();
@@ -54,23 +54,20 @@ export class WantedForces implements Overlay {
   }
 }
 
-/** So much longer an arrow is that would be short beside the torso [m]: its number says how great a push is. */
+/** Every arrow of a push is longer by this, or the torso would dwarf it [m]; the label has its size. */
 const SEEN_LENGTH = 0.2;
-/** Its number stands this far over its tip, so that it hides none of it [m]. */
+/** Height of the label over the tip, so that it does not cover the arrow [m]. */
 const NUMBER_OVER = 0.12;
-/** How far its edge goes beyond it [m]. */
+/** Width of the outline [m]. */
 const EDGE = 0.006;
-/** Less is in what the controller believes where nobody pushes [N]. */
+/** Estimates below this are noise [N]. */
 const LEAST_BELIEVED = 1;
-/** As many bodies can be pushed at once. */
+/** Pushes drawn at once. */
 const MOST_PUSHES = 32;
-/** No body reaches further from its centre of mass [m]. */
+/** Greatest distance of a point of a body from its centre of mass [m]. */
 const BODY_REACH = 1;
 
-/**
- * What pushes the robot beside the ground, each in the line in which it acts, and their sum as the controller believes it. Has an edge, as it is
- * seen over bodies of any colour.
- */
+/** Outside forces on the robot, each in its line of action, and the sum that the controller estimates. Outlined, to stand out from any colour. */
 export class OutsideForce implements Overlay {
   readonly space = "world";
   readonly root = new THREE.Group();
@@ -95,7 +92,7 @@ export class OutsideForce implements Overlay {
     for (const arrows of all) arrows.end();
   }
 
-  /** How a force is drawn [m]. */
+  /** The arrow of `this.force` [m]. */
   private stretch(newton: number): THREE.Vector3 {
     return this.force.setLength(SEEN_LENGTH + newton * this.force.length());
   }

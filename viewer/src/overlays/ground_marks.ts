@@ -7,7 +7,7 @@ import type { Palette } from "../scene/palette.ts";
 import { ON_GROUND, ON_GROUND_ORDER, paint, paintOnGround } from "./arrow.ts";
 import { vector, type Overlay, type Picture } from "./overlay.ts";
 
-/** What is drawn on the ground floats this far over it [m]. */
+/** Height of marks over the ground [m]. */
 const OVER = 0.004;
 
 /** The plane that the controller believes the ground to be. */
@@ -30,7 +30,7 @@ export class BelievedPlane {
   }
 }
 
-/** Where the feet stand that are to carry and, where the truth is known, touch the ground; at the ground under them. */
+/** Ground points of the feet that are in stance and, where the truth is known, touch the ground. */
 export function standing({ frame, header }: Picture): Point3[] {
   const points: Point3[] = [];
   if (!isFollowed(frame)) return points;
@@ -43,7 +43,7 @@ export function standing({ frame, header }: Picture): Point3[] {
   return points;
 }
 
-/** Convex hull of the feet that carry. */
+/** Convex hull of the stance feet. */
 export class SupportPolygon implements Overlay {
   readonly space = "belief";
   readonly root = new THREE.Group();
@@ -76,7 +76,7 @@ export class SupportPolygon implements Overlay {
   }
 }
 
-/** Zero-moment point: of the plan (a square on its corner) and of the forces there are (a ring). */
+/** Zero-moment point of the plan (a square) and of the true forces (a ring). */
 export class ZeroMomentPoint implements Overlay {
   readonly space = "belief";
   readonly root = new THREE.Group();
@@ -118,7 +118,7 @@ export class ZeroMomentPoint implements Overlay {
   }
 }
 
-/** A piece of the plane that the controller walks by, with its normal. */
+/** A piece of the controller's terrain plane, with its normal. */
 export class TerrainPlane implements Overlay {
   readonly space = "belief";
   readonly root = new THREE.Group();

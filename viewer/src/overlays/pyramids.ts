@@ -9,7 +9,7 @@ import { attribute } from "./trail.ts";
 
 /** Sides as triangles: tip 0, corners 1 … 4. */
 const SIDES = [0, 1, 2, 0, 2, 3, 0, 3, 4, 0, 4, 1];
-/** How dense the sides are: the more is used, the denser. */
+/** Opacity of the sides. */
 const DENSITY = { good: 0.18, near: 0.35, bad: 0.55 };
 const EDGES = [0, 1, 0, 2, 0, 3, 0, 4, 1, 2, 2, 3, 3, 4, 4, 1];
 
@@ -63,9 +63,8 @@ class Pyramids {
 }
 
 /**
- * The friction pyramids that held the solution's forces, as high as the normal force, within what can be seen: where the tip of a force lies in
- * the square, or inside, friction holds it. Coloured, and numbered under the foot, by the share of the pyramid that is used; those that are nearly used up are seen
- * through the leg that they stand at.
+ * The friction pyramids of the solution, as high as the normal force: friction holds a force that ends inside the square. Colour and label show the
+ * share of the pyramid that is used. Pyramids that are nearly used up are visible through their leg.
  */
 export class FrictionPyramids implements Overlay {
   readonly space = "belief";
@@ -99,7 +98,7 @@ export class FrictionPyramids implements Overlay {
     this.alarms.end();
   }
 
-  /** Tip and corners, where they are drawn. */
+  /** Tip and corners in W. */
   private outlineOf(corners: number[][], beliefToWorld: THREE.Matrix4): THREE.Vector3[] {
     this.outline.forEach((point, k) => point.fromArray(corners[k] ?? [0, 0, 0]).add(this.tip).applyMatrix4(beliefToWorld));
     return this.outline;

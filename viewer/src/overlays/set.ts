@@ -30,7 +30,7 @@ const ENTRIES: [id: string, name: string, about: string, on: boolean, make: () =
   ["plane", "Terrain plane", "that the controller walks by", false, () => new TerrainPlane()],
 ];
 
-/** All that is drawn over the robot. What the controller believes is moved to where the robot really is. */
+/** All overlays. What the controller believes is moved to the true robot. */
 export class OverlaySet {
   readonly root = new THREE.Group();
   private readonly beliefToWorld = new THREE.Matrix4();
@@ -83,7 +83,7 @@ export class OverlaySet {
     this.fresh.clear();
   }
 
-  /** Turn about z and shift that take the believed base to the true one. */
+  /** Sets the turn about z and the shift that take the believed base to the true one. */
   private align(frame: Frame): void {
     this.beliefToWorld.identity();
     if (!read(frame, "truth.p_WB", this.p_true) || !read(frame, "truth.q_WB", this.q_true)) return;

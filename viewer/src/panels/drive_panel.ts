@@ -22,7 +22,7 @@ export function nudged(walk: Walk, axis: Axis, steps: number, limits: Record<Axi
   return { ...walk, walk: true, [axis]: Number(value.toFixed(4)) };
 }
 
-/** A direction in the plane, counted from the world's x towards its y; along an axis it is called by that, too. */
+/** A direction in the plane, from the world's x towards its y; along an axis with its name. */
 export function worldDirection(degrees: number): string {
   const axis = ["+x", "+y", "−x", "−y"][(((degrees / 90) % 4) + 4) % 4];
   return `${String(degrees).replace("-", "−")}°${axis === undefined ? "" : ` (${axis})`}`;
@@ -33,9 +33,9 @@ function askedText({ by, walk }: Status["command"]): string {
   return `${by === "operator" ? "You command" : "The scenario commands"}: ${walk ? "walk" : "stand"}.`;
 }
 
-/** Pushes by a button, and what the robot is asked to walk. */
+/** Pushes, and commands of the walk. */
 export class DrivePanel {
-  /** Something is asked for that acts on the run as it is now. */
+  /** Called before each command. */
   onAct: () => void = () => {};
   walk: Walk = { walk: false, forward: 0, left: 0, turn: 0, height: 0 };
   private readonly most: Record<Axis, number>;
@@ -73,7 +73,7 @@ export class DrivePanel {
     root.append(this.viewOnly, this.controls);
   }
 
-  /** Whether this page may command at all, and whether there is something to command `now`. */
+  /** `allowed`: this page may command; `now`: there is a run to command. */
   allow(allowed: boolean, now: boolean): void {
     this.viewOnly.hidden = allowed;
     this.controls.disabled = !allowed || !now;
@@ -107,7 +107,7 @@ export class DrivePanel {
     this.send("push", { body: "base", impulse, duration });
   }
 
-  /** What a field of the push has; undefined, and told, where there is no push of that size. */
+  /** The number in a field of the push; undefined, with a message, where it is not positive. */
   private take(field: HTMLInputElement, name: string, unit: string, help = ""): number | undefined {
     const given = field.value;
     const value = takeNumber(field, Number(field.defaultValue));
@@ -133,7 +133,7 @@ export class DrivePanel {
     this.showValues();
   }
 
-  /** The run begins again, by its scenario's commands. */
+  /** The run begins again, with its scenario's commands. */
   restart(): void {
     this.wish.drop();
   }

@@ -5,12 +5,12 @@ import type { Course } from "./transport.ts";
 
 const MODES: Record<Course, string> = { runs: "live", paused: "paused", ended: "ended", unheard: "not known" };
 
-/** How a live run goes on, in a word or two; `calibrates`: the robot does so before it walks. */
+/** State of a live run, in a word or two; `calibrates`: the robot calibrates before it walks. */
 export function modeText({ past }: Pick<Player, "past">, course: Course, calibrates = false): string {
   return past ? "past" : calibrates && course === "runs" ? "calibrating" : MODES[course];
 }
 
-/** How long a calibration goes on [s]; "": the run's present is not shown, or there is none. */
+/** Time left of a calibration; "": there is none, or the past is shown. */
 export function calibrationText({ past }: Pick<Player, "past">, left: number | null): string {
   if (past || left === null) return "";
   return left > 0 ? `${Math.ceil(left)} s left, then it walks` : "once more";
@@ -31,7 +31,7 @@ export function endFact(why: string, cut: string): string {
   return cut === "" ? "" : "cut off or never closed: how it ended is not known";
 }
 
-/** What is to be known beside it; where there is no room for all, it is told to a pointer. `end`: the one of how a run ended, which is to be seen. */
+/** Shows facts; the title has those for which there is no room. `end`: the fact on how the run ended, which is highlighted. */
 export function showFacts(facts: string[], end: string): void {
   const told = facts.filter((one) => one !== "");
   const text = told.join(" · ");

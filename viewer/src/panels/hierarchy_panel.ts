@@ -14,19 +14,19 @@ export class HierarchyPanel {
   private readonly list = h("ol", { class: "levels", "aria-label": "levels, highest priority first" });
   private cards: LevelCard[] = [];
   private names = "";
-  /** The order that the program had last, and what was asked of it since. */
+  /** Last order of the program. */
   newest: string[] = [];
   readonly wish = new Wish<string[]>();
-  /** Whether the run stands, so that no order comes to effect. */
+  /** Whether the run is paused, so that no order takes effect. */
   paused = false;
 
-  /** `isCut`: of a log without its end, which has the times of all ticks. */
+  /** `isCut`: the log lacks its end, where the times of the ticks stand. */
   constructor(root: HTMLElement, private readonly isCut = false) {
     root.append(this.account, this.facts, this.list);
     this.clear();
   }
 
-  /** The run begins again, with the order of its scenario: nothing is said until the next tick. */
+  /** The run begins again, with its scenario's order: hidden until the next tick. */
   clear(): void {
     this.wish.drop();
     this.account.hidden = this.facts.hidden = this.list.hidden = true;
@@ -69,7 +69,7 @@ export class HierarchyPanel {
   }
 }
 
-/** The names with one of them `steps` further down; undefined where it can't go there. */
+/** Moves a name `steps` down; undefined where that is not possible. */
 export function moved(names: string[], name: string, steps: number): string[] | undefined {
   const from = names.indexOf(name), to = from + steps;
   if (from < 0 || to < 0 || to >= names.length) return undefined;
@@ -80,7 +80,7 @@ export function moved(names: string[], name: string, steps: number): string[] | 
 
 const NO_TIMES = "no times: they stand at a log's end, and this one has none";
 
-/** What the tick cost: `solve` and `total` [µs], NaN where they aren't known; `isCut`: as the log has no end. */
+/** Text of a tick's times `solve` and `total` [µs], NaN: not known; `isCut`: because the log has no end. */
 export function effortOf(solve: number, total: number, states: Pick<LevelState, "rows" | "iterations">[], isCut = false): string {
   if (states.every(({ rows }) => rows === 0)) return Number.isNaN(total) ? "" : `Tick: ${digits(total)} µs`;
   const iterations = counted(states.reduce((sum, state) => sum + (state.iterations || 0), 0), "iteration");

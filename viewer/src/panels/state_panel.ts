@@ -10,7 +10,7 @@ import { wishesText } from "../data/wished_forces.ts";
 import { percent } from "../math/friction.ts";
 import { h, say } from "./dom.ts";
 
-/** What a leg is to do: where its foot does so, and where it is to carry and is in the air. */
+/** Texts of a phase: as planned, and with the foot in the air. */
 const PHASES: Record<string, [as_planned: string, in_the_air: string]> = {
   stance: ["stands", "should stand, is in the air"],
   unloading: ["unloads", "should unload, is in the air"],
@@ -18,16 +18,16 @@ const PHASES: Record<string, [as_planned: string, in_the_air: string]> = {
   search: ["searches for ground", "searches for ground"],
 };
 
-/** Commands that are not the solution's: nobody asks of feet what was planned. */
+/** Modes whose command is not the solution's: the plan does not apply to the feet. */
 const WITHOUT_PLAN = ["hold", "sit", "damping", "lifted", "rise"];
 
-/** Of a foot that touches the ground: the size of its force. */
+/** Size of the force on a foot that touches the ground. */
 function sizeText(frame: Frame, leg: LegChannels): string {
   const force = [0, 0, 0];
   return read(frame, leg.trueForce, force) ? `, |f| ${digits(Math.hypot(...force))} N` : "";
 }
 
-/** What a foot is to do and what it does, with the size of the ground's force on it where it touches. */
+/** What a foot should do and does. */
 function footText(frame: Frame, leg: LegChannels): string {
   const [asPlanned, inTheAir] = PHASES[word(frame, leg.phase)] ?? ["is not known", "is in the air"];
   const { name } = leg, touching = scalar(frame, leg.touching);
@@ -36,7 +36,7 @@ function footText(frame: Frame, leg: LegChannels): string {
   return `${name} ${asPlanned}${asPlanned === "swings" ? ", touches" : ""}${sizeText(frame, leg)}`;
 }
 
-/** What feet are to do and what they do; of a command that is not the solution's, that nobody asks them for anything. */
+/** What the feet should do and do, or that the mode asks nothing of them. */
 function feetText(frame: Frame): string {
   const mode = word(frame, "command.mode");
   if (!WITHOUT_PLAN.includes(mode)) return LEG_CHANNELS.map((leg) => footText(frame, leg)).join("; ");
@@ -53,7 +53,7 @@ function speedText(frame: Frame, topic: string): string {
   return read(frame, `${topic}.v_WB`, v) ? `${digits(seen(Math.hypot(...v), "m/s"))} m/s` : "";
 }
 
-/** Position and heading of a base in words; "" where they aren't known. */
+/** Position and heading of a base; "": not known. */
 function whereabouts(frame: Frame, topic: string): string {
   const p = [0, 0, 0];
   const q = [1, 0, 0, 0];
@@ -62,20 +62,20 @@ function whereabouts(frame: Frame, topic: string): string {
   return `x ${x} m, y ${y} m, z ${z} m, heading ${fixed((yawOf(q) * 180) / Math.PI, 2)}°`;
 }
 
-/** How far the estimate has drifted since the run's first tick, in words. */
+/** Drift of the estimate since the first tick. */
 function estimateError(frame: Frame): string {
   const [distance, heading] = [scalar(frame, "estimate.position_error"), scalar(frame, "estimate.heading_error")];
   if (Number.isNaN(distance + heading)) return "";
   return `${digits(100 * distance)} cm and ${digits((Math.abs(heading) * 180) / Math.PI)}° in heading since the start`;
 }
 
-/** What each foot that carries uses of its friction pyramid, in words. */
+/** Friction use of each foot that carries. */
 function pyramidUses(frame: Frame): string {
   const uses = LEG_CHANNELS.map((leg) => [leg.name, pyramidUse(frame, leg)] as const);
   return uses.filter(([, use]) => !Number.isNaN(use)).map(([leg, use]) => `${leg} ${percent(use)}`).join(", ");
 }
 
-/** What pushes the robot from outside; "" where nobody knows. */
+/** Outside forces on the robot; "": not known. */
 function pushText(frame: Frame): string {
   const pushes = pushesOf(frame);
   if (pushes === undefined) return "";

@@ -7,14 +7,14 @@ import { NumberField } from "./number_field.ts";
 
 export type Report = (text: string, kind?: "error" | "plain") => void;
 
-/** What the grip has made, foot by foot, of the friction that the operator gave; "" where it is not known. */
+/** The controller's friction estimates per foot, starting from the operator's; "": not known. */
 export function beliefText(friction: number[], given: number): string {
   if (friction.some((mu) => Number.isNaN(mu))) return "";
   if (friction.every((mu) => Math.abs(mu - given) < 0.005)) return `The controller believes μ = ${given.toFixed(2)} of every foot now.`;
   return `The controller believes now, after slips: ${LEGS.map((leg, k) => `${leg} ${friction[k]?.toFixed(2)}`).join(", ")}.`;
 }
 
-/** Numbers of the tasks, and the friction that the controller assumes. */
+/** Gains of the tasks, and the friction that the controller assumes. */
 export class TunePanel {
   private readonly tables = h("div", { class: "gains" });
   private readonly tasks = new Map<string, TaskTable>();
@@ -57,16 +57,16 @@ export class TunePanel {
     const order = orderOf(session);
     const tables = session.tasks.filter(({ numbers }) => numbers.length > 0).map((task) => this.table(task, order.indexOf(task.level_name) + 1));
     tables.sort((a, b) => a.place - b.place);
-    // Elements that are put in again lose the focus.
+    // Elements that are inserted again lose the focus.
     if (tables.some(({ root }, k) => this.tables.children[k] !== root)) this.tables.replaceChildren(...tables.map(({ root }) => root));
   }
 
-  /** `friction`: that each foot is believed to find. */
+  /** `friction`: estimate per foot. */
   showBelief(friction: number[]): void {
     say(this.belief, beliefText(friction, this.frictionNow));
   }
 
-  /** Of a run that stands nothing comes to effect: what was asked for is shown until it does. */
+  /** In a paused run, changes stay shown until they take effect. */
   showStatus({ paused }: Pick<Status, "paused">): void {
     for (const field of this.fields()) field.refresh(paused);
   }
@@ -97,7 +97,7 @@ class TaskTable {
     this.root = h("section", { class: "task" }, h("h3", {}, this.title, detail), ...gains.map(({ root }) => root));
   }
 
-  /** `place`: of its level in the order, from 1. */
+  /** `place`: of the level in the order, from 1. */
   show(task: TaskInfo, place: number): void {
     this.place = place;
     say(this.title, `${place} ${plain(task.level_name)}`);
@@ -105,10 +105,10 @@ class TaskTable {
   }
 }
 
-/** A task as the program calls it in what it says of changes. */
+/** A task's name, as in the program's messages. */
 const taskTitle = ({ level_name: level, task }: TaskInfo): string => (level === task ? plain(level) : `${plain(level)}, ${plain(task)}`);
 
-/** Of a ratio the catalogue says "–", which reads like a number that is not known. */
+/** The catalogue marks ratios by "–", which would look like an unknown number. */
 function unitText(unit: string): string {
   return unit === "–" ? "(ratio)" : unit;
 }

@@ -1,7 +1,7 @@
 import * as THREE from "three";
 import { mergeGeometries } from "three/examples/jsm/utils/BufferGeometryUtils.js";
 
-/** Of all that has no image: the colour stands at each corner. */
+/** For meshes without an image: the colour stands at each corner. */
 const COLOURED = new THREE.MeshLambertMaterial({ vertexColors: true, side: THREE.DoubleSide });
 
 /**
@@ -55,7 +55,7 @@ function pieceOf(soup: THREE.BufferGeometry, start: number, count: number, { col
 
 const SHAPE = [["position", 3], ["normal", 3]] as const;
 
-/** What was mirrored has its triangles the other way round. */
+/** Reverses the triangles of a mirrored geometry. */
 function turned(geometry: THREE.BufferGeometry): THREE.BufferGeometry {
   const { count } = geometry.getAttribute("position");
   return geometry.setIndex(Array.from({ length: count }, (_, i) => count - 1 - i)).toNonIndexed();

@@ -15,14 +15,14 @@ const FLAT: TerrainPiece = {
   heights: [],
 };
 
-/** The ground, with lines each 0.1 m and stronger ones each metre. */
+/** The ground, with lines each 0.1 m and stronger lines each metre. */
 export class Terrain {
   readonly root = new THREE.Group();
   private readonly surface: THREE.MeshLambertMaterial | PlainGround;
   private readonly edges: THREE.LineBasicMaterial;
   private readonly lineColour = { value: new THREE.Color() };
 
-  /** `plain`: as quick to draw as can be. */
+  /** `plain`: quick to draw. */
   constructor(pieces: TerrainPiece[], plain: boolean) {
     const parts = new TerrainGeometry(pieces.length > 0 ? pieces : [FLAT]);
     const geometry = new THREE.BufferGeometry();
