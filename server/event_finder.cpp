@@ -10,7 +10,7 @@
 namespace surefoot::server {
 namespace {
 
-/// Without numbers where there is no channel of this name.
+/// The channel of this name; of size 0 where there is none.
 ViewChannel find_channel(const ViewChannels& channels, std::string_view name) {
   const auto found = std::ranges::find(channels.channels, name, &ViewChannel::name);
   if (found != channels.channels.end()) return *found;

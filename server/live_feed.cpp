@@ -21,8 +21,8 @@ namespace surefoot::server {
 namespace {
 
 constexpr std::size_t kRingTicks = 1024;
-constexpr std::size_t kWelcomeFrames = 800;  // what a page that comes gets unasked
-constexpr double kHistory = 122.0;           // what it can ask for: two minutes and a little [s]
+constexpr std::size_t kWelcomeFrames = 800;  // sent to a new page
+constexpr double kHistory = 122.0;           // what it can request: two minutes and a little [s]
 constexpr std::chrono::milliseconds kStatusInterval{250};
 constexpr std::chrono::milliseconds kMeasureInterval{1000};
 
@@ -84,7 +84,7 @@ void LiveFeed::begin(const closed_loop::RunParts& parts, const control::StackOpt
     });
   }
   cone_ = cone;
-  ViewTick example;  // nobody serves yet
+  ViewTick example;  // there is no server yet
   example.truth = parts.plant.truth();
   ring_.emplace(kRingTicks, example);
   begin_again(std::move(begun));
@@ -125,7 +125,7 @@ void LiveFeed::put(std::uint32_t number, const TickRecord& tick,
   }
   place->number = number;
   place->lost = std::exchange(lost_, 0);
-  place->news = told_;
+  place->news = handed_;
   place->record = tick;
   place->truth = truth;
   place->timing = timing;
@@ -172,7 +172,7 @@ void LiveFeed::add_event(double time, const std::string& event) {
   events_.push_back(event);
 }
 
-void LiveFeed::tell(const std::string& notice) {
+void LiveFeed::notify(const std::string& notice) {
   hand_over([this, notice] {
     logging::JsonText(notices_.emplace_back())
         .object()
@@ -182,7 +182,7 @@ void LiveFeed::tell(const std::string& notice) {
   });
 }
 
-void LiveFeed::hand_over(std::function<void()> take) { mailbox_.put({++told_, std::move(take)}); }
+void LiveFeed::hand_over(std::function<void()> take) { mailbox_.put({++handed_, std::move(take)}); }
 
 void LiveFeed::fetch_news() {
   for (News& news : mailbox_.take()) news_.push_back(std::move(news));
@@ -190,14 +190,14 @@ void LiveFeed::fetch_news() {
 
 void LiveFeed::take_news() {
   news_.front().take();
-  heard_ = news_.front().number;
+  taken_ = news_.front().number;
   news_.pop_front();
   is_news_ = true;
 }
 
 void LiveFeed::take_news_before(const ViewTick& tick) {
-  if (heard_ < tick.news) fetch_news();
-  while (heard_ < tick.news) take_news();
+  if (taken_ < tick.news) fetch_news();
+  while (taken_ < tick.news) take_news();
 }
 
 WebAnswer LiveFeed::get(std::string_view path, const Query& query) {
@@ -215,8 +215,8 @@ WebAnswer LiveFeed::get(std::string_view path, const Query& query) {
   });
 }
 
-// What was new before a tick is taken before it. News that were fetched stand behind all ticks
-// that are older, so that after the last of these the rest of them is taken.
+// News from before a tick are taken before it. The ring already holds all ticks that are older than
+// the fetched news, so the remaining news are taken after the last tick.
 std::vector<SharedBlock> LiveFeed::blocks() {
   std::vector<SharedBlock> blocks;
   std::shared_ptr<std::string> bytes;
@@ -276,7 +276,7 @@ std::vector<SharedBlock> LiveFeed::welcome() { return history_.newest(kWelcomeFr
 void LiveFeed::measure() {
   const Clock::time_point now = Clock::now();
   const Pace pace{paused_.load(), speed_.load(), session_.begun};
-  if (pace != pace_) {  // the first, too: nothing has been measured then
+  if (pace != pace_) {  // also at first
     pace_ = pace;
     measured_ = now;
     measured_time_ = time_;
@@ -296,7 +296,7 @@ std::vector<std::string> LiveFeed::messages(std::size_t clients) {
     messages.push_back(status(clients));
     next_status_ = now + kStatusInterval;
   }
-  // After the status, which says whether they are those of a run that has begun again.
+  // After the status, which says whether the run has begun again.
   std::ranges::move(std::exchange(notices_, {}), std::back_inserter(messages));
   if (!events_.empty()) {
     const auto itself = [](const std::string& event) { return event; };

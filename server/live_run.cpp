@@ -26,7 +26,8 @@ void check(const ViewArguments& arguments) {
   }
 }
 
-void tell_link(const std::string& link, const std::string& how_it_ends, const std::string& listen) {
+void print_link(const std::string& link, const std::string& how_it_ends,
+                const std::string& listen) {
   std::fprintf(stderr, "\n  open   %s\n  %s\n\n", link.c_str(), how_it_ends.c_str());
   if (listen.empty() || listen.starts_with("127.") || listen == "::1") return;
   std::fprintf(stderr,
@@ -41,8 +42,8 @@ constexpr const char* kWaits =
     "\n  waits for the page: the robot calibrates, and walks once the link is open (--no-wait: at "
     "once)";
 
-/// The log of a run that is begun again stays.
-void tell_kept(const LiveResult& before, const std::string& next) {
+/// Says that the log before a reset is kept.
+void print_kept(const LiveResult& before, const std::string& next) {
   const bool is_cut = before.run.ending == closed_loop::Ending::reset;
   const std::string kept = is_cut ? logging::partial_path(before.record_path) : before.record_path;
   std::fprintf(stderr, "  the log of the run before the reset is %s; the next goes into %s\n",
@@ -58,7 +59,7 @@ LiveResult run_live(const config::Scenario& scenario, closed_loop::ClosedLoopOpt
   LiveFeed feed(scenario, wishes, options.record_path);
   LiveView view(wishes, feed, options.interrupted, !arguments.no_wait);
   options.steering = &view;
-  options.interrupted = {};  // asked by the view
+  options.interrupted = {};  // the view asks
   std::optional<WebServer> server;
   options.ready = [&] {
     if (server) return;
@@ -70,9 +71,9 @@ LiveResult run_live(const config::Scenario& scenario, closed_loop::ClosedLoopOpt
     const std::string missing = missing_meshes_text(feed.meshes());
     if (!missing.empty())
       std::fprintf(stderr, "surefoot: warning: %s\n", printable(missing).c_str());
-    tell_link(server->link(),
-              std::string("^C     ends the run") + (arguments.no_wait ? "" : kWaits),
-              arguments.listen);
+    print_link(server->link(),
+               std::string("^C     ends the run") + (arguments.no_wait ? "" : kWaits),
+               arguments.listen);
   };
   const std::string first_log = options.record_path;
   while (true) {
@@ -86,7 +87,7 @@ LiveResult run_live(const config::Scenario& scenario, closed_loop::ClosedLoopOpt
     if (first_log.empty()) continue;
     const LiveResult before{result, options.record_path};
     options.record_path = logging::next_free_log(first_log);
-    tell_kept(before, options.record_path);
+    print_kept(before, options.record_path);
     feed.set_recording(options.record_path);
   }
 }

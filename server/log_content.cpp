@@ -17,8 +17,8 @@
 namespace surefoot::server {
 namespace {
 
-constexpr std::uint64_t kMostDecoded = 4096;   // ticks that are read for an answer …
-constexpr std::uint64_t kMostCompared = 2048;  // … of which the least and greatest are asked
+constexpr std::uint64_t kMostDecoded = 4096;   // ticks read for an answer
+constexpr std::uint64_t kMostCompared = 2048;  // ticks compared for an answer
 
 std::string urdf_of(const logging::LogHeader& header) {
   const std::string* urdf = header.attachment("robot.urdf");
@@ -38,7 +38,7 @@ std::string block(const FrameRequest& asked, std::uint32_t count, std::uint32_t 
   return bytes;
 }
 
-/// Of a log that is whole as a file.
+/// Why the run of a complete file does not end where it should; empty: it does.
 std::string cut_of(const explain::Outcome& outcome) {
   if (!outcome.known)
     return "how the run ended is not known: the log's file is whole, but has no summary";
@@ -125,7 +125,7 @@ std::string LogContent::session() {
   return to_json(session);
 }
 
-// Of a long piece those that the summary has, each once.
+// A long span comes from the summary, each of its frames once.
 std::string LogContent::frames(const FrameRequest& asked) {
   const bool is_long = (asked.count - 1) * std::uint64_t{asked.stride} >= kMostDecoded;
   ViewFrame kept;
@@ -140,7 +140,7 @@ std::string LogContent::frames(const FrameRequest& asked) {
   });
 }
 
-// Two frames a stride. From the ticks themselves where the summary is coarser than that.
+// Two frames a stride, from the ticks themselves where the summary is too coarse.
 std::string LogContent::ranges(const FrameRequest& asked) {
   const std::uint32_t count = asked.count / 2 + asked.count % 2;
   const bool is_fine = asked.stride < summary_.stretch() &&

@@ -11,7 +11,7 @@
 
 namespace surefoot::server {
 
-/// What the pages of a log are told: the session, and frames as they ask for them.
+/// Content for the pages of a log: the session, and frames on request.
 class LogContent final : public WebContent {
  public:
   /// Throws FileError on a file that can't be shown.
@@ -20,9 +20,9 @@ class LogContent final : public WebContent {
   [[nodiscard]] std::string start() const override { return session_.start; }
   [[nodiscard]] WebAnswer get(std::string_view path, const Query& query) override;
 
-  /// Lines that the user should know of.
+  /// Warnings for the user.
   [[nodiscard]] const std::vector<std::string>& notes() const { return notes_; }
-  /// Sentences on what can't be read, as far as the log has been looked through.
+  /// Sentences on what can't be read, as far as the log is summarised.
   [[nodiscard]] std::vector<std::string> damage() { return summary_.damage(); }
 
  private:

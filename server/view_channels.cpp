@@ -7,8 +7,8 @@ namespace {
 
 constexpr std::array<std::string_view, 3> kAxes{"x", "y", "z"};
 
-/// What stands in the first brackets: "since the start [s]; …" has the unit "s". A channel whose
-/// numbers have several, "[m/s, rad/s, …]", has none.
+/// The text in the first brackets: "since the start [s]; …" has the unit "s". A list of units,
+/// "[m/s, rad/s, …]", counts as none.
 std::string unit_of(std::string_view about) {
   const std::size_t begin = about.find('[');
   const std::size_t end = about.find(']', begin);
@@ -17,7 +17,7 @@ std::string unit_of(std::string_view about) {
   return unit.find(", ") == std::string_view::npos ? std::string(unit) : "";
 }
 
-/// The text without these brackets, unless they say something of its numbers.
+/// The text without its unit; a list of units stays.
 std::string without_unit(std::string_view about) {
   if (unit_of(about).empty()) return std::string(about);
   const std::size_t begin = about.find('[');

@@ -18,7 +18,7 @@ std::vector<model::MeshFile> meshes_of(const std::string& urdf, const model::Mes
   try {
     return model::mesh_files(urdf, folders);
   } catch (const FileError&) {
-    return {};  // the page tells what it can't read
+    return {};  // the page reports it
   }
 }
 
@@ -35,15 +35,15 @@ ViewRobot::ViewRobot(std::string urdf, const model::MeshFolders& folders)
     : urdf_(std::move(urdf)), meshes_(meshes_of(urdf_, folders)) {}
 
 std::string missing_meshes_text(const std::vector<model::MeshFile>& meshes) {
-  constexpr std::size_t kTold = 3;
+  constexpr std::size_t kNamed = 3;
   std::vector<std::string> names;
   for (const model::MeshFile& mesh : meshes)
     if (mesh.path.empty()) names.push_back(mesh.uri.substr(mesh.uri.rfind('/') + 1));
   if (names.empty()) return "";
   std::string text = "the page shows primitives, as these meshes are missing: ";
-  for (std::size_t i = 0; i < std::min(names.size(), kTold); ++i)
+  for (std::size_t i = 0; i < std::min(names.size(), kNamed); ++i)
     text += (i == 0 ? "" : ", ") + names[i];
-  if (names.size() > kTold) text += " and " + std::to_string(names.size() - kTold) + " more";
+  if (names.size() > kNamed) text += " and " + std::to_string(names.size() - kNamed) + " more";
   return text + "; $SUREFOOT_ROBOT_PACKAGES and $ROS_PACKAGE_PATH say where they are looked for";
 }
 

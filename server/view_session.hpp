@@ -10,7 +10,7 @@
 
 namespace surefoot::server {
 
-/// What may be done to the robot from the page.
+/// Limits of commands of the page.
 struct ViewLimits {
   double push_impulse = 60.0;  ///< [N·s]
   double push_force = 300.0;   ///< of all pushes at one time [N]
@@ -27,7 +27,7 @@ struct ViewLimits {
 struct ViewNumber {
   std::string name, unit, about;
   double value = 0.0;
-  double min = 0.0, max = 0.0;  ///< that the page and the program take
+  double min = 0.0, max = 0.0;  ///< valid range
 };
 
 /// A task of a level, with its numbers.
@@ -43,9 +43,9 @@ struct ViewOrder {
   std::vector<std::string> levels;
 };
 
-/// What a page must know of a run before its frames: /api/session of docs/view_protocol.md.
+/// What a page needs before the frames of a run: /api/session of docs/view_protocol.md.
 struct ViewSession {
-  std::string start;  ///< names this start of the program: another one serves another run
+  std::string start;  ///< names this start of the program: another serves another run
   std::string mode;   ///< "live" or "replay"
   std::string version, title, source;
   std::string cut;         ///< of a log: why the run does not end where it should; "": it does
@@ -53,7 +53,7 @@ struct ViewSession {
   std::string header;      ///< the log's header, JSON
   double period = 0.0025;  ///< of the ticks [s]
   std::uint32_t first_tick = 0, ticks = 0;
-  std::uint32_t summarised = 0;     ///< of a log: ticks that `min_max` and events know already
+  std::uint32_t summarised = 0;     ///< of a log: ticks that are summarised
   std::vector<std::string> damage;  ///< of a log: sentences on what can't be read, so far
   ViewChannels channels;
   std::vector<std::vector<std::string>> rows;  ///< of each level of the header
