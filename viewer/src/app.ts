@@ -9,7 +9,7 @@ import { LiveLink } from "./live_link.ts";
 import { aboutRun } from "./panels/about_run.ts";
 import { Announcer } from "./panels/announcer.ts";
 import { DrivePanel } from "./panels/drive_panel.ts";
-import { h, part, say } from "./panels/dom.ts";
+import { h, part, setText } from "./panels/dom.ts";
 import { endFact, showFacts, showMode } from "./panels/head.ts";
 import { makeHelp } from "./panels/help.ts";
 import { HierarchyPanel } from "./panels/hierarchy_panel.ts";
@@ -71,15 +71,15 @@ export class App {
   private sinceText = Infinity;
   private sinceNumbers = Infinity;
   /** Frame of the numbers in the panels. */
-  private told: Frame | undefined;
+  private shown: Frame | undefined;
   /** Line of the account, for screen readers. */
   private levels = "";
-  private readonly announcer = new Announcer((text) => say(part("events"), text));
+  private readonly announcer = new Announcer((text) => setText(part("events"), text));
   /** Whether commands take effect. */
   private canAct = false;
   private readonly progress: () => string;
   private readonly pauseWish = new Wish<boolean>();
-  private toldDrawn = false;
+  private hasReportedDrawn = false;
 
   constructor(
     public session: Session,
@@ -142,7 +142,7 @@ export class App {
 
   private goWithoutPicture(error: Error): void {
     part("view").classList.add("no-picture");
-    if (!(error instanceof NoGraphics)) say(part("no-picture"), withoutPictureText(error));
+    if (!(error instanceof NoGraphics)) setText(part("no-picture"), withoutPictureText(error));
   }
 
   /** The log of a live run; "": it is not recorded. */
@@ -168,20 +168,20 @@ export class App {
 
   private wire(): void {
     const { world, theme } = this;
-    const wear = (dark: boolean): void => {
-      world?.wear(dark);
+    const recolour = (dark: boolean): void => {
+      world?.recolour(dark);
       this.menu?.legend();
       this.plots.rebuild();
-      this.transport.wear();
+      this.transport.recolour();
     };
-    theme.onChange = wear;
-    wear(theme.dark);
+    theme.onChange = recolour;
+    recolour(theme.dark);
     part("theme").addEventListener("click", () => theme.toggle());
     part("follow").addEventListener("click", () => this.follow());
     part("home").addEventListener("click", () => world?.camera.home());
     const { title, mode, source } = this.session;
-    say(part("title"), title);
-    say(part("mode"), mode);
+    setText(part("title"), title);
+    setText(part("mode"), mode);
     document.title = [title, mode === "live" ? "live" : source, "Surefoot"].join(" – ");
     if (this.session.cut !== "") this.notes.keep("cut", asSentence(this.session.cut));
   }
@@ -292,14 +292,14 @@ export class App {
   /** More of a log has arrived. */
   refresh(): void {
     this.plots.refresh();
-    this.told = undefined;
+    this.shown = undefined;
   }
 
   /** Takes a new session: tasks, order or friction changed, or the run began again. */
   use(session: Session, schema: Schema): void {
     this.session = session;
     this.plots.use(schema);
-    this.told = undefined;
+    this.shown = undefined;
     this.tune.show(session);
     this.hierarchy.newest = orderOf(session);
   }
@@ -364,32 +364,32 @@ export class App {
     const heard = this.link?.isHeard ?? false;
     this.transport.update(this.link?.status, heard);
     this.plots.showProgress(this.progress());
-    this.tellUnreadable();
-    this.tellDrawn();
+    this.showUnreadable();
+    this.reportDrawn();
     this.state.showRun(this.aboutRun());
-    say(part("loading"), this.world?.library.progress ?? "");
-    this.tellHead(heard);
-    this.announcer.tell(this.levels, performance.now());
+    setText(part("loading"), this.world?.library.progress ?? "");
+    this.showHead(heard);
+    this.announcer.update(this.levels, performance.now());
   }
 
   /** Shows facts in the head, most important first: there is not always room for all. */
-  private tellHead(heard: boolean): void {
+  private showHead(heard: boolean): void {
     const quality = this.world?.stage.quality;
     const rate = heard || !this.player.live ? quality?.rate : "";
     const end = endFact(this.ending, this.session.cut);
-    showFacts([this.session.source, end, ...(this.link?.tellFacts() ?? []), rate ?? "", quality?.coarse ?? ""], end);
+    showFacts([this.session.source, end, ...(this.link?.facts ?? []), rate ?? "", quality?.coarse ?? ""], end);
     if (this.link !== undefined) showMode(this.player, courseOf(this.link.status, heard), this.link.status?.calibrating);
   }
 
   /** Tells a waiting run, once, that the robot is drawn with its meshes, or that these take long. */
-  private tellDrawn(): void {
+  private reportDrawn(): void {
     const isDressed = (this.world?.library.loading ?? 0) === 0 || performance.now() - this.firstPicture > LONGEST_DRESSING;
-    if (this.toldDrawn || this.pictures === 0 || !isDressed) return;
-    this.toldDrawn = true;
-    this.link?.tellDrawn();
+    if (this.hasReportedDrawn || this.pictures === 0 || !isDressed) return;
+    this.hasReportedDrawn = true;
+    this.link?.reportDrawn();
   }
 
-  private tellUnreadable(): void {
+  private showUnreadable(): void {
     const { player, frame } = this;
     if (frame !== undefined && (player.source.isUnreadable?.(player.time) ?? false)) this.notes.keep("unreadable", unreadableText(frame.time));
     else this.notes.take("unreadable");
@@ -399,10 +399,10 @@ export class App {
   private numbers(dt: number): void {
     const { frame } = this;
     this.sinceNumbers += dt;
-    if (frame === undefined || frame === this.told || this.sinceNumbers < TEXT_PERIOD) return;
+    if (frame === undefined || frame === this.shown || this.sinceNumbers < TEXT_PERIOD) return;
     this.sinceNumbers = 0;
-    this.told = frame;
-    this.transport.tell(frame);
+    this.shown = frame;
+    this.transport.showTime(frame);
     showTime(frame.time);
     const { source } = this.player;
     const states = levelStates(frame, source.explained?.(frame.tick));

@@ -4,7 +4,7 @@ import type { LiveSource, OpenBefore } from "./data/live_source.ts";
 import { endOf, marksOf, type RawEvent } from "./data/marks.ts";
 import { ReplaySource } from "./data/replay_source.ts";
 import { Schema } from "./data/schema.ts";
-import { part, say } from "./panels/dom.ts";
+import { part, setText } from "./panels/dom.ts";
 import { ask, askJson, NoAnswer } from "./protocol/ask.ts";
 import { courseOf, type Course } from "./panels/transport.ts";
 import { linkText, NO_ANSWER, showLink } from "./panels/stale.ts";
@@ -78,8 +78,8 @@ export class LiveLink {
     this.app = app;
     app.commands.onRefused = () => this.showUse();
     this.connection.onBlock = (block) => this.take(block);
-    this.connection.onMessage = (message) => this.hear(message);
-    this.connection.onState = (state) => this.turn(state);
+    this.connection.onMessage = (message) => this.receive(message);
+    this.connection.onState = (state) => this.changeState(state);
     this.connection.onUnreadable = (error) => app.notes.say(error.message, "error");
     this.source.onRestart = () => app.restart();
     setInterval(() => this.showState(), SILENCE_PERIOD);
@@ -164,7 +164,7 @@ export class LiveLink {
     this.source.follow(session.begun);
   }
 
-  private hear(message: ServerMessage): void {
+  private receive(message: ServerMessage): void {
     const app = this.app as App;
     const { commands, tune, drive } = app;
     switch (message.type) {
@@ -205,7 +205,7 @@ export class LiveLink {
     const badge = part("link-state");
     badge.dataset["state"] = silence > 0 ? "lost" : state;
     const words = { open: "connected", lost: this.connection.reason === "" ? "connection lost" : "turned away", connecting: "connecting" };
-    say(badge, silence > 0 ? `no answer for ${silence} s` : words[state]);
+    setText(badge, silence > 0 ? `no answer for ${silence} s` : words[state]);
     showLink(linkText(this.connection, this.source.last), silence > 0 || state === "lost");
     if (silence > 0) this.app?.notes.keep("silent", NO_ANSWER, "error");
     else this.app?.notes.take("silent");
@@ -217,7 +217,7 @@ export class LiveLink {
     this.app?.letCommand(this.isHeard && this.status?.ended == null);
   }
 
-  private turn(state: ConnectionState): void {
+  private changeState(state: ConnectionState): void {
     const app = this.app as App;
     this.showState();
     if (state !== "open") {
@@ -230,14 +230,14 @@ export class LiveLink {
     } else if (state === "open") {
       app.notes.take("lost");
       app.commands.greet();
-      this.tellDrawn();
+      this.reportDrawn();
       if (this.lostBefore) this.comeBack();
       else void this.recall();
     }
   }
 
   /** Tells the program that the robot is drawn; a run may wait for it. */
-  tellDrawn(): void {
+  reportDrawn(): void {
     if ((this.app?.pictures ?? 0) > 0) this.connection.send({ type: "drawn" });
   }
 
@@ -270,7 +270,7 @@ export class LiveLink {
   }
 
   /** The log, the speed relative to real time, lost ticks. */
-  tellFacts(): string[] {
+  get facts(): string[] {
     const facts: string[] = [];
     const log = this.status?.recording ?? "";
     if (log !== "") facts.push(logFact(log, courseOf(this.status, this.isHeard)));

@@ -4,7 +4,7 @@ import "./style/view.css";
 import "./style/panels.css";
 import { App } from "./app.ts";
 import { Notes } from "./panels/notes.ts";
-import { part, say } from "./panels/dom.ts";
+import { part, setText } from "./panels/dom.ts";
 import { ask, textOf } from "./protocol/ask.ts";
 import { NO_ANSWER } from "./panels/stale.ts";
 import { silenceOf } from "./protocol/connection.ts";
@@ -15,7 +15,7 @@ import { expose } from "./test_window.ts";
 import { Theme } from "./theme.ts";
 
 function showLost(words: string): void {
-  say(part("link-state"), words);
+  setText(part("link-state"), words);
   part("link-state").dataset["state"] = "lost";
 }
 

@@ -11,10 +11,10 @@ export interface Asking {
   broken(): void;
 }
 
-type Told = Pick<Notes, "keep" | "take">;
+type KeptNotes = Pick<Notes, "keep" | "take">;
 
 /** Repeats `read` until it succeeds. */
-async function readRun<T>(read: () => Promise<T>, notes: Told, asking: Asking): Promise<T> {
+async function readRun<T>(read: () => Promise<T>, notes: KeptNotes, asking: Asking): Promise<T> {
   for (let attempt = 0; ; ++attempt) {
     asking.asked();
     try {
@@ -29,7 +29,7 @@ async function readRun<T>(read: () => Promise<T>, notes: Told, asking: Asking): 
 }
 
 /** Reads the run and makes its page, once: a second page on top of a broken one would not help. */
-export async function startPage<T>(read: () => Promise<T>, make: (run: T) => void, notes: Told, asking: Asking): Promise<void> {
+export async function startPage<T>(read: () => Promise<T>, make: (run: T) => void, notes: KeptNotes, asking: Asking): Promise<void> {
   const run = await readRun(read, notes, asking);
   asking.answered();
   notes.take("start");

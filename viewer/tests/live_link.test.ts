@@ -112,7 +112,7 @@ test("a program that waits hears that the robot is drawn, and a connection after
   page.hear(0);
   assert.deepEqual(page.newest().sent, [], "there is no picture yet");
   page.pictures.pictures = 1;
-  page.link.tellDrawn();
+  page.link.reportDrawn();
   assert.deepEqual(page.newest().sent, [{ type: "drawn" }]);
   await loseAndFind(page);
   page.hear(1);

@@ -4,11 +4,11 @@ import type { Schema } from "./schema.ts";
 /** What `/api/explain` answers of a tick (docs/view_protocol.md). */
 export interface ExplainAnswer {
   /** `told`: number of rows to show. */
-  gave_way?: { level: string; to: ToldRow[]; told: number }[];
+  gave_way?: { level: string; to: AnswerRow[]; told: number }[];
   costs_are_exact?: boolean;
 }
 
-interface ToldRow {
+interface AnswerRow {
   level: string;
   row: string;
   cost: number | null;

@@ -46,7 +46,7 @@ export class CentreOfMass implements Overlay {
     this.root.add(this.ball, this.plumb, this.inside, this.outside, this.planned, this.pastTrail.lines);
   }
 
-  wear(palette: Palette): void {
+  recolour(palette: Palette): void {
     this.material.color.set(palette.com);
     this.planMaterial.color.set(palette.plan);
   }

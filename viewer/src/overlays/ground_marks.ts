@@ -61,7 +61,7 @@ export class SupportPolygon implements Overlay {
     this.root.renderOrder = ON_GROUND_ORDER;
   }
 
-  wear(palette: Palette): void {
+  recolour(palette: Palette): void {
     this.fill.color.set(palette.support);
     this.line.color.set(palette.support);
   }
@@ -92,7 +92,7 @@ export class ZeroMomentPoint implements Overlay {
     this.root.renderOrder = ON_GROUND_ORDER;
   }
 
-  wear(palette: Palette): void {
+  recolour(palette: Palette): void {
     this.material.color.set(palette.zmp);
   }
 
@@ -137,7 +137,7 @@ export class TerrainPlane implements Overlay {
     this.root.add(new THREE.Mesh(new THREE.PlaneGeometry(1.2, 1.2), this.fill), this.grid, normal);
   }
 
-  wear(palette: Palette): void {
+  recolour(palette: Palette): void {
     this.fill.color.set(palette.plane);
     const colours = this.grid.geometry.getAttribute("color") as THREE.BufferAttribute;
     const colour = new THREE.Color(palette.plane);

@@ -30,7 +30,7 @@ export interface Overlay {
   readonly space: "belief" | "world";
   readonly root: THREE.Object3D;
   /** Sets the colours of its materials. */
-  wear?(palette: Palette): void;
+  recolour?(palette: Palette): void;
   update(picture: Picture): void;
 }
 

@@ -58,9 +58,9 @@ export class OverlaySet {
     }
   }
 
-  wear(palette: Palette): void {
+  recolour(palette: Palette): void {
     this.colours = coloursOf(palette);
-    for (const overlay of this.overlays) overlay.wear?.(palette);
+    for (const overlay of this.overlays) overlay.recolour?.(palette);
   }
 
   toggle(id: string): void {

@@ -3,16 +3,16 @@ const PERIOD = 3000;
 
 /** Announces changes to screen readers, and skips those that are over before they could be read out. */
 export class Announcer {
-  private said = "";
+  private announced = "";
   private at = -Infinity;
 
-  constructor(private readonly say: (text: string) => void) {}
+  constructor(private readonly announce: (text: string) => void) {}
 
   /** Called regularly with the present state; `now` [ms]. */
-  tell(text: string, now: number): void {
-    if (text === this.said || now - this.at < PERIOD) return;
-    this.said = text;
+  update(text: string, now: number): void {
+    if (text === this.announced || now - this.at < PERIOD) return;
+    this.announced = text;
     this.at = now;
-    this.say(text);
+    this.announce(text);
   }
 }

@@ -31,7 +31,7 @@ export function part<T extends HTMLElement = HTMLElement>(id: string): T {
 }
 
 /** Sets a text if it has changed. */
-export function say(element: Element, text: string): void {
+export function setText(element: Element, text: string): void {
   if (element.textContent !== text) element.textContent = text;
 }
 

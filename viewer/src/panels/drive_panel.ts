@@ -4,7 +4,7 @@ import { Wish } from "../data/wish.ts";
 import { VIEW_ONLY, type Ask } from "../protocol/commands.ts";
 import type { Status } from "../protocol/connection.ts";
 import type { Limits } from "../protocol/session.ts";
-import { h, say } from "./dom.ts";
+import { h, setText } from "./dom.ts";
 import { takeNumber } from "./number_field.ts";
 import type { Report } from "./tune_panel.ts";
 
@@ -94,7 +94,7 @@ export class DrivePanel {
 
   private showDirection(): void {
     const text = worldDirection(Number(this.direction.value));
-    say(this.directionText, text);
+    setText(this.directionText, text);
     this.direction.setAttribute("aria-valuetext", text);
   }
 
@@ -152,12 +152,12 @@ export class DrivePanel {
     const { command } = status;
     const [forward = 0, left = 0] = command.velocity;
     this.walk = this.wish.or({ walk: command.walk, forward, left, turn: command.yaw_rate, height: command.height });
-    if (status.ended !== null) say(this.asked, "The run has ended: a reset begins it again.");
-    else say(this.asked, askedText(command));
+    if (status.ended !== null) setText(this.asked, "The run has ended: a reset begins it again.");
+    else setText(this.asked, askedText(command));
     this.showValues();
   }
 
   private showValues(): void {
-    for (const [axis, element] of this.values) say(element, fixed(this.walk[axis], axis === "height" ? 3 : 2));
+    for (const [axis, element] of this.values) setText(element, fixed(this.walk[axis], axis === "height" ? 3 : 2));
   }
 }

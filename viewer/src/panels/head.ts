@@ -1,6 +1,6 @@
 import { endingText, weightOf } from "../data/mark_columns.ts";
 import type { Player } from "../data/player.ts";
-import { h, part, say } from "./dom.ts";
+import { h, part, setText } from "./dom.ts";
 import type { Course } from "./transport.ts";
 
 const MODES: Record<Course, string> = { runs: "live", paused: "paused", ended: "ended", unheard: "not known" };
@@ -20,8 +20,8 @@ export function showMode(player: Pick<Player, "past">, course: Course, calibrati
   const badge = part("mode");
   const words = modeText(player, course, calibrating !== null);
   badge.dataset["state"] = player.past ? "past" : words === "calibrating" ? words : course;
-  say(badge, words);
-  say(part("calibration"), course === "ended" || course === "unheard" ? "" : calibrationText(player, calibrating));
+  setText(badge, words);
+  setText(part("calibration"), course === "ended" || course === "unheard" ? "" : calibrationText(player, calibrating));
   badge.title = !player.past && course === "unheard" ? "how the run goes on is not known" : "";
 }
 
@@ -33,11 +33,11 @@ export function endFact(why: string, cut: string): string {
 
 /** Shows facts; the title has those for which there is no room. `end`: the fact on how the run ended, which is highlighted. */
 export function showFacts(facts: string[], end: string): void {
-  const told = facts.filter((one) => one !== "");
-  const text = told.join(" · ");
+  const shown = facts.filter((one) => one !== "");
+  const text = shown.join(" · ");
   const line = part("head-facts");
   if (line.textContent === text) return;
   const weight = weightOf({ kind: "end", text: end });
-  line.replaceChildren(...told.flatMap((one, k) => [...(k === 0 ? [] : [" · "]), one === end ? h("strong", { "data-weight": weight }, one) : one]));
+  line.replaceChildren(...shown.flatMap((one, k) => [...(k === 0 ? [] : [" · "]), one === end ? h("strong", { "data-weight": weight }, one) : one]));
   line.title = text;
 }

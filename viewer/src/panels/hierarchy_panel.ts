@@ -2,7 +2,7 @@ import { scalar, type Frame } from "../data/frame.ts";
 import { accountAt, levelStates, type LevelState } from "../data/hierarchy.ts";
 import { Wish } from "../data/wish.ts";
 import { counted, digits } from "../data/numbers.ts";
-import { h, say } from "./dom.ts";
+import { h, setText } from "./dom.ts";
 import { LevelCard } from "./level_card.ts";
 
 /** The levels in order: how each came out, which rows are active, and what held it back. */
@@ -43,9 +43,9 @@ export class HierarchyPanel {
     states.forEach((state, k) => this.cards[k]?.show(state, states));
     this.account.hidden = this.facts.hidden = this.list.hidden = false;
     this.account.dataset["kind"] = account.kind;
-    say(this.line, account.line);
+    setText(this.line, account.line);
     this.line.title = account.line; // three lines are visible
-    say(this.facts, effortOf(scalar(frame, "timings.solve"), scalar(frame, "timings.total"), states, this.isCut));
+    setText(this.facts, effortOf(scalar(frame, "timings.solve"), scalar(frame, "timings.total"), states, this.isCut));
   }
 
   private build(states: LevelState[], names: string): void {

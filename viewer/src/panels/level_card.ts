@@ -1,6 +1,6 @@
 import { nameOf, type LevelState, type RowNote } from "../data/hierarchy.ts";
 import { counted, quantity, seen } from "../data/numbers.ts";
-import { h, plain, say } from "./dom.ts";
+import { h, plain, setText } from "./dom.ts";
 
 /** Sign of each status: colour is never the only one. */
 const SIGNS = { met: "✓", "at limit": "▲", "gives way": "✕", minimised: "·", "no rows": "–", "not solved": "–" } as const;
@@ -49,15 +49,15 @@ export class LevelCard {
     const kind = state.status.replaceAll(" ", "-");
     if (this.root.dataset["status"] !== kind) this.root.dataset["status"] = kind;
     this.root.classList.toggle("held", blockers(state).length > 0);
-    say(this.sign, SIGNS[state.status]);
-    say(this.status, state.status);
-    say(this.residual, state.rows === 0 ? "" : quantity(seen(state.residual, state.unit), state.unit));
-    say(this.brief, briefOf(state, all));
+    setText(this.sign, SIGNS[state.status]);
+    setText(this.status, state.status);
+    setText(this.residual, state.rows === 0 ? "" : quantity(seen(state.residual, state.unit), state.unit));
+    setText(this.brief, briefOf(state, all));
     if (this.brief.title !== this.brief.textContent) this.brief.title = this.brief.textContent ?? "";
-    say(this.time, timeOf(state));
-    say(this.rows, rowsOf(state));
-    say(this.blocked, heldText(state, all));
-    say(this.meta, state.rows === 0 ? "" : metaOf(state));
+    setText(this.time, timeOf(state));
+    setText(this.rows, rowsOf(state));
+    setText(this.blocked, heldText(state, all));
+    setText(this.meta, state.rows === 0 ? "" : metaOf(state));
   }
 }
 
@@ -72,8 +72,8 @@ export function heldText(state: LevelState, all: LevelState[]): string {
   if (rows.length === 0) return "";
   const isExact = others !== undefined;
   const amount = (cost: number): string => (Number.isNaN(cost) ? " at a cost that is not known" : cost > 0 ? ` costs ${isExact ? "" : "about "}${quantity(cost, unit)}` : isExact ? " costs nothing alone" : "");
-  const told = rows.map(({ by, row, cost }) => `${nameOf(all, by)}: ${row}${amount(cost)}`);
-  const whole = `held back by ${[...told, ...(others ? [`${others} more`] : [])].join("; ")}`;
+  const texts = rows.map(({ by, row, cost }) => `${nameOf(all, by)}: ${row}${amount(cost)}`);
+  const whole = `held back by ${[...texts, ...(others ? [`${others} more`] : [])].join("; ")}`;
   return isExact ? whole : `${whole} (the control loop's estimate)`;
 }
 

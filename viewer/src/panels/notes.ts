@@ -1,5 +1,5 @@
 import { capitalised } from "../data/log_words.ts";
-import { h, part, say } from "./dom.ts";
+import { h, part, setText } from "./dom.ts";
 
 /** Most short messages; more remove the oldest, errors last. */
 const MOST_SHORT = 5;
@@ -83,13 +83,13 @@ class Note {
     this.text = text;
     this.said = 1;
     this.times.hidden = true;
-    say(this.words, capitalised(text));
+    setText(this.words, capitalised(text));
     this.more.hidden = this.words.scrollHeight <= this.words.clientHeight + 1;
   }
 
   count(): void {
     this.times.hidden = false;
-    say(this.times, `× ${++this.said}`);
+    setText(this.times, `× ${++this.said}`);
   }
 
   /** Drops the note after a while [ms], unless it is open. */
@@ -103,6 +103,6 @@ class Note {
     const open = this.root.classList.toggle("open");
     if (!open) this.drop();
     this.more.setAttribute("aria-expanded", String(open));
-    say(this.more, open ? "less" : "more");
+    setText(this.more, open ? "less" : "more");
   }
 }

@@ -28,7 +28,7 @@ export class NumberField {
   /** Present number of the run. */
   private now = NaN;
   /** Last text that the page wrote. */
-  private said = "";
+  private written = "";
 
   constructor(attributes: Record<string, string | number>, private readonly actions: NumberFieldActions) {
     this.input = h("input", { type: "number", ...attributes, onchange: () => this.take() });
@@ -36,8 +36,8 @@ export class NumberField {
 
   private take(): void {
     const value = takeNumber(this.input, this.now);
-    this.said = this.input.value;
-    if (value === undefined) return this.actions.reject(this.said);
+    this.written = this.input.value;
+    if (value === undefined) return this.actions.reject(this.written);
     this.wish.ask(value);
     this.actions.ask(value, this);
   }
@@ -50,18 +50,18 @@ export class NumberField {
 
   /** `held`: changes can't take effect yet. */
   refresh(held = false): void {
-    const typing = document.activeElement === this.input && this.input.value !== this.said;
-    if (!typing) this.say(this.wish.or(this.now, held));
+    const typing = document.activeElement === this.input && this.input.value !== this.written;
+    if (!typing) this.write(this.wish.or(this.now, held));
   }
 
   /** Drops the wish. */
   drop(): void {
     this.wish.drop();
-    this.say(this.now);
+    this.write(this.now);
   }
 
-  private say(value: number): void {
-    this.said = String(value);
-    if (this.input.value !== this.said) this.input.value = this.said;
+  private write(value: number): void {
+    this.written = String(value);
+    if (this.input.value !== this.written) this.input.value = this.written;
   }
 }

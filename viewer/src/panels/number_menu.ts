@@ -1,4 +1,4 @@
-import { h, say } from "./dom.ts";
+import { h, setText } from "./dom.ts";
 
 type Attributes = Record<string, string>;
 
@@ -21,7 +21,7 @@ export class NumberMenu {
     this.other.hidden = this.numbers.includes(value);
     if (!this.other.hidden) {
       this.other.value = String(value);
-      say(this.other, this.textOf(value));
+      setText(this.other, this.textOf(value));
     }
     this.select.value = String(value);
   }

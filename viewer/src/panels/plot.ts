@@ -4,7 +4,7 @@ import { Envelope } from "../data/envelope.ts";
 import { scalar, type Frame } from "../data/frame.ts";
 import type { FrameSource, Series } from "../data/source.ts";
 import type { Schema } from "../data/schema.ts";
-import { h, say, svg } from "./dom.ts";
+import { h, setText, svg } from "./dom.ts";
 import { stylesOf, type LineStyle } from "./line_styles.ts";
 
 /** With more lines the legend has no numbers. */
@@ -63,7 +63,7 @@ export class Plot {
     const unit = unitOf(series, this.schema);
     const styles = stylesOf(series.map((one) => legIn(partsOf(one, this.schema).join("."))));
     this.name.replaceChildren(...breakable(title ?? names.title));
-    say(this.unit, unit ? ` [${unit}]` : "");
+    setText(this.unit, unit ? ` [${unit}]` : "");
     this.lines = series.map((one, k) => ({
       series: one, style: styles[k] as LineStyle, shown: !hidden.includes(one), value: h("output", { "aria-live": "off" }),
       unit: unit === undefined ? (this.schema.channel(one.channel)?.unit ?? "") : "",
@@ -98,7 +98,7 @@ export class Plot {
 
   clear(): void {
     this.chart?.setData([[], ...this.shown.map(() => [])] as unknown as uPlot.AlignedData);
-    for (const { value } of this.lines) say(value, "");
+    for (const { value } of this.lines) setText(value, "");
   }
 
   build(): void {
@@ -184,8 +184,8 @@ export class Plot {
   }
 
   /** Shows a frame's numbers in the legend. */
-  tell(frame: Frame): void {
-    for (const { series, value } of this.lines) say(value, valueText(series, scalar(frame, series.channel, series.index), this.schema));
+  showNumbers(frame: Frame): void {
+    for (const { series, value } of this.lines) setText(value, valueText(series, scalar(frame, series.channel, series.index), this.schema));
   }
 
   private resize(): void {

@@ -6,7 +6,7 @@ import type { Series } from "../data/source.ts";
 import { digits } from "../data/numbers.ts";
 import { choicesOf, type Choice } from "../data/channel_names.ts";
 import type { ChannelInfo } from "../protocol/session.ts";
-import { h, say } from "./dom.ts";
+import { h, setText } from "./dom.ts";
 import { MOST_LINES } from "./line_styles.ts";
 import { NumberMenu } from "./number_menu.ts";
 import { Plot } from "./plot.ts";
@@ -267,7 +267,7 @@ export class PlotsPanel {
 
   /** Shows the loading progress; "": all is here. */
   showProgress(text: string): void {
-    say(this.progress, text);
+    setText(this.progress, text);
   }
 
   /** `frame`: the picture's. */
@@ -288,7 +288,7 @@ export class PlotsPanel {
     this.pictured = pictured;
     for (const plot of this.plots) {
       plot.draw(this.player.source, from, to, pictured);
-      if (frame !== undefined) plot.tell(frame);
+      if (frame !== undefined) plot.showNumbers(frame);
     }
   }
 }

@@ -1,6 +1,6 @@
 import type { ConnectionState } from "../protocol/connection.ts";
 import { secondsText } from "../data/numbers.ts";
-import { part, say } from "./dom.ts";
+import { part, setText } from "./dom.ts";
 
 /** How long nothing has arrived [s]; followed by `timeText`. */
 export function staleText(ago: number): string {
@@ -14,7 +14,7 @@ export function timeText(time: number): string {
 
 /** Shows the time of the numbers, which may be of the past. */
 export function showTime(time: number): void {
-  say(part("stale-time"), timeText(time));
+  setText(part("stale-time"), timeText(time));
 }
 
 /** Advice while the program does not answer. */
@@ -41,6 +41,6 @@ export function linkText({ state, silence, quiet, reason }: Link, last: number):
 export function showLink(text: string, old: boolean): void {
   const note = part("stale");
   note.hidden = text === "";
-  say(part("stale-text"), text);
+  setText(part("stale-text"), text);
   document.body.classList.toggle("stale", old);
 }

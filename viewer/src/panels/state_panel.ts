@@ -8,7 +8,7 @@ import { digits, fixed, secondsText, seen } from "../data/numbers.ts";
 import { commandText, faultsText } from "../data/stop.ts";
 import { wishesText } from "../data/wished_forces.ts";
 import { percent } from "../math/friction.ts";
-import { h, say } from "./dom.ts";
+import { h, setText } from "./dom.ts";
 
 /** Texts of a phase: as planned, and with the foot in the air. */
 const PHASES: Record<string, [as_planned: string, in_the_air: string]> = {
@@ -114,7 +114,7 @@ class TextList {
   show(name: string, text: string): void {
     const row = this.rows.get(name) ?? this.add(name);
     row.name.hidden = row.text.hidden = text === "";
-    say(row.text, text);
+    setText(row.text, text);
   }
 
   clear(): void {

@@ -6,7 +6,7 @@ import { secondsText } from "../data/numbers.ts";
 import { Wish } from "../data/wish.ts";
 import { VIEW_ONLY } from "../protocol/commands.ts";
 import type { Status } from "../protocol/connection.ts";
-import { h, say } from "./dom.ts";
+import { h, setText } from "./dom.ts";
 import { NumberMenu } from "./number_menu.ts";
 
 /** Marks within this width are drawn as one [pixels]. */
@@ -147,18 +147,18 @@ export class Transport {
   }
 
   /** Shows the time of the picture. */
-  tell({ time }: Frame): void {
+  showTime({ time }: Frame): void {
     const { live, source } = this.player;
-    say(this.clock, clockText(time, live ? undefined : source.last));
+    setText(this.clock, clockText(time, live ? undefined : source.last));
   }
 
   /** Shows no time until there is a picture again. */
   clear(): void {
-    say(this.clock, "");
+    setText(this.clock, "");
   }
 
   /** The colours have changed. */
-  wear(): void {
+  recolour(): void {
     this.marksSeen = "";
   }
 
@@ -169,7 +169,7 @@ export class Transport {
     const { first, last, marks } = player.source;
     const course = courseOf(status, heard);
     const running = player.following ? course === "runs" || (course === "unheard" && !(status?.paused ?? false)) : player.playing;
-    say(this.playButton, running ? "❚❚" : "▶");
+    setText(this.playButton, running ? "❚❚" : "▶");
     name(this.playButton, playText(player, running, this.mayCommand, course));
     this.playButton.disabled = player.following && (course === "ended" || course === "unheard");
     const speed = player.live && player.following ? this.wish.or(status?.speed ?? 1) : player.speed;
@@ -177,11 +177,11 @@ export class Transport {
     this.liveButton.classList.toggle("on", player.following);
     this.liveButton.classList.toggle("primary", player.past);
     const [newest, title] = newestText(player.past, course);
-    say(this.liveButton, newest);
+    setText(this.liveButton, newest);
     name(this.liveButton, title);
     this.forbid(this.resetButton, player.live && !this.mayCommand, RESET);
     this.forbid(this.speedMenu.select, player.following && !this.mayCommand, player.past ? PAST_SPEED : SPEED);
-    say(this.past, player.past && !Number.isNaN(last) ? pastText(last, course) : "");
+    setText(this.past, player.past && !Number.isNaN(last) ? pastText(last, course) : "");
     if (Number.isNaN(first)) return;
     this.slider.min = String(first);
     this.slider.max = String(last);
@@ -227,7 +227,7 @@ export class Transport {
     const text = hintOf(marks, time, (5 / box.width) * (last - first));
     this.hint.hidden = text === "";
     if (text === "") return;
-    say(this.hint, text);
+    setText(this.hint, text);
     const half = 0.5 * this.hint.offsetWidth + 4;
     const x = Math.min(Math.max(event.clientX, half), innerWidth - half);
     this.hint.style.left = `${x - (box.left - this.canvas.offsetLeft)}px`;

@@ -2,7 +2,7 @@ import type { Ask } from "../protocol/commands.ts";
 import { orderOf, type Session, type TaskInfo, type TaskNumber } from "../protocol/session.ts";
 import { LEGS } from "../data/schema.ts";
 import type { Status } from "../protocol/connection.ts";
-import { h, plain, say } from "./dom.ts";
+import { h, plain, setText } from "./dom.ts";
 import { NumberField } from "./number_field.ts";
 
 export type Report = (text: string, kind?: "error" | "plain") => void;
@@ -63,7 +63,7 @@ export class TunePanel {
 
   /** `friction`: estimate per foot. */
   showBelief(friction: number[]): void {
-    say(this.belief, beliefText(friction, this.frictionNow));
+    setText(this.belief, beliefText(friction, this.frictionNow));
   }
 
   /** In a paused run, changes stay shown until they take effect. */
@@ -81,7 +81,7 @@ export class TunePanel {
   }
 }
 
-type Tell = (text: string) => void;
+type Reject = (text: string) => void;
 
 /** The numbers of a task. */
 class TaskTable {
@@ -90,9 +90,9 @@ class TaskTable {
   private readonly title = h("span", {});
   readonly fields: NumberField[];
 
-  constructor(task: TaskInfo, ask: Ask, tell: Tell) {
+  constructor(task: TaskInfo, ask: Ask, reject: Reject) {
     const detail = task.task === task.level_name ? undefined : h("span", { class: "soft" }, ` ${plain(task.task)}`);
-    const gains = task.numbers.map((number) => new GainField(task, number, ask, tell));
+    const gains = task.numbers.map((number) => new GainField(task, number, ask, reject));
     this.fields = gains.map(({ field }) => field);
     this.root = h("section", { class: "task" }, h("h3", {}, this.title, detail), ...gains.map(({ root }) => root));
   }
@@ -100,7 +100,7 @@ class TaskTable {
   /** `place`: of the level in the order, from 1. */
   show(task: TaskInfo, place: number): void {
     this.place = place;
-    say(this.title, `${place} ${plain(task.level_name)}`);
+    setText(this.title, `${place} ${plain(task.level_name)}`);
     this.fields.forEach((field, k) => field.show(task.numbers[k]?.value ?? NaN));
   }
 }
@@ -118,13 +118,13 @@ class GainField {
   readonly root: HTMLElement;
   readonly field: NumberField;
 
-  constructor(task: TaskInfo, number: TaskNumber, ask: Ask, tell: Tell) {
+  constructor(task: TaskInfo, number: TaskNumber, ask: Ask, reject: Reject) {
     const unit = number.unit === "–" ? "" : ` ${number.unit}`;
     const range = `from ${number.min} to ${number.max}${unit}`.trimEnd();
     const hint = [number.about, range].filter((text) => text !== "").join("; ");
     this.field = new NumberField({ min: number.min, max: number.max, step: "any", "data-gain": `${task.level_name}.${task.task}.${number.name}`, title: hint }, {
       ask: (value, field) => ask("gain", { level: task.level_name, task: task.task, name: number.name, value }, field),
-      reject: (kept) => tell(`No change: ${taskTitle(task)} ${plain(number.name)} was no number. It is ${kept}${unit} again.`),
+      reject: (kept) => reject(`No change: ${taskTitle(task)} ${plain(number.name)} was no number. It is ${kept}${unit} again.`),
     });
     const name = h("span", {}, plain(number.name), h("small", { class: "hint" }, hint));
     this.root = h("label", { class: "field" }, name, h("span", { class: "with-unit" }, this.field.input, h("span", { class: "unit" }, unitText(number.unit))));

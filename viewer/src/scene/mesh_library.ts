@@ -90,12 +90,12 @@ export class MeshLibrary {
     const info = this.byUri.get(uri);
     if (info === undefined || !info.found) throw new Error("the file is not there");
     const bytes = await askUntilAnswered(`/api/mesh/${info.id}`, () => pause(AGAIN));
-    const breath = new Breath();
+    const rest = new Rest();
     const read = this.parse(uri, bytes);
-    await breath.take();
+    await rest.take();
     const detail = this.detail();
     if (detail > 0) coarsen(read, detail);
-    await breath.take();
+    await rest.take();
     const object = hasMaterials(uri) ? merged(read) : read;
     for (const mesh of meshesOf(object)) mesh.castShadow = mesh.receiveShadow = true;
     return object;
@@ -156,16 +156,16 @@ function plain(material: THREE.Material | THREE.Material[]): THREE.Material | TH
 /** Shorter work needs no rest [ms]. */
 const SHORT_WORK = 200;
 /** Longest rest between two pieces of work [ms]. */
-const LONGEST_BREATH = 300;
+const LONGEST_REST = 300;
 
 /** Rests after each piece of work for as long as it took, so that data and pictures get their turn. */
-class Breath {
+class Rest {
   private since = performance.now();
 
   async take(): Promise<void> {
     const took = performance.now() - this.since;
     if (took < SHORT_WORK) return;
-    await pause(Math.min(took, LONGEST_BREATH));
+    await pause(Math.min(took, LONGEST_REST));
     this.since = performance.now();
   }
 }

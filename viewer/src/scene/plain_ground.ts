@@ -12,7 +12,7 @@ export class PlainGround extends THREE.ShaderMaterial {
     });
   }
 
-  wear(palette: Palette): void {
+  recolour(palette: Palette): void {
     const { surface, line, far, light } = this.uniforms as Record<string, THREE.IUniform>;
     for (const [uniform, colour] of [[surface, palette.ground], [line, palette.groundLine], [far, palette.background]] as const)
       (uniform?.value as THREE.Color).set(colour);

@@ -57,7 +57,7 @@ export class Stage {
     this.fit();
   }
 
-  wear(palette: Palette): void {
+  recolour(palette: Palette): void {
     this.scene.background = new THREE.Color(palette.background);
     this.scene.fog = new THREE.Fog(palette.background, 9, 30);
     this.sky.groundColor.set(palette.dark ? 0x6b747c : 0xb8bec4);

@@ -45,8 +45,8 @@ export class Terrain {
     return surface;
   }
 
-  wear(palette: Palette): void {
-    if (this.surface instanceof PlainGround) this.surface.wear(palette);
+  recolour(palette: Palette): void {
+    if (this.surface instanceof PlainGround) this.surface.recolour(palette);
     else this.surface.color.set(palette.ground);
     this.edges.color.set(palette.edge);
     this.lineColour.value.set(palette.groundLine);

@@ -73,11 +73,11 @@ export class World {
     this.stage.onResize = () => this.invalidate();
   }
 
-  wear(dark: boolean): void {
+  recolour(dark: boolean): void {
     this.palette = paletteOf(dark);
-    this.stage.wear(this.palette);
-    this.terrain.wear(this.palette);
-    this.overlays.wear(this.palette);
+    this.stage.recolour(this.palette);
+    this.terrain.recolour(this.palette);
+    this.overlays.recolour(this.palette);
     this.sinceTrails = Infinity; // their colours are in their points
     this.ghostPaint.color.set(this.palette.ghost);
     this.invalidate();
