@@ -2,7 +2,6 @@
 
 #include "server/live_view.hpp"
 #include "server/view_robot.hpp"
-#include "server/web_server.hpp"
 #include "surefoot/base/error.hpp"
 #include "surefoot/base/printable.hpp"
 #include "surefoot/logging/output_files.hpp"
@@ -24,6 +23,13 @@ void check(const ViewArguments& arguments) {
         "--port, --listen, --token, --view-clients and --no-wait belong to --view, which is not "
         "given");
   }
+}
+
+WebServerOptions server_options(const ViewArguments& arguments) {
+  return {.listen = arguments.listen,
+          .port = static_cast<std::uint16_t>(arguments.port),
+          .token = arguments.token,
+          .max_clients = arguments.clients};
 }
 
 void print_link(const std::string& link, const std::string& how_it_ends,
@@ -63,11 +69,7 @@ LiveResult run_live(const config::Scenario& scenario, closed_loop::ClosedLoopOpt
   std::optional<WebServer> server;
   options.ready = [&] {
     if (server) return;
-    server.emplace(WebServerOptions{.listen = arguments.listen,
-                                    .port = static_cast<std::uint16_t>(arguments.port),
-                                    .token = arguments.token,
-                                    .max_clients = arguments.clients},
-                   feed);
+    server.emplace(server_options(arguments), feed);
     const std::string missing = missing_meshes_text(feed.meshes());
     if (!missing.empty())
       std::fprintf(stderr, "surefoot: warning: %s\n", printable(missing).c_str());

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "server/web_server.hpp"
 #include "surefoot/closed_loop/closed_loop.hpp"
 
 #include <functional>
@@ -36,6 +37,9 @@ struct LiveResult {
 LiveResult run_live(const config::Scenario& scenario, closed_loop::ClosedLoopOptions options,
                     const ViewArguments& arguments,
                     const std::function<void(const closed_loop::RunResult&)>& ended);
+
+/// The server's options among those of the view.
+[[nodiscard]] WebServerOptions server_options(const ViewArguments& arguments);
 
 /// Prints the link of the page on standard error.
 void print_link(const std::string& link, const std::string& how_it_ends, const std::string& listen);

@@ -33,11 +33,7 @@ std::size_t print_damage(LogContent& content, std::size_t printed) {
 void serve_log(const std::string& path, const ViewArguments& arguments) {
   runtime::watch_for_interrupt();
   LogContent content(path);
-  const WebServer server({.listen = arguments.listen,
-                          .port = static_cast<std::uint16_t>(arguments.port),
-                          .token = arguments.token,
-                          .max_clients = arguments.clients},
-                         content);
+  const WebServer server(server_options(arguments), content);
   for (const std::string& note : content.notes()) warn(note);
   print_link(server.link(), "^C     closes it", arguments.listen);
   for (std::size_t printed = 0; !runtime::interrupted();) {
