@@ -15,6 +15,13 @@ namespace surefoot::server {
 /// An event as in `/api/events`: {"time", "kind", "text"}.
 [[nodiscard]] std::string text_event(double time, std::string_view kind, std::string_view text);
 
+/// Events as a JSON array.
+[[nodiscard]] std::string json_list(const auto& events) {
+  std::string text = "[";
+  for (const std::string& event : events) text += (text.size() == 1 ? "" : ",") + event;
+  return text + "]";
+}
+
 /// Finds events in consecutive frames: the planner's events with their leg, changes of the
 /// command's mode, and begin and end of the scenario's forces.
 class EventFinder {

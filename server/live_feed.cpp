@@ -15,6 +15,7 @@
 #include <cmath>
 #include <fstream>
 #include <iterator>
+#include <ranges>
 #include <sstream>
 
 namespace surefoot::server {
@@ -36,12 +37,6 @@ void vector_member(logging::JsonText& json, std::string_view name, const auto& v
   json.key(name).array();
   for (const double number : vector) json.value(number);
   json.end_array();
-}
-
-std::string json_list(const auto& entries, auto&& text_of) {
-  std::string text = "[";
-  for (const auto& entry : entries) text += (text.size() == 1 ? "" : ",") + text_of(entry);
-  return text + "]";
 }
 
 std::uint32_t ticks_of(double seconds, double period) {
@@ -68,14 +63,13 @@ LiveFeed::LiveFeed(const config::Scenario& scenario, LiveOperator& wishes, std::
 
 void LiveFeed::begin(const closed_loop::RunParts& parts, const control::StackOptions& stack,
                      double friction) {
-  ViewSession begun;
-  begun.header = to_json(parts.header);
-  begun.channels = tick_channels(parts.header, parts.plant.truth());
-  begun.rows = parts.controller.row_names();
-  begun.bodies = parts.plant.bodies();
-  begun.orders = {{0, parts.header.level_names}};
-  begun.tasks = view_tasks(stack, parts.header.level_names, operator_.reach());
-  begun.friction = friction;
+  ViewRun begun{.header = to_json(parts.header),
+                .channels = tick_channels(parts.header, parts.plant.truth()),
+                .rows = parts.controller.row_names(),
+                .orders = {{0, parts.header.level_names}},
+                .tasks = view_tasks(stack, parts.header.level_names, operator_.reach()),
+                .bodies = parts.plant.bodies(),
+                .friction = friction};
   const auto cone = explain::friction_cone_of(stack);
   if (ring_) {
     return hand_over([this, begun, cone] {
@@ -91,14 +85,8 @@ void LiveFeed::begin(const closed_loop::RunParts& parts, const control::StackOpt
   session_.begun = session_.generation = 0;
 }
 
-void LiveFeed::begin_again(ViewSession begun) {
-  session_.header = std::move(begun.header);
-  session_.channels = std::move(begun.channels);
-  session_.rows = std::move(begun.rows);
-  session_.bodies = std::move(begun.bodies);
-  session_.orders = std::move(begun.orders);
-  session_.tasks = std::move(begun.tasks);
-  session_.friction = begun.friction;
+void LiveFeed::begin_again(ViewRun begun) {
+  static_cast<ViewRun&>(session_) = std::move(begun);
   session_.begun = ++session_.generation;
   names_ = {session_.channels.level_names, {}};
   std::vector<std::string> bodies = session_.bodies;
@@ -207,7 +195,7 @@ WebAnswer LiveFeed::get(std::string_view path, const Query& query) {
     return {200, "application/json", to_json(session_)};
   }
   if (path == "/api/events") {
-    return {200, "application/json", json_list(past_, [](const auto& one) { return one.second; })};
+    return {200, "application/json", json_list(std::views::values(past_))};
   }
   if (path != "/api/frames") return robot_.get(path);
   return answer_frames(query, [this](const FrameRequest& asked) {
@@ -299,9 +287,8 @@ std::vector<std::string> LiveFeed::messages(std::size_t clients) {
   // After the status, which says whether the run has begun again.
   std::ranges::move(std::exchange(notices_, {}), std::back_inserter(messages));
   if (!events_.empty()) {
-    const auto itself = [](const std::string& event) { return event; };
-    messages.push_back(R"({"type":"events","events":)" +
-                       json_list(std::exchange(events_, {}), itself) + "}");
+    messages.push_back(R"({"type":"events","events":)" + json_list(std::exchange(events_, {})) +
+                       "}");
   }
   return messages;
 }

@@ -87,7 +87,7 @@ class LiveFeed final : public WebContent {
   };
 
   void hand_over(std::function<void()> take);
-  void begin_again(ViewSession session);
+  void begin_again(ViewRun begun);
   void fetch_news();
   void take_news();
   void take_news_before(const ViewTick& tick);

@@ -154,9 +154,7 @@ std::vector<std::string> LogSummary::damage() {
 
 std::string LogSummary::events_json() {
   const std::lock_guard lock(mutex_);
-  std::string text = "[";
-  for (const std::string& event : events_) text += (text.size() > 1 ? "," : "") + event;
-  return text + "]";
+  return json_list(events_);
 }
 
 std::vector<ViewOrder> LogSummary::orders() {

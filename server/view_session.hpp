@@ -43,26 +43,30 @@ struct ViewOrder {
   std::vector<std::string> levels;
 };
 
+/// What of a session may change when a run begins again.
+struct ViewRun {
+  std::string header;  ///< the log's header, JSON
+  ViewChannels channels;
+  std::vector<std::vector<std::string>> rows;  ///< of each level of the header
+  std::vector<ViewOrder> orders;
+  std::vector<ViewTask> tasks;
+  std::vector<std::string> bodies;  ///< that can be pushed
+  double friction = 0.0;            ///< that the controller assumes
+};
+
 /// What a page needs before the frames of a run: /api/session of docs/view_protocol.md.
-struct ViewSession {
+struct ViewSession : ViewRun {
   std::string start;  ///< names this start of the program: another serves another run
   std::string mode;   ///< "live" or "replay"
   std::string version, title, source;
   std::string cut;         ///< of a log: why the run does not end where it should; "": it does
   std::string ended;       ///< of a log: why its run ended; "": that is not known
-  std::string header;      ///< the log's header, JSON
   double period = 0.0025;  ///< of the ticks [s]
   std::uint32_t first_tick = 0, ticks = 0;
   std::uint32_t summarised = 0;     ///< of a log: ticks that are summarised
   std::vector<std::string> damage;  ///< of a log: sentences on what can't be read, so far
-  ViewChannels channels;
-  std::vector<std::vector<std::string>> rows;  ///< of each level of the header
-  std::vector<ViewOrder> orders;
   std::vector<model::MeshFile> meshes;
-  std::vector<ViewTask> tasks;
-  std::vector<std::string> bodies;  ///< that can be pushed
   ViewLimits limits;
-  double friction = 0.0;  ///< that the controller assumes
   std::uint32_t generation = 0;
   std::uint32_t begun = 0;  ///< generation with which the present run began
 };

@@ -19,7 +19,7 @@ import { PlotsPanel } from "./panels/plots_panel.ts";
 import { showTime } from "./panels/stale.ts";
 import { StatePanel } from "./panels/state_panel.ts";
 import { Tabs } from "./panels/tabs.ts";
-import { courseOf, endedText, Transport } from "./panels/transport.ts";
+import { runStateOf, endedText, Transport } from "./panels/transport.ts";
 import { TunePanel } from "./panels/tune_panel.ts";
 import { Commands, type Ask } from "./protocol/commands.ts";
 import { orderOf, type Session } from "./protocol/session.ts";
@@ -162,7 +162,7 @@ export class App {
   private aboutRun(): [string, string][] {
     const { link, recording, hasEnded } = this;
     const isSteered = link === undefined ? this.player.source.marks.some(({ kind }) => kind === "change") : (link.status?.changes ?? 0) > 0;
-    const ended = link === undefined ? this.ending : endedText(this.ending, courseOf(link.status, link.isHeard));
+    const ended = link === undefined ? this.ending : endedText(this.ending, runStateOf(link.status, link.isHeard));
     return aboutRun(this.session, { recording, hasEnded, ended, isSteered, missing: missingText(this.world?.library.missing) });
   }
 
@@ -378,7 +378,7 @@ export class App {
     const rate = heard || !this.player.live ? quality?.rate : "";
     const end = endFact(this.ending, this.session.cut);
     showFacts([this.session.source, end, ...(this.link?.facts ?? []), rate ?? "", quality?.coarse ?? ""], end);
-    if (this.link !== undefined) showMode(this.player, courseOf(this.link.status, heard), this.link.status?.calibrating);
+    if (this.link !== undefined) showMode(this.player, runStateOf(this.link.status, heard), this.link.status?.calibrating);
   }
 
   /** Tells a waiting run, once, that the robot is drawn with its meshes, or that these take long. */

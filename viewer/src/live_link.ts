@@ -6,7 +6,7 @@ import { ReplaySource } from "./data/replay_source.ts";
 import { Schema } from "./data/schema.ts";
 import { part, setText } from "./panels/dom.ts";
 import { ask, askJson, NoAnswer } from "./protocol/ask.ts";
-import { courseOf, type Course } from "./panels/transport.ts";
+import { runStateOf, type RunState } from "./panels/transport.ts";
 import { linkText, NO_ANSWER, showLink } from "./panels/stale.ts";
 import { readBlock, readBlockHead, type BlockHead } from "./protocol/block.ts";
 import { Connection, rateOf, type ConnectionState, type ServerMessage, type Status } from "./protocol/connection.ts";
@@ -273,7 +273,7 @@ export class LiveLink {
   get facts(): string[] {
     const facts: string[] = [];
     const log = this.status?.recording ?? "";
-    if (log !== "") facts.push(logFact(log, courseOf(this.status, this.isHeard)));
+    if (log !== "") facts.push(logFact(log, runStateOf(this.status, this.isHeard)));
     if (this.status !== undefined && this.rate > 0) facts.push(paceText(this.status));
     const lost = this.dropped + this.skipped;
     if (lost > 0) facts.push(`${lost} ticks not sent in time`);
@@ -282,10 +282,10 @@ export class LiveLink {
 }
 
 /** How a run is recorded; unknown while the program does not answer. */
-export function logFact(path: string, course: Course): string {
+export function logFact(path: string, runState: RunState): string {
   const name = path.slice(path.lastIndexOf("/") + 1);
-  if (course === "unheard") return `log: ${name}`;
-  return `${course === "ended" ? "recorded in" : "recording"} ${name}`;
+  if (runState === "unheard") return `log: ${name}`;
+  return `${runState === "ended" ? "recorded in" : "recording"} ${name}`;
 }
 
 /** Why there is no connection; `reason`: the program's words. */

@@ -2,12 +2,12 @@ import type * as THREE from "three";
 import { svg } from "../panels/dom.ts";
 
 /** Direction of an axis of W in the picture, a unit vector: right, up, towards the camera. */
-export type Course = [right: number, up: number, nearer: number];
+export type AxisDirection = [right: number, up: number, nearer: number];
 
-/** The courses of x, y and z for a camera. */
-export function coursesOf(camera: THREE.Camera): Course[] {
+/** The directions of x, y and z for a camera. */
+export function axisDirections(camera: THREE.Camera): AxisDirection[] {
   const { elements } = camera.matrixWorldInverse;
-  return [0, 4, 8].map((column) => [elements[column], elements[column + 1], elements[column + 2]] as Course);
+  return [0, 4, 8].map((column) => [elements[column], elements[column + 1], elements[column + 2]] as AxisDirection);
 }
 
 /** Lengths in the drawing [pixels]. */
@@ -28,7 +28,7 @@ export class Axes {
   }
 
   turn(camera: THREE.Camera): void {
-    const places = coursesOf(camera).map(([right, up, nearer]) => [right.toFixed(3), (-up).toFixed(3), nearer < -0.3 ? "away" : ""] as const);
+    const places = axisDirections(camera).map(([right, up, nearer]) => [right.toFixed(3), (-up).toFixed(3), nearer < -0.3 ? "away" : ""] as const);
     if (places.join() === this.drawn) return;
     this.drawn = places.join();
     places.forEach(([x, y, kind], k) => {

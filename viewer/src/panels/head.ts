@@ -1,13 +1,13 @@
 import { endingText, weightOf } from "../data/mark_columns.ts";
 import type { Player } from "../data/player.ts";
 import { h, part, setText } from "./dom.ts";
-import type { Course } from "./transport.ts";
+import type { RunState } from "./transport.ts";
 
-const MODES: Record<Course, string> = { runs: "live", paused: "paused", ended: "ended", unheard: "not known" };
+const MODES: Record<RunState, string> = { runs: "live", paused: "paused", ended: "ended", unheard: "not known" };
 
 /** State of a live run, in a word or two; `calibrates`: the robot calibrates before it walks. */
-export function modeText({ past }: Pick<Player, "past">, course: Course, calibrates = false): string {
-  return past ? "past" : calibrates && course === "runs" ? "calibrating" : MODES[course];
+export function modeText({ past }: Pick<Player, "past">, runState: RunState, calibrates = false): string {
+  return past ? "past" : calibrates && runState === "runs" ? "calibrating" : MODES[runState];
 }
 
 /** Time left of a calibration; "": there is none, or the past is shown. */
@@ -16,13 +16,13 @@ export function calibrationText({ past }: Pick<Player, "past">, left: number | n
   return left > 0 ? `${Math.ceil(left)} s left, then it walks` : "once more";
 }
 
-export function showMode(player: Pick<Player, "past">, course: Course, calibrating: number | null = null): void {
+export function showMode(player: Pick<Player, "past">, runState: RunState, calibrating: number | null = null): void {
   const badge = part("mode");
-  const words = modeText(player, course, calibrating !== null);
-  badge.dataset["state"] = player.past ? "past" : words === "calibrating" ? words : course;
+  const words = modeText(player, runState, calibrating !== null);
+  badge.dataset["state"] = player.past ? "past" : words === "calibrating" ? words : runState;
   setText(badge, words);
-  setText(part("calibration"), course === "ended" || course === "unheard" ? "" : calibrationText(player, calibrating));
-  badge.title = !player.past && course === "unheard" ? "how the run goes on is not known" : "";
+  setText(part("calibration"), runState === "ended" || runState === "unheard" ? "" : calibrationText(player, calibrating));
+  badge.title = !player.past && runState === "unheard" ? "how the run goes on is not known" : "";
 }
 
 /** Why a run has ended, or that its log does not say so; "": it has not. */

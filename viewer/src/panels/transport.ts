@@ -49,36 +49,36 @@ export function clockText(time: number, whole: number | undefined): string {
 }
 
 /** State of a run; `unheard`: the program does not answer, and the run had not ended. */
-export type Course = "runs" | "paused" | "ended" | "unheard";
+export type RunState = "runs" | "paused" | "ended" | "unheard";
 
-export function courseOf(status: Pick<Status, "paused" | "ended"> | undefined, heard: boolean): Course {
+export function runStateOf(status: Pick<Status, "paused" | "ended"> | undefined, heard: boolean): RunState {
   if (status !== undefined && status.ended !== null) return "ended"; // final, even without an answer
   if (!heard || status === undefined) return "unheard";
   return status.paused ? "paused" : "runs";
 }
 
-const COURSES: Record<Course, string> = { runs: "the run is at", paused: "the run is paused at", ended: "the run ended at", unheard: "the newest is" };
+const STATE_TEXTS: Record<RunState, string> = { runs: "the run is at", paused: "the run is paused at", ended: "the run ended at", unheard: "the newest is" };
 
 /** Why a live run has ended, where that is known. */
-export const endedText = (why: string, course: Course): string => why || (course === "unheard" ? "not known" : "not yet");
+export const endedText = (why: string, runState: RunState): string => why || (runState === "unheard" ? "not known" : "not yet");
 
 /** Shown with a past time: where the run is. */
-export function pastText(newest: number, course: Course): string {
-  return `past; ${COURSES[course]} ${newest.toFixed(1)} s`;
+export function pastText(newest: number, runState: RunState): string {
+  return `past; ${STATE_TEXTS[runState]} ${newest.toFixed(1)} s`;
 }
 
 /** Text and title of the button to the newest picture. */
-export function newestText(past: boolean, course: Course): [text: string, title: string] {
-  if (course === "ended") return past ? ["To the end", "to the last picture of the run (l)"] : ["The end", "the last picture of the run (l)"];
-  if (course === "unheard") return past ? ["To newest", "to the newest picture that has come (l)"] : ["Newest", "the newest picture that has come (l)"];
+export function newestText(past: boolean, runState: RunState): [text: string, title: string] {
+  if (runState === "ended") return past ? ["To the end", "to the last picture of the run (l)"] : ["The end", "the last picture of the run (l)"];
+  if (runState === "unheard") return past ? ["To newest", "to the newest picture that has come (l)"] : ["Newest", "the newest picture that has come (l)"];
   return [past ? "To now" : "Live", "to the newest picture (l)"];
 }
 
 /** Title of the play button; `mayCommand`: this page may change the run. */
-export function playText(player: Pick<Player, "live" | "past">, running: boolean, mayCommand = true, course: Course = "runs"): string {
+export function playText(player: Pick<Player, "live" | "past">, running: boolean, mayCommand = true, runState: RunState = "runs"): string {
   const now = player.live && !player.past;
-  if (now && course === "ended") return mayCommand ? "the run has ended; ↺ begins it again" : "the run has ended";
-  if (now && course === "unheard") return "the program says nothing: the run can't be paused";
+  if (now && runState === "ended") return mayCommand ? "the run has ended; ↺ begins it again" : "the run has ended";
+  if (now && runState === "unheard") return "the program says nothing: the run can't be paused";
   if (player.past || (player.live && !mayCommand)) return running ? "stop here; the run is left alone (space)" : "play on from here; the run is left alone (space)";
   if (player.live) return running ? "pause the run (space)" : "let the run go on (space)";
   return running ? "pause (space)" : "play (space)";
@@ -167,21 +167,21 @@ export class Transport {
     const { player } = this;
     const size = [this.canvas.clientWidth, this.canvas.clientHeight, devicePixelRatio].join(); // read first, to avoid a second layout
     const { first, last, marks } = player.source;
-    const course = courseOf(status, heard);
-    const running = player.following ? course === "runs" || (course === "unheard" && !(status?.paused ?? false)) : player.playing;
+    const runState = runStateOf(status, heard);
+    const running = player.following ? runState === "runs" || (runState === "unheard" && !(status?.paused ?? false)) : player.playing;
     setText(this.playButton, running ? "❚❚" : "▶");
-    name(this.playButton, playText(player, running, this.mayCommand, course));
-    this.playButton.disabled = player.following && (course === "ended" || course === "unheard");
+    name(this.playButton, playText(player, running, this.mayCommand, runState));
+    this.playButton.disabled = player.following && (runState === "ended" || runState === "unheard");
     const speed = player.live && player.following ? this.wish.or(status?.speed ?? 1) : player.speed;
     if (document.activeElement !== this.speedMenu.select) this.speedMenu.show(speed);
     this.liveButton.classList.toggle("on", player.following);
     this.liveButton.classList.toggle("primary", player.past);
-    const [newest, title] = newestText(player.past, course);
+    const [newest, title] = newestText(player.past, runState);
     setText(this.liveButton, newest);
     name(this.liveButton, title);
     this.forbid(this.resetButton, player.live && !this.mayCommand, RESET);
     this.forbid(this.speedMenu.select, player.following && !this.mayCommand, player.past ? PAST_SPEED : SPEED);
-    setText(this.past, player.past && !Number.isNaN(last) ? pastText(last, course) : "");
+    setText(this.past, player.past && !Number.isNaN(last) ? pastText(last, runState) : "");
     if (Number.isNaN(first)) return;
     this.slider.min = String(first);
     this.slider.max = String(last);
