@@ -8,7 +8,7 @@ import { part, setText } from "./panels/dom.ts";
 import { ask, askJson, NoAnswer } from "./protocol/ask.ts";
 import { runStateOf, type RunState } from "./panels/transport.ts";
 import { linkText, NO_ANSWER, showLink } from "./panels/stale.ts";
-import { readBlock, readBlockHead, type BlockHead } from "./protocol/block.ts";
+import { readBlock, readBlockHead } from "./protocol/block.ts";
 import { Connection, rateOf, type ConnectionState, type ServerMessage, type Status } from "./protocol/connection.ts";
 import { fetchSession, type Session } from "./protocol/session.ts";
 
@@ -65,8 +65,7 @@ export class LiveLink {
 
   /** Seconds of simulation that come in a second. */
   get rate(): number {
-    if (this.connection.state !== "open" || this.connection.silence > 0 || this.status === undefined) return 0;
-    return rateOf(this.status);
+    return this.isHeard && this.status !== undefined ? rateOf(this.status) : 0;
   }
 
   /** Whether the program answers. */
@@ -86,20 +85,20 @@ export class LiveLink {
   }
 
   private take(block: ArrayBuffer): void {
-    const head = this.headOf(block);
-    if (head === undefined) return;
-    this.dropped = head.dropped;
-    if (this.isBehind || this.reading || head.generation > this.generation) this.wait(block);
-    else if (!this.source.isOld(head.generation)) this.read(block);
+    this.showFaults(() => {
+      const { dropped, generation } = readBlockHead(block);
+      this.dropped = dropped;
+      if (this.isBehind || this.reading || generation > this.generation) this.wait(block);
+      else if (!this.source.isOld(generation)) this.read(block);
+    });
   }
 
-  /** Undefined, with a message, where the bytes are no block. */
-  private headOf(block: ArrayBuffer): BlockHead | undefined {
+  /** Shows a message where bytes are no block. */
+  private showFaults(read: () => void): void {
     try {
-      return readBlockHead(block);
+      read();
     } catch (error) {
       this.app?.notes.keep("block", (error as Error).message, "error");
-      return undefined;
     }
   }
 
@@ -111,12 +110,8 @@ export class LiveLink {
   }
 
   private read(block: ArrayBuffer): void {
-    try {
-      readBlock(block, this.source.schema.frameFloats, (tick, time, values, rows) => this.source.append(tick, time, values, rows));
-      this.app?.notes.take("block");
-    } catch (error) {
-      this.app?.notes.keep("block", (error as Error).message, "error");
-    }
+    readBlock(block, this.source.schema.frameFloats, (tick, time, values, rows) => this.source.append(tick, time, values, rows));
+    this.app?.notes.take("block");
   }
 
   private async readSession(): Promise<void> {
@@ -150,7 +145,7 @@ export class LiveLink {
     const isKnown = (block: ArrayBuffer): boolean => readBlockHead(block).generation <= this.generation;
     const known = this.waiting.filter(isKnown);
     this.waiting = this.waiting.filter((block) => !isKnown(block));
-    for (const block of known) if (!this.source.isOld(readBlockHead(block).generation)) this.read(block);
+    for (const block of known) if (!this.source.isOld(readBlockHead(block).generation)) this.showFaults(() => this.read(block));
     if (this.waiting.length > 0) void this.readSession();
   }
 

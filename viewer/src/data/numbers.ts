@@ -5,15 +5,6 @@ export function fixed(value: number, decimals: number): string {
   return minus(value.toFixed(decimals).replace(/^-(?=[0.]*$)/, ""));
 }
 
-/** In plain decimals with this many significant digits. */
-export function rounded(value: number, count: number): string {
-  if (!Number.isFinite(value)) return "–";
-  if (value === 0) return "0";
-  const short = Number(value.toPrecision(count));
-  const decimals = Math.max(0, count - 1 - Math.floor(Math.log10(Math.abs(short))));
-  return minus(short.toFixed(decimals));
-}
-
 const RAISED = "⁰¹²³⁴⁵⁶⁷⁸⁹";
 
 function withPower(value: number): string {
@@ -28,8 +19,7 @@ export function digits(value: number): string {
   const size = Math.abs(value);
   if (size === 0) return "0";
   if (size < 1e-6 || size >= 1e7) return withPower(value);
-  if (size < 1e-3) return rounded(value, 2);
-  const decimals = size >= 100 ? 0 : size >= 10 ? 1 : size >= 1 ? 2 : 3;
+  const decimals = size >= 100 ? 0 : size >= 10 ? 1 : size >= 1 ? 2 : size >= 1e-3 ? 3 : 1 - Math.floor(Math.log10(Number(size.toPrecision(2))));
   return minus(value.toFixed(decimals));
 }
 

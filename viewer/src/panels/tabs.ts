@@ -9,18 +9,8 @@ interface Page {
 
 /** Tab to which a key leads from `place`; undefined: not a key of tabs. */
 function placeAfter(key: string, place: number, count: number): number | undefined {
-  switch (key) {
-    case "ArrowRight":
-      return (place + 1) % count;
-    case "ArrowLeft":
-      return (place + count - 1) % count;
-    case "Home":
-      return 0;
-    case "End":
-      return count - 1;
-    default:
-      return undefined;
-  }
+  const places: Record<string, number> = { ArrowRight: (place + 1) % count, ArrowLeft: (place + count - 1) % count, Home: 0, End: count - 1 };
+  return places[key];
 }
 
 /** Panels, one visible at a time. The tab key focuses its tab, arrows move to others. */
