@@ -49,7 +49,7 @@ export function spread(wanted: Wanted[], width: number, height: number, covers: 
       return [x, inside(usualHeight(one) + dy * one.height, one.height, ceiling(x, one.width, covers), height)];
     };
     const free = (one.under ? STEPS_UNDER : STEPS).map(near).filter(([x, y]) => 2 * x + one.width <= 2 * width && 2 * y + one.height <= 2 * height && taken.every((other) => isFree(x, y, one, other)));
-    const place = beside(marks, free, one);
+    const place = pickPlace(marks, free, one);
     if (place === undefined) continue;
     places[k] = place;
     taken.push({ one, place });
@@ -79,12 +79,12 @@ export function leaderOf({ x, y, width, height }: Wanted, [left, top]: Place): L
 }
 
 /** The first place; if it covers a mark, the nearest place that covers none, if there is one. */
-function beside(marks: Box[], free: Place[], one: Wanted): Place | undefined {
-  const isBeside = (at: Place): boolean => marks.every((mark) => isOff(at, one, mark));
+function pickPlace(marks: Box[], free: Place[], one: Wanted): Place | undefined {
+  const isClear = (at: Place): boolean => marks.every((mark) => isOff(at, one, mark));
   const [first] = free;
-  if (first === undefined || isBeside(first)) return first;
+  if (first === undefined || isClear(first)) return first;
   const way = ([x, y]: Place): number => Math.hypot(x - one.x, y - usualHeight(one));
-  return free.filter(isBeside).sort((a, b) => way(a) - way(b))[0] ?? first;
+  return free.filter(isClear).sort((a, b) => way(a) - way(b))[0] ?? first;
 }
 
 /** Moves the middle of a text into [least, most]; a text that is too large exceeds `most`. */

@@ -21,6 +21,8 @@ export function aboutRun({ header, version, source, cut, damage }: Session, { re
     ["Scenario", `${header.scenario}: ${header.description}`], ["Seed", String(header.seed)], ["Stack", header.stack],
     ["Robot", `${header.robot.name}, ${header.robot.mass.toFixed(1)} kg`], ["Estimation", header.estimation],
     ["Log", !isLog ? recordingText(recording, hasEnded) : logText(source, cut, damage)],
-    ["Ended", ended !== "" || cut === "" ? ended : "not known: see Log"], ["Meshes", missing], ["Again", againText(header.command, source || recording, cut === "", isSteered, isLog || hasEnded)], ["Version", version],
+    ["Ended", ended !== "" || cut === "" ? ended : "not known: see Log"], ["Meshes", missing],
+    ["Again", againText(header.command, source || recording, cut === "", isSteered, isLog || hasEnded)],
+    ["Version", version],
   ];
 }

@@ -71,7 +71,11 @@ export function heldText(state: LevelState, all: LevelState[]): string {
   const rows = blockers(state), { others, unit } = state;
   if (rows.length === 0) return "";
   const isExact = others !== undefined;
-  const amount = (cost: number): string => (Number.isNaN(cost) ? " at a cost that is not known" : cost > 0 ? ` costs ${isExact ? "" : "about "}${quantity(cost, unit)}` : isExact ? " costs nothing alone" : "");
+  const amount = (cost: number): string => {
+    if (Number.isNaN(cost)) return " at a cost that is not known";
+    if (cost > 0) return ` costs ${isExact ? "" : "about "}${quantity(cost, unit)}`;
+    return isExact ? " costs nothing alone" : "";
+  };
   const texts = rows.map(({ by, row, cost }) => `${nameOf(all, by)}: ${row}${amount(cost)}`);
   const whole = `held back by ${[...texts, ...(others ? [`${others} more`] : [])].join("; ")}`;
   return isExact ? whole : `${whole} (the control loop's estimate)`;
