@@ -11,7 +11,7 @@ from surefoot_campaign.command_line import Parser, folder_name, tell, whole_numb
 from surefoot_campaign.errors import InputError
 from surefoot_campaign.journal import Journal, check_campaign, read_rows
 from surefoot_campaign.outcome import ended_from_outside, row_of
-from surefoot_campaign.plan import by_seed, folder_of, make_plan
+from surefoot_campaign.plan import make_plan
 from surefoot_campaign.program import Program, Refused, arguments_of
 from surefoot_campaign.progress import Progress
 from surefoot_campaign.report import short_table, write_all
@@ -164,7 +164,8 @@ def make_campaign(plan, program, arguments, folder, typed):
     scheduler = make_scheduler(arguments.scheduler, arguments.jobs)
     with open_journal(folder) as journal:
         check_campaign(folder, journal.rows, plan.spec.name)
-        missing = by_seed([run for run in plan.runs if not is_done(run, journal.rows, arguments.retry)])
+        missing = [run for run in plan.runs if not is_done(run, journal.rows, arguments.retry)]
+        missing.sort(key=lambda run: run.seed)  # early results are of every point
         tell_what_is_done(plan, missing, journal)
         copy = program.copied_to(folder / "program")
         try:
@@ -187,7 +188,7 @@ def campaign(typed):
     plan = make_plan(spec, program, arguments.jobs)
     for note in plan.notes:
         print(f"surefoot: warning: {note}", file=sys.stderr)
-    folder = arguments.out or folder_of(spec)
+    folder = arguments.out or pathlib.Path("results") / spec.name
     if arguments.dry_run:
         rows = read_rows(folder / "rows.jsonl")
         check_campaign(folder, rows, spec.name)

@@ -158,12 +158,3 @@ def make_plan(spec, program, jobs):
             of_id[run.id] = scenario
             runs.append(run)
     return Plan(spec, runs, checks[0]["metrics"], checks[0]["version"], notes_of(points, checks))
-
-
-def by_seed(runs):
-    """The order to run them in: early results are of every point."""
-    return sorted(runs, key=lambda run: run.seed)
-
-
-def folder_of(spec):
-    return pathlib.Path("results") / spec.name

@@ -111,7 +111,7 @@ class LogFile:
         return json.loads(program("info", self.path, "--json", "--events")[0])["events"]
 
     def topics(self):
-        return set(self._channels)
+        return self._channels.keys()
 
     def messages(self, topics=None):
         """All messages, or those on some topics, in the order of the file."""
@@ -129,11 +129,6 @@ class LogFile:
         merged = heapq.merge(self.messages(wanted - APART), self.messages(wanted & APART), key=attrgetter("time"))
         for time, group in groupby(merged, key=attrgetter("time")):
             yield time, list(group)
-
-    def first_messages(self):
-        """The first message of each topic."""
-        found = {topic: next(self.messages({topic}), None) for topic in self._channels}
-        return {topic: message for topic, message in found.items() if message is not None}
 
     def schema_record(self, topic):
         return self._index.schemas[self._channels[topic].schema_id]

@@ -37,10 +37,7 @@ def is_of_interest(frame):
 
 
 def started(frames):
-    for frame in frames:
-        if np.hypot(*(frame.p_WB - frames[0].p_WB)[:2]) > STARTED:
-            return frame.time
-    return frames[0].time
+    return next((frame.time for frame in frames if np.hypot(*(frame.p_WB - frames[0].p_WB)[:2]) > STARTED), frames[0].time)
 
 
 def span_of_interest(frames):

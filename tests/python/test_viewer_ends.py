@@ -4,7 +4,7 @@ import time
 
 from conftest import HIT
 from live_page import WALK, Page, Served
-from viewer_page import SPY, every_look, sent, show
+from viewer_page import SPY, every_look, scrub, sent, show
 
 FACTS = "document.querySelector('#head-facts')"
 MODE = "document.querySelector('#mode').textContent"
@@ -53,7 +53,7 @@ def test_a_log_tells_how_its_run_ended_and_marks_a_stop(browser, stopped, log):
 def test_a_stop_for_safety_is_no_good_news(browser, stopped):
     with Served("replay", stopped) as replay:
         show(browser, replay.link)
-        browser.run("(() => { const scrub = document.querySelector('#scrub'); scrub.value = scrub.max; scrub.dispatchEvent(new Event('input')); })()")
+        scrub(browser, "scrub.max")
         account = "No hierarchy was solved: \\w+, because "
         browser.wait(f"surefoot.channel('command.mode')[0] > 1 && /^{account}/.test(document.querySelector('#account').innerText)", 30)
         browser.wait("document.querySelector('#account').dataset.kind === 'bad'")

@@ -10,7 +10,7 @@ import pytest
 from conftest import record
 from damaged_logs import without_calls
 from live_page import WALK, Served
-from viewer_page import SCREENSHOTS, SIZES, channel, every_look, go_to, pause, pixels, show, step_until
+from viewer_page import SCREENSHOTS, SIZES, channel, every_look, go_to, pause, pixels, scrub, show, step_until
 
 
 def push_until_it_falls(browser):
@@ -216,7 +216,7 @@ def test_meshes_that_are_still_to_come_are_counted(browser, live):
 def test_the_clock_of_a_log_ends_at_its_total(browser, log):
     with Served("replay", log) as replay:
         show(browser, replay.link)
-        browser.run("(() => { const scrub = document.querySelector('#scrub'); scrub.value = scrub.max; scrub.dispatchEvent(new Event('input')); })()")
+        scrub(browser, "scrub.max")
         browser.wait("surefoot.time === surefoot.last")
         browser.wait("/^(\\d+\\.\\d+) \\/ \\1 s$/.test(document.querySelector('#clock').textContent)")
 
@@ -253,7 +253,7 @@ def test_what_is_old_is_grey_and_says_since_when(browser):
         port = walk.port
         assert not browser.run("document.body.classList.contains('stale')")
     browser.wait("/^Nothing new for [1-9]\\d* s: all numbers are from \\d+\\.\\d+ s of the run\\.$/.test(document.querySelector('#stale').textContent)")
-    browser.run("(() => { const scrub = document.querySelector('#scrub'); scrub.value = 0.5 * (surefoot.first + surefoot.last); scrub.dispatchEvent(new Event('input')); })()")
+    scrub(browser, "0.5 * (surefoot.first + surefoot.last)")
     browser.wait("surefoot.drawn < surefoot.last - 0.01 && document.querySelector('#stale').textContent.includes(`from ${surefoot.drawn.toFixed(4)} s of`)")
     assert "grayscale" in browser.run("getComputedStyle(document.querySelector('#panel-hierarchy')).filter")
     for _ in every_look(browser, "stale"):
