@@ -25,7 +25,7 @@ import time
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "tests/python"))
 
 from browser import Browser  # noqa: E402
-from viewer import Viewer  # noqa: E402
+from live_page import Served  # noqa: E402
 
 RUN = ["run", "walk_flat_ideal", "--view", "--set", "duration=600", "--set", "stack=terrain_adaptation"]
 FIRST_PICTURE, MAIN_THREAD = 2000, 16  # [ms]
@@ -124,7 +124,7 @@ parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.R
 parser.add_argument("--loads", type=int, default=10)
 parser.add_argument("--seconds", type=float, default=10.0)
 arguments = parser.parse_args()
-with Viewer(*RUN) as run, Browser() as browser:
+with Served(*RUN) as run, Browser() as browser:
     loads = [load(browser, run.link) for _ in range(arguments.loads)]
     for name, times in zip(("drawn by the script", "in the pixels"), zip(*loads)):
         print(f"first picture {name}: median {statistics.median(times):.0f} ms, worst {max(times):.0f} ms of {len(times)} loads", flush=True)
@@ -141,7 +141,7 @@ with Viewer(*RUN) as run, Browser() as browser:
             flush=True,
         )
 costliest = 0.0
-with Viewer(*RUN) as run, Browser() as browser:
+with Served(*RUN) as run, Browser() as browser:
     browser.call("Page.addScriptToEvaluateOnNewDocument", source=WITHOUT_RASTERISATION)
     browser.open(run.link)
     browser.wait("window.surefoot?.pictures > 0 && surefoot.meshesLoading === 0", 120)
