@@ -10,14 +10,13 @@
 namespace surefoot::server {
 namespace {
 
-std::size_t offset_of(const ViewChannels& channels, std::string_view name) {
+/// The channel of this name; of size 0 where there is none.
+ViewChannel find_channel(const ViewChannels& channels, std::string_view name) {
   const auto found = std::ranges::find(channels.channels, name, &ViewChannel::name);
-  return found == channels.channels.end() ? 0 : found->offset;
-}
-
-std::size_t size_of(const ViewChannels& channels, std::string_view name) {
-  const auto found = std::ranges::find(channels.channels, name, &ViewChannel::name);
-  return found == channels.channels.end() ? 0 : found->size;
+  if (found != channels.channels.end()) return *found;
+  ViewChannel none;
+  none.size = 0;
+  return none;
 }
 
 std::string_view name_in(const auto& names, float number) {
@@ -35,11 +34,10 @@ std::string text_event(double time, std::string_view kind, std::string_view text
 }
 
 EventFinder::EventFinder(const ViewChannels& channels, std::vector<std::string> bodies)
-    : mode_(offset_of(channels, "command.mode")),
-      stop_(offset_of(channels, "told.stop")),
-      force_(offset_of(channels, "truth.xfrc_applied")),
-      force_size_(size_of(channels, "truth.xfrc_applied")),
-      rotation_(offset_of(channels, "truth.q_WB")),
+    : mode_(find_channel(channels, "command.mode").offset),
+      stop_(find_channel(channels, "told.stop").offset),
+      rotation_(find_channel(channels, "truth.q_WB").offset),
+      force_(find_channel(channels, "truth.xfrc_applied")),
       bodies_(std::move(bodies)),
       scenario_(bodies_) {}
 
@@ -58,14 +56,14 @@ const std::vector<std::string>& EventFinder::see(const ViewFrame& frame) {
     events_.push_back(text_event(
         frame.time, "mode", logging::mode_text(mode, name_in(logging::stop_texts(), now[stop_]))));
   }
-  if (force_size_ > 0) see_forces(frame);
+  if (force_.size > 0) see_forces(frame);
   last_ = now;
   return events_;
 }
 
 void EventFinder::see_forces(const ViewFrame& frame) {
-  const auto begin = frame.floats.begin() + static_cast<std::ptrdiff_t>(force_);
-  std::vector<double> xfrc(begin, begin + static_cast<std::ptrdiff_t>(force_size_));
+  const auto begin = frame.floats.begin() + static_cast<std::ptrdiff_t>(force_.offset);
+  std::vector<double> xfrc(begin, begin + static_cast<std::ptrdiff_t>(force_.size));
   scenario_.leave(frame.time, xfrc);
   const float* q = &frame.floats[rotation_];
   const auto tell = [&](double time, const std::string& text) {

@@ -12,28 +12,35 @@
 
 namespace surefoot::server {
 
-/// Something that happened, as `/api/events` has it: {"time", "kind", "text"}.
+/// An event as in `/api/events`: {"time", "kind", "text"}.
 [[nodiscard]] std::string text_event(double time, std::string_view kind, std::string_view text);
 
-/// Finds in frames, one after the other, what happened at them: the planner's events with their
-/// leg, changes of the command's mode, and begin and end of the scenario's forces.
+/// Events as a JSON array.
+[[nodiscard]] std::string json_list(const auto& events) {
+  std::string text = "[";
+  for (const std::string& event : events) text += (text.size() == 1 ? "" : ",") + event;
+  return text + "]";
+}
+
+/// Finds events in consecutive frames: the planner's events with their leg, changes of the
+/// command's mode, and begin and end of the scenario's forces.
 class EventFinder {
  public:
-  /// `bodies`: their names by the rows of the truth's `xfrc_applied`.
+  /// `bodies`: names by the rows of the truth's `xfrc_applied`.
   explicit EventFinder(const ViewChannels& channels, std::vector<std::string> bodies = {});
 
-  /// What happened at this frame, as `/api/events` has it; valid until the next.
+  /// Events of this frame as in `/api/events`; valid until the next call.
   [[nodiscard]] const std::vector<std::string>& see(const ViewFrame& frame);
-  /// A push of the operator, which is told as a change; before the frames from then on.
+  /// Takes an operator's push, which is shown as a change; call it before the frames from then on.
   void acts(const logged::Change& change) { scenario_.acts(change); }
 
  private:
   void see_forces(const ViewFrame& frame);
 
-  std::size_t mode_, stop_;          // offsets of channels
+  std::size_t mode_, stop_, rotation_;  // offsets of channels
+  ViewChannel force_;
   std::vector<float> last_;          // floats of the frame before
   std::vector<std::string> events_;  // of the frame
-  std::size_t force_, force_size_, rotation_;
   std::vector<std::string> bodies_;
   logging::AppliedForceWatch forces_;
   logging::ScenarioForces scenario_;

@@ -1,7 +1,5 @@
 #include "server/frame_block.hpp"
 
-#include "surefoot/base/error.hpp"
-
 #include <bit>
 #include <cstring>
 #include <type_traits>
@@ -13,7 +11,7 @@ static_assert(std::endian::native == std::endian::little, "blocks are little-end
 
 constexpr std::string_view kMagic = "SFV1";
 constexpr std::size_t kAlignment = 8;
-constexpr std::size_t kFrameHeadBytes = 16;
+constexpr std::size_t kTick = 4, kTime = 8, kFloats = 16;  // places in a frame
 
 template <typename Number>
 void put(Number number, std::string& out) {
@@ -23,54 +21,11 @@ void put(Number number, std::string& out) {
   out.append(bytes.data(), bytes.size());
 }
 
-/// Takes numbers from the front of some bytes.
-class Bytes {
- public:
-  explicit Bytes(std::string_view bytes) : rest_(bytes) {}
-
-  std::string_view take(std::size_t count) {
-    if (count > rest_.size()) throw Error("a block of frames is shorter than it says");
-    const std::string_view taken = rest_.substr(0, count);
-    rest_.remove_prefix(count);
-    return taken;
-  }
-
-  template <typename Number>
-  Number number() {
-    Number result{};
-    std::memcpy(&result, take(sizeof(Number)).data(), sizeof(Number));
-    return result;
-  }
-
-  [[nodiscard]] bool is_empty() const { return rest_.empty(); }
-
- private:
-  std::string_view rest_;
-};
-
-ViewFrame read_frame(Bytes& block, std::size_t frame_floats) {
-  const auto size = block.number<std::uint32_t>();
-  if (size < kFrameHeadBytes) throw Error("a frame is shorter than its head");
-  Bytes bytes(block.take(size - sizeof(size)));
-  ViewFrame frame;
-  frame.tick = bytes.number<std::uint32_t>();
-  frame.time = bytes.number<double>();
-  for (std::size_t i = 0; i < frame_floats; ++i) frame.floats.push_back(bytes.number<float>());
-  frame.active.resize(bytes.number<std::uint16_t>());
-  frame.blocking.resize(bytes.number<std::uint16_t>());
-  for (FrameActive& row : frame.active) {
-    row.level = bytes.number<std::uint8_t>();
-    row.state = bytes.number<std::int8_t>();
-    row.row = bytes.number<std::uint16_t>();
-    row.by = bytes.number<float>();
-  }
-  for (FrameBlocking& row : frame.blocking) {
-    row.level = bytes.number<std::uint8_t>();
-    row.by_level = bytes.number<std::uint8_t>();
-    row.row = bytes.number<std::uint16_t>();
-    row.cost = bytes.number<float>();
-  }
-  return frame;
+template <typename Number>
+Number number_at(std::string_view bytes, std::size_t place) {
+  Number number{};
+  std::memcpy(&number, bytes.substr(place, sizeof(Number)).data(), sizeof(Number));
+  return number;
 }
 
 }  // namespace
@@ -111,18 +66,14 @@ void pack(const ViewFrame& frame, std::string& out) {
   std::memcpy(out.data() + begin, &size, sizeof(size));
 }
 
-ReadBlock read_block(std::string_view bytes, std::size_t frame_floats) {
-  Bytes block(bytes);
-  if (block.take(kMagic.size()) != kMagic) throw Error("not a block of frames");
-  ReadBlock result;
-  result.head.frames = block.number<std::uint32_t>();
-  result.head.dropped = block.number<std::uint32_t>();
-  result.head.generation = block.number<std::uint32_t>();
-  for (std::uint32_t i = 0; i < result.head.frames; ++i) {
-    result.frames.push_back(read_frame(block, frame_floats));
-  }
-  if (!block.is_empty()) throw Error("a block of frames is longer than it says");
-  return result;
+PackedFrame first_frame(std::string_view frames) {
+  return {.tick = number_at<std::uint32_t>(frames, kTick),
+          .time = number_at<double>(frames, kTime),
+          .bytes = frames.substr(0, number_at<std::uint32_t>(frames, 0))};
+}
+
+void read_floats(const PackedFrame& frame, std::span<float> floats) {
+  std::memcpy(floats.data(), frame.bytes.substr(kFloats).data(), floats.size_bytes());
 }
 
 }  // namespace surefoot::server

@@ -32,7 +32,7 @@ struct FrameBlocking {
   float cost = 0.0F;
 };
 
-/// What happened at a tick; pages get it as `/api/events` has it, not in blocks.
+/// An event of a tick; pages get it by `/api/events`, not in blocks.
 struct FrameEvent {
   int kind = 0;  ///< number in `header.event_names`
   std::optional<Leg> leg;
@@ -59,13 +59,17 @@ inline constexpr std::size_t kBlockHeadBytes = 16;
 /// Appends the frame's bytes.
 void pack(const ViewFrame& frame, std::string& out);
 
-/// A block in parts: what a reader finds in its bytes.
-struct ReadBlock {
-  BlockHead head;
-  std::vector<ViewFrame> frames;
+/// The bytes of a frame in a block.
+struct PackedFrame {
+  std::uint32_t tick = 0;
+  double time = 0.0;  ///< [s]
+  std::string_view bytes;
 };
 
-/// Throws Error where the bytes are no block of frames with so many floats.
-[[nodiscard]] ReadBlock read_block(std::string_view bytes, std::size_t frame_floats);
+/// The first of some packed frames, which must be whole.
+[[nodiscard]] PackedFrame first_frame(std::string_view frames);
+
+/// Copies the first floats of a frame into `floats`.
+void read_floats(const PackedFrame& frame, std::span<float> floats);
 
 }  // namespace surefoot::server

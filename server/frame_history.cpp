@@ -1,7 +1,5 @@
 #include "server/frame_history.hpp"
 
-#include "server/packed_frame.hpp"
-
 #include <algorithm>
 #include <optional>
 
@@ -10,7 +8,7 @@ namespace surefoot::server {
 void FrameHistory::add(SharedBlock block) {
   std::string_view rest = *block.bytes;
   if (rest.empty()) return;
-  block.lost = 0;  // not lost to a page that was not there
+  block.lost = 0;  // a later page lost nothing
   Piece piece{.first = first_frame(rest).tick, .last = 0, .block = std::move(block)};
   for (; !rest.empty(); rest.remove_prefix(first_frame(rest).bytes.size())) {
     piece.last = first_frame(rest).tick;
@@ -64,7 +62,7 @@ std::uint32_t FrameHistory::pack_ranges(const FrameRequest& request, std::size_t
                                         double period, std::string& out) const {
   FrameRange range;
   std::vector<float> floats(num_floats);
-  std::optional<std::uint32_t> begin;  // of the stride that is being compared
+  std::optional<std::uint32_t> begin;  // of the current stride
   std::uint32_t frames = 0;
   const auto finish = [&] {
     if (!begin) return;

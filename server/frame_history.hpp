@@ -12,11 +12,10 @@
 
 namespace surefoot::server {
 
-/// The last frames of a live run, every tick of them, in the bytes that were sent: pages that come
-/// late ask for what they did not see.
+/// The last frames of a live run, in the bytes that were sent; later pages request them.
 class FrameHistory {
  public:
-  /// Of so many ticks, but for a block that is not yet too old as a whole.
+  /// Keeps so many ticks, and the rest of the oldest block.
   explicit FrameHistory(std::uint32_t ticks) : ticks_(ticks) {}
 
   /// Blocks come in the order of their ticks.
@@ -24,14 +23,14 @@ class FrameHistory {
   void clear() { pieces_.clear(); }
 
   [[nodiscard]] bool is_empty() const { return pieces_.empty(); }
-  /// The oldest that is kept; 0 where there is none.
+  /// The oldest kept tick; 0: none.
   [[nodiscard]] std::uint32_t first_tick() const;
-  /// Time of it [s].
+  /// Its time [s].
   [[nodiscard]] double first_time() const;
-  /// The newest blocks, with `frames` frames or more where there are so many.
+  /// The newest blocks, with at least `frames` frames if there are so many.
   [[nodiscard]] std::vector<SharedBlock> newest(std::size_t frames) const;
 
-  /// What of the asked ticks is kept, as a block. `num_floats` of each frame; `period` of a tick
+  /// A block of the requested ticks that are kept. `num_floats` of each frame; `period` of a tick
   /// [s].
   [[nodiscard]] std::string block(const FrameRequest& request, std::uint32_t generation,
                                   std::size_t num_floats, double period) const;

@@ -15,14 +15,15 @@
 #include <cmath>
 #include <fstream>
 #include <iterator>
+#include <ranges>
 #include <sstream>
 
 namespace surefoot::server {
 namespace {
 
 constexpr std::size_t kRingTicks = 1024;
-constexpr std::size_t kWelcomeFrames = 800;  // what a page that comes gets unasked
-constexpr double kHistory = 122.0;           // what it can ask for: two minutes and a little [s]
+constexpr std::size_t kWelcomeFrames = 800;  // sent to a new page
+constexpr double kHistory = 122.0;           // what it can request: two minutes and a little [s]
 constexpr std::chrono::milliseconds kStatusInterval{250};
 constexpr std::chrono::milliseconds kMeasureInterval{1000};
 
@@ -36,12 +37,6 @@ void vector_member(logging::JsonText& json, std::string_view name, const auto& v
   json.key(name).array();
   for (const double number : vector) json.value(number);
   json.end_array();
-}
-
-std::string json_list(const auto& entries, auto&& text_of) {
-  std::string text = "[";
-  for (const auto& entry : entries) text += (text.size() == 1 ? "" : ",") + text_of(entry);
-  return text + "]";
 }
 
 std::uint32_t ticks_of(double seconds, double period) {
@@ -64,19 +59,17 @@ LiveFeed::LiveFeed(const config::Scenario& scenario, LiveOperator& wishes, std::
   session_.period = scenario.controller.period;
   session_.meshes = robot_.meshes();
   session_.limits = wishes.limits();
-  session_.can_command = true;
 }
 
 void LiveFeed::begin(const closed_loop::RunParts& parts, const control::StackOptions& stack,
                      double friction) {
-  ViewSession begun;
-  begun.header = to_json(parts.header);
-  begun.channels = tick_channels(parts.header, parts.plant.truth());
-  begun.rows = parts.controller.row_names();
-  begun.bodies = parts.plant.bodies();
-  begun.orders = {{0, parts.header.level_names}};
-  begun.tasks = view_tasks(stack, parts.header.level_names, operator_.reach());
-  begun.friction = friction;
+  ViewRun begun{.header = to_json(parts.header),
+                .channels = tick_channels(parts.header, parts.plant.truth()),
+                .rows = parts.controller.row_names(),
+                .orders = {{0, parts.header.level_names}},
+                .tasks = view_tasks(stack, parts.header.level_names, operator_.reach()),
+                .bodies = parts.plant.bodies(),
+                .friction = friction};
   const auto cone = explain::friction_cone_of(stack);
   if (ring_) {
     return hand_over([this, begun, cone] {
@@ -85,21 +78,15 @@ void LiveFeed::begin(const closed_loop::RunParts& parts, const control::StackOpt
     });
   }
   cone_ = cone;
-  ViewTick example;  // nobody serves yet
+  ViewTick example;  // there is no server yet
   example.truth = parts.plant.truth();
   ring_.emplace(kRingTicks, example);
   begin_again(std::move(begun));
   session_.begun = session_.generation = 0;
 }
 
-void LiveFeed::begin_again(ViewSession begun) {
-  session_.header = std::move(begun.header);
-  session_.channels = std::move(begun.channels);
-  session_.rows = std::move(begun.rows);
-  session_.bodies = std::move(begun.bodies);
-  session_.orders = std::move(begun.orders);
-  session_.tasks = std::move(begun.tasks);
-  session_.friction = begun.friction;
+void LiveFeed::begin_again(ViewRun begun) {
+  static_cast<ViewRun&>(session_) = std::move(begun);
   session_.begun = ++session_.generation;
   names_ = {session_.channels.level_names, {}};
   std::vector<std::string> bodies = session_.bodies;
@@ -126,7 +113,7 @@ void LiveFeed::put(std::uint32_t number, const TickRecord& tick,
   }
   place->number = number;
   place->lost = std::exchange(lost_, 0);
-  place->news = told_;
+  place->news = handed_;
   place->record = tick;
   place->truth = truth;
   place->timing = timing;
@@ -173,7 +160,7 @@ void LiveFeed::add_event(double time, const std::string& event) {
   events_.push_back(event);
 }
 
-void LiveFeed::tell(const std::string& notice) {
+void LiveFeed::notify(const std::string& notice) {
   hand_over([this, notice] {
     logging::JsonText(notices_.emplace_back())
         .object()
@@ -183,7 +170,7 @@ void LiveFeed::tell(const std::string& notice) {
   });
 }
 
-void LiveFeed::hand_over(std::function<void()> take) { mailbox_.put({++told_, std::move(take)}); }
+void LiveFeed::hand_over(std::function<void()> take) { mailbox_.put({++handed_, std::move(take)}); }
 
 void LiveFeed::fetch_news() {
   for (News& news : mailbox_.take()) news_.push_back(std::move(news));
@@ -191,14 +178,14 @@ void LiveFeed::fetch_news() {
 
 void LiveFeed::take_news() {
   news_.front().take();
-  heard_ = news_.front().number;
+  taken_ = news_.front().number;
   news_.pop_front();
   is_news_ = true;
 }
 
 void LiveFeed::take_news_before(const ViewTick& tick) {
-  if (heard_ < tick.news) fetch_news();
-  while (heard_ < tick.news) take_news();
+  if (taken_ < tick.news) fetch_news();
+  while (taken_ < tick.news) take_news();
 }
 
 WebAnswer LiveFeed::get(std::string_view path, const Query& query) {
@@ -208,7 +195,7 @@ WebAnswer LiveFeed::get(std::string_view path, const Query& query) {
     return {200, "application/json", to_json(session_)};
   }
   if (path == "/api/events") {
-    return {200, "application/json", json_list(past_, [](const auto& one) { return one.second; })};
+    return {200, "application/json", json_list(std::views::values(past_))};
   }
   if (path != "/api/frames") return robot_.get(path);
   return answer_frames(query, [this](const FrameRequest& asked) {
@@ -216,8 +203,8 @@ WebAnswer LiveFeed::get(std::string_view path, const Query& query) {
   });
 }
 
-// What was new before a tick is taken before it. News that were fetched stand behind all ticks
-// that are older, so that after the last of these the rest of them is taken.
+// News from before a tick are taken before it. The ring already holds all ticks that are older than
+// the fetched news, so the remaining news are taken after the last tick.
 std::vector<SharedBlock> LiveFeed::blocks() {
   std::vector<SharedBlock> blocks;
   std::shared_ptr<std::string> bytes;
@@ -277,7 +264,7 @@ std::vector<SharedBlock> LiveFeed::welcome() { return history_.newest(kWelcomeFr
 void LiveFeed::measure() {
   const Clock::time_point now = Clock::now();
   const Pace pace{paused_.load(), speed_.load(), session_.begun};
-  if (pace != pace_) {  // the first, too: nothing has been measured then
+  if (pace != pace_) {  // also at first
     pace_ = pace;
     measured_ = now;
     measured_time_ = time_;
@@ -297,12 +284,11 @@ std::vector<std::string> LiveFeed::messages(std::size_t clients) {
     messages.push_back(status(clients));
     next_status_ = now + kStatusInterval;
   }
-  // After the status, which says whether they are those of a run that has begun again.
+  // After the status, which says whether the run has begun again.
   std::ranges::move(std::exchange(notices_, {}), std::back_inserter(messages));
   if (!events_.empty()) {
-    const auto itself = [](const std::string& event) { return event; };
-    messages.push_back(R"({"type":"events","events":)" +
-                       json_list(std::exchange(events_, {}), itself) + "}");
+    messages.push_back(R"({"type":"events","events":)" + json_list(std::exchange(events_, {})) +
+                       "}");
   }
   return messages;
 }
@@ -319,7 +305,6 @@ std::string LiveFeed::status(std::size_t clients) {
       .member("time", time_)
       .member("tick", tick_)
       .member("clients", clients)
-      .member("can_command", true)
       .member("recording", std::string_view(recording_))
       .member("generation", session_.generation)
       .member("begun", session_.begun)

@@ -24,19 +24,19 @@ namespace surefoot::server {
 /// A tick on its way from the run to the server.
 struct ViewTick {
   std::uint32_t number = 0, lost = 0;
-  std::uint64_t news = 0;  ///< of the run, that come before it
+  std::uint64_t news = 0;  ///< news of the run before it
   TickRecord record;
   simulation::GroundTruth truth;
   TickTiming timing;
 };
 
-/// What the pages of a live run are told. The run's thread hands ticks, and what else is new, over
-/// without locks, and never waits; the server's thread packs and sends them, in that order.
+/// Content for the pages of a live run. The run's thread hands over ticks and other news without
+/// locks and never waits. The server's thread packs and sends them in that order.
 class LiveFeed final : public WebContent {
  public:
   LiveFeed(const config::Scenario& scenario, LiveOperator& wishes, std::string recording);
 
-  // Of the run's thread. The server may only begin after the first `begin`.
+  // Called on the run's thread. The server may only begin after the first `begin`.
   void begin(const closed_loop::RunParts& parts, const control::StackOptions& stack,
              double friction);
   void put(std::uint32_t number, const TickRecord& tick, const simulation::GroundTruth& truth,
@@ -44,21 +44,21 @@ class LiveFeed final : public WebContent {
   void set_control(const control::StackOptions& stack, double friction, std::uint32_t tick);
   void set_pace(bool paused, double speed);
   void set_ended(const std::string& reason);
-  /// The log that is written from the next begin on.
+  /// Sets the log that is written from the next begin on.
   void set_recording(const std::string& path);
   void show(const logged::Change& change);
-  /// A line that every page shows.
-  void tell(const std::string& notice);
+  /// Shows a line on every page.
+  void notify(const std::string& notice);
 
-  /// Whether the next tick finds room.
+  /// Whether there is room for the next tick.
   [[nodiscard]] bool has_room() { return ring_->next_to_write() != nullptr; }
   /// Whether a page has drawn the robot.
   [[nodiscard]] bool is_seen() const { return is_seen_; }
 
-  /// Of the robot, for the page.
-  [[nodiscard]] std::vector<ViewMesh> meshes() const { return robot_.meshes(); }
+  /// The robot's meshes.
+  [[nodiscard]] const std::vector<model::MeshFile>& meshes() const { return robot_.meshes(); }
 
-  // Of the server's thread.
+  // Called on the server's thread.
   [[nodiscard]] std::string start() const override { return session_.start; }
   [[nodiscard]] WebAnswer get(std::string_view path, const Query& query) override;
   [[nodiscard]] bool is_live() const override { return true; }
@@ -72,13 +72,13 @@ class LiveFeed final : public WebContent {
  private:
   using Clock = std::chrono::steady_clock;
 
-  /// What the server's thread is to do with something that is new of the run.
+  /// News of the run, with what the server's thread must do about it.
   struct News {
     std::uint64_t number = 0;
     std::function<void()> take;
   };
 
-  /// What the run's speed is measured at.
+  /// State at which the run's speed is measured; a change restarts the measurement.
   struct Pace {
     bool paused = false;
     double speed = 1.0;
@@ -87,7 +87,7 @@ class LiveFeed final : public WebContent {
   };
 
   void hand_over(std::function<void()> take);
-  void begin_again(ViewSession session);
+  void begin_again(ViewRun begun);
   void fetch_news();
   void take_news();
   void take_news_before(const ViewTick& tick);
@@ -101,27 +101,27 @@ class LiveFeed final : public WebContent {
   const ViewRobot robot_;
   std::optional<TickRing<ViewTick>> ring_;  // from the first begin on
   Mailbox<News> mailbox_;
-  std::uint32_t lost_ = 0;  // of the run's thread: ticks that found no room since the last that did
-  std::uint64_t told_ = 0;  // of the run's thread: news so far
+  std::uint32_t lost_ = 0;    // run's thread: ticks dropped since the last that had room
+  std::uint64_t handed_ = 0;  // run's thread: news so far
   std::atomic<bool> paused_{false}, is_news_{true}, is_seen_{false};
   std::atomic<double> speed_{1.0};
 
-  // Of the server's thread.
+  // Members of the server's thread.
   ViewSession session_;
-  std::deque<News> news_;      // that came and are still to be taken
-  std::uint64_t heard_ = 0;    // the last that was taken
-  logging::LevelNames names_;  // with which ticks are packed
+  std::deque<News> news_;      // arrived, not taken yet
+  std::uint64_t taken_ = 0;    // number of the last taken
+  logging::LevelNames names_;  // for packing ticks
   std::optional<EventFinder> finder_;
-  int changes_ = 0;                            // from outside, of the present run
-  std::vector<std::string> events_, notices_;  // that no page was told yet
+  int changes_ = 0;                            // changes from outside, of the present run
+  std::vector<std::string> events_, notices_;  // not sent yet
   FrameHistory history_;                       // of the present run
-  /// What happened in it, with the time, for pages that come late; as old as the frames at most.
+  /// Events with their times, for pages that open later; kept as long as the frames.
   std::deque<std::pair<double, std::string>> past_;
   std::string ended_, recording_;
   ViewFrame frame_;
   std::optional<tasks::FrictionCone> cone_;  // of the run's stack
   std::optional<evaluation::StartAlignment> start_;
-  const double calibration_;               // how long one takes [s]
+  const double calibration_;               // its duration [s]
   std::optional<double> calibrates_till_;  // none: the robot does not calibrate [s]
   std::uint32_t tick_ = 0;
   double time_ = 0.0;

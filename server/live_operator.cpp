@@ -44,7 +44,7 @@ control::TaskSpec& find_task(control::LevelSpec& level, const std::string& name)
               config::valid_names(name, names));
 }
 
-/// Levels that keep the physics stand above all others: below them, torques would mean nothing.
+/// Levels that keep the physics stay above all others; otherwise torques would mean nothing.
 void check_order(const control::StackOptions& stack) {
   bool free = false;
   for (const control::LevelSpec& level : stack.levels) {
@@ -58,7 +58,7 @@ void check_order(const control::StackOptions& stack) {
   }
 }
 
-/// No less than it is; what double rounds is no millisecond more.
+/// Rounds up to milliseconds, except for the rounding error of a double.
 double whole_milliseconds(double seconds) { return std::ceil(1e3 * seconds - 1e-9) / 1e3; }
 
 }  // namespace

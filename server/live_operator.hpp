@@ -16,54 +16,53 @@
 
 namespace surefoot::server {
 
-/// Ticks that wait at most, to be made while it is paused: ten seconds.
+/// Most single steps that wait while the run is paused: ten seconds.
 inline constexpr int kMostStepsWaiting = 4000;
 
-/// What the operator wants of the controller.
+/// The control that the operator wants.
 struct WantedControl {
   control::StackOptions stack;  ///< with all defaults
   double friction = 0.5;
 };
 
-/// What the operator wants of a run.
+/// What the operator wants.
 struct OperatorWishes {
   bool paused = false;
-  bool halt = false;  ///< ticks that are still to be made are not wanted any more
-  int steps = 0;      ///< ticks to make although it is paused
+  bool halt = false;  ///< cancels steps that still wait
+  int steps = 0;      ///< ticks to run although paused
   double speed = 1.0;
   bool reset = false;
   std::vector<simulation::Push> pushes;
-  std::optional<UserCommand> walk;  ///< none: as the scenario says
+  std::optional<UserCommand> walk;  ///< none: the scenario commands
   WantedControl control;
 };
 
-/// Takes the operator's commands, on the server's thread, and says what is wrong with them; the run
-/// asks at each tick what is wanted, and never waits for that.
+/// Checks and keeps the operator's commands, on the server's thread. The run takes them at each
+/// tick and never waits for that.
 class LiveOperator {
  public:
   LiveOperator(const config::Scenario& scenario, ViewLimits limits);
 
-  /// Takes a command. What is wrong with it; empty: nothing.
+  /// Takes a command. Returns what is wrong with it; empty: nothing.
   [[nodiscard]] std::string command(const ViewCommand& command);
 
-  /// On the run's thread: what is wanted, if that is something else than at the last call and can
-  /// be had without waiting. What is to be done once is handed over.
+  /// On the run's thread: gets the wishes if they have changed and no lock is held. Wishes for one
+  /// action are cleared.
   [[nodiscard]] bool take(OperatorWishes& wishes);
 
-  /// On the run's thread: what was wanted can't be; the present control is wanted again, as soon as
-  /// `take` gets through.
+  /// On the run's thread: the wanted control is not possible; `take` sets the wish back to the
+  /// present one.
   void give_up(const WantedControl& present);
 
-  // These two, at a run's begin and end, may wait for a command that is being taken: no tick is
-  // due.
+  // These two may wait for a command that is being taken: no tick is due at a run's begin and end.
 
-  /// On the run's thread: it begins, again, with these bodies that can be pushed. Everything is as
-  /// the scenario says; pause and speed stay.
+  /// On the run's thread: a run begins, with these bodies that can be pushed. All wishes are as in
+  /// the scenario; pause and speed stay.
   void begin(std::vector<std::string> bodies);
-  /// On the run's thread: the run has ended, and why.
+  /// On the run's thread: the run has ended for this reason.
   void set_ended(std::string reason);
 
-  /// What the operator asks to walk; none: as the scenario says.
+  /// The operator's command of the walk; none: the scenario commands.
   [[nodiscard]] std::optional<UserCommand> walk_wanted();
   [[nodiscard]] const ViewLimits& limits() const { return limits_; }
   [[nodiscard]] const control::StackReach& reach() const { return reach_; }
@@ -80,9 +79,9 @@ class LiveOperator {
   const WantedControl scenario_control_;
   const ViewLimits limits_;
   const control::StackReach reach_;
-  std::uint64_t taken_ = 0;                // of the run's thread
-  std::optional<WantedControl> given_up_;  // of the run's thread: what is to be wanted again
-  std::mutex mutex_;                       // of all below
+  std::uint64_t taken_ = 0;                // run's thread
+  std::optional<WantedControl> given_up_;  // run's thread: the wish to return to
+  std::mutex mutex_;                       // guards all below
   std::vector<std::string> bodies_;
   OperatorWishes wishes_;
   std::string ended_;

@@ -2,7 +2,6 @@
 
 #include "server/live_view.hpp"
 #include "server/view_robot.hpp"
-#include "server/web_server.hpp"
 #include "surefoot/base/error.hpp"
 #include "surefoot/base/printable.hpp"
 #include "surefoot/logging/output_files.hpp"
@@ -26,7 +25,15 @@ void check(const ViewArguments& arguments) {
   }
 }
 
-void tell_link(const std::string& link, const std::string& how_it_ends, const std::string& listen) {
+WebServerOptions server_options(const ViewArguments& arguments) {
+  return {.listen = arguments.listen,
+          .port = static_cast<std::uint16_t>(arguments.port),
+          .token = arguments.token,
+          .max_clients = arguments.clients};
+}
+
+void print_link(const std::string& link, const std::string& how_it_ends,
+                const std::string& listen) {
   std::fprintf(stderr, "\n  open   %s\n  %s\n\n", link.c_str(), how_it_ends.c_str());
   if (listen.empty() || listen.starts_with("127.") || listen == "::1") return;
   std::fprintf(stderr,
@@ -41,8 +48,8 @@ constexpr const char* kWaits =
     "\n  waits for the page: the robot calibrates, and walks once the link is open (--no-wait: at "
     "once)";
 
-/// The log of a run that is begun again stays.
-void tell_kept(const LiveResult& before, const std::string& next) {
+/// Says that the log before a reset is kept.
+void print_kept(const LiveResult& before, const std::string& next) {
   const bool is_cut = before.run.ending == closed_loop::Ending::reset;
   const std::string kept = is_cut ? logging::partial_path(before.record_path) : before.record_path;
   std::fprintf(stderr, "  the log of the run before the reset is %s; the next goes into %s\n",
@@ -58,21 +65,17 @@ LiveResult run_live(const config::Scenario& scenario, closed_loop::ClosedLoopOpt
   LiveFeed feed(scenario, wishes, options.record_path);
   LiveView view(wishes, feed, options.interrupted, !arguments.no_wait);
   options.steering = &view;
-  options.interrupted = {};  // asked by the view
+  options.interrupted = {};  // the view asks
   std::optional<WebServer> server;
   options.ready = [&] {
     if (server) return;
-    server.emplace(WebServerOptions{.listen = arguments.listen,
-                                    .port = static_cast<std::uint16_t>(arguments.port),
-                                    .token = arguments.token,
-                                    .max_clients = arguments.clients},
-                   feed);
+    server.emplace(server_options(arguments), feed);
     const std::string missing = missing_meshes_text(feed.meshes());
     if (!missing.empty())
       std::fprintf(stderr, "surefoot: warning: %s\n", printable(missing).c_str());
-    tell_link(server->link(),
-              std::string("^C     ends the run") + (arguments.no_wait ? "" : kWaits),
-              arguments.listen);
+    print_link(server->link(),
+               std::string("^C     ends the run") + (arguments.no_wait ? "" : kWaits),
+               arguments.listen);
   };
   const std::string first_log = options.record_path;
   while (true) {
@@ -86,7 +89,7 @@ LiveResult run_live(const config::Scenario& scenario, closed_loop::ClosedLoopOpt
     if (first_log.empty()) continue;
     const LiveResult before{result, options.record_path};
     options.record_path = logging::next_free_log(first_log);
-    tell_kept(before, options.record_path);
+    print_kept(before, options.record_path);
     feed.set_recording(options.record_path);
   }
 }

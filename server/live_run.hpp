@@ -1,5 +1,6 @@
 #pragma once
 
+#include "server/web_server.hpp"
 #include "surefoot/closed_loop/closed_loop.hpp"
 
 #include <functional>
@@ -7,38 +8,40 @@
 
 namespace surefoot::server {
 
-/// `--view` and what belongs to it, as typed.
+/// `--view` and its options, as typed.
 struct ViewArguments {
   bool view = false;
   int port = 7373;       ///< 0: any that is free
   std::string listen;    ///< address; empty: loopback alone
   std::string token;     ///< for commands; empty: a random one
   int clients = 8;       ///< pages at once
-  bool no_wait = false;  ///< for the first of them
+  bool no_wait = false;  ///< do not wait for the first page
 };
 
-/// Throws Error where options of the view are given without it.
+/// Throws Error where its options are given without `--view`.
 void check(const ViewArguments& arguments);
 
-/// Whether anything is not as it is by default, but `view` itself.
+/// Whether any option differs from its default, other than `view`.
 [[nodiscard]] bool says_where(const ViewArguments& arguments);
 
-/// The last of the runs that were shown.
+/// The last run that was shown.
 struct LiveResult {
   closed_loop::RunResult run;
   std::string record_path;  ///< as `ClosedLoopOptions` has it
 };
 
-/// Runs a scenario before the eyes of those who open the page, whose link is printed, at real time
-/// or what the operator asks for. When the run has ended the page stays, until ^C; the operator may
-/// begin the run again, and then its log is another one: "run-2.mcap". `ended` gets the result of
-/// each that was not cut off; the last one's is returned. Throws Error as `run_closed_loop`, and
-/// where it can't listen.
+/// Runs a scenario while pages watch, at real time or the operator's speed, and prints their link.
+/// The page stays after the run, until ^C. A run that the operator begins again gets another log:
+/// "run-2.mcap". `ended` gets the result of each run that was not cut off; the last result is
+/// returned. Throws Error as `run_closed_loop`, and where it can't listen.
 LiveResult run_live(const config::Scenario& scenario, closed_loop::ClosedLoopOptions options,
                     const ViewArguments& arguments,
                     const std::function<void(const closed_loop::RunResult&)>& ended);
 
-/// Tells where the page is, on standard error.
-void tell_link(const std::string& link, const std::string& how_it_ends, const std::string& listen);
+/// The server's options among those of the view.
+[[nodiscard]] WebServerOptions server_options(const ViewArguments& arguments);
+
+/// Prints the link of the page on standard error.
+void print_link(const std::string& link, const std::string& how_it_ends, const std::string& listen);
 
 }  // namespace surefoot::server

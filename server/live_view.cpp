@@ -13,9 +13,9 @@
 namespace surefoot::server {
 namespace {
 
-constexpr std::chrono::milliseconds kNap{4};       // while it is paused or waits
-constexpr std::chrono::milliseconds kLongest{20};  // sleep before the operator is asked again
-constexpr double kFade = 0.3;                      // from a stack to the next [s]
+constexpr std::chrono::milliseconds kNap{4};       // while paused or waiting
+constexpr std::chrono::milliseconds kLongest{20};  // sleep before the wishes are checked again
+constexpr double kFade = 0.3;                      // blend between stacks [s]
 
 std::string vector_text(const Vec3& v) {
   return formatted("(%.3g, %.3g, %.3g)", v.x(), v.y(), v.z());
@@ -25,7 +25,7 @@ std::string push_text(const simulation::Push& push) {
   return formatted("push of %.3g N·s at ", push.force.norm() * push.duration) + push.body;
 }
 
-/// A tick whose state was refused says nothing of the calibration.
+/// After a refused state the calibration is unknown and taken to continue.
 bool calibrates(const TickRecord& tick) {
   const bool is_refused =
       !logging::was_solved(tick.hierarchy) && tick.command.mode == CommandMode::hold;
@@ -53,7 +53,7 @@ void LiveView::begin(const closed_loop::RunParts& parts) {
   while (!operator_.take(wishes_)) std::this_thread::yield();
   present_ = wishes_.control;
   walk_.reset();
-  steps_ = wishes_.paused ? 1 : 0;  // so that there is something to see
+  steps_ = wishes_.paused ? 1 : 0;  // for a first picture
   booked_.clear();
   pushes_.clear();
   reset_ = is_pending_ = false;
@@ -108,7 +108,7 @@ void LiveView::take(double time) {
   feed_.set_pace(wishes_.paused, wishes_.speed);
 }
 
-// It counts from now on, and is told once it acts.
+// A booked push counts for the limit from now on, and is shown once it acts.
 void LiveView::book(const simulation::Push& wanted, double time) {
   std::erase_if(pushes_,
                 [&](const simulation::Push& push) { return push.time + push.duration <= time; });
@@ -116,7 +116,7 @@ void LiveView::book(const simulation::Push& wanted, double time) {
   for (const simulation::Push& push : pushes_) acting += push.force.norm();
   const double force = wanted.force.norm(), most = operator_.limits().push_force;
   if (acting + force > most * (1.0 + 1e-9)) {
-    return feed_.tell(formatted(
+    return feed_.notify(formatted(
         "the push of %.3g N is left out: pushes of %.3g N act already or wait for the next tick; "
         "valid is up to %.3g N at one time",
         force, acting, most));
@@ -158,12 +158,12 @@ void LiveView::take_control(double time) {
   is_pending_ = !text.empty() && !change_stack(text, time);
 }
 
-// False while another change goes on: then it comes later.
+// False during another blend: try again later.
 bool LiveView::change_stack(const std::string& text, double time) {
   try {
     if (!parts_->controller.set_stack(wishes_.control.stack, kFade)) return false;
   } catch (const Error& error) {
-    feed_.tell(error.what());
+    feed_.notify(error.what());
     wishes_.control = present_;
     operator_.give_up(present_);
     return true;
@@ -198,7 +198,7 @@ void LiveView::keep(logged::Change change) {
   feed_.show(change);
 }
 
-// Who gives the robot back to its scenario does not ask for a calibration by it.
+// Only the scenario decides about calibration.
 UserCommand LiveView::user(const UserCommand& planned) {
   UserCommand command = walk_.value_or(planned);
   command.calibrate = planned.calibrate;

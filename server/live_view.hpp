@@ -11,12 +11,11 @@
 
 namespace surefoot::server {
 
-/// Steers a run as its operator wishes, at the speed that is asked for, and feeds the pages that
-/// watch it.
+/// Steers a run by its operator's wishes, keeps its speed, and feeds the pages.
 class LiveView final : public closed_loop::RunSteering {
  public:
-  /// `interrupted` is asked while it waits. With `waits_for_page` a run that begins calibrates as
-  /// fast as it can, and then waits until a page has drawn the robot. All must outlive it.
+  /// It asks `interrupted` while it waits. With `waits_for_page` a run calibrates as fast as it
+  /// can, then waits until a page has drawn the robot. The arguments must outlive it.
   LiveView(LiveOperator& wishes, LiveFeed& feed, std::function<bool()> interrupted,
            bool waits_for_page = false);
 
@@ -26,14 +25,13 @@ class LiveView final : public closed_loop::RunSteering {
   void after_tick(const TickRecord& tick, const simulation::GroundTruth& truth,
                   const TickTiming& timing) override;
 
-  /// The run has ended; the pages are told why, and stay. True once it is to begin again, false
-  /// once it is interrupted.
+  /// Shows the pages why the run has ended, and waits. True: begin it again; false: interrupted.
   [[nodiscard]] bool wait_for_reset(const std::string& reason);
 
  private:
   using Clock = std::chrono::steady_clock;
 
-  /// Is the next tick not to be made yet, whatever the pace is?
+  /// Whether the next tick must wait, regardless of the pace.
   [[nodiscard]] bool is_held() const;
   void take(double time);
   void take_control(double time);
@@ -53,11 +51,11 @@ class LiveView final : public closed_loop::RunSteering {
   std::optional<UserCommand> walk_;
   RunPace pace_;
   int steps_ = 0;
-  std::vector<simulation::Push> booked_;  // pushes that begin with the next tick
-  std::vector<simulation::Push> pushes_;  // these and those that act
+  std::vector<simulation::Push> booked_;  // pushes that begin at the next tick
+  std::vector<simulation::Push> pushes_;  // these and active ones
   bool hurries_ = false;                  // the robot calibrates at the beginning, without a pace
   bool reset_ = false, is_off_pace_ = false;
-  bool is_pending_ = false;  // something of the control is wanted and not yet had
+  bool is_pending_ = false;  // a wanted control is not in effect yet
   double speed_ = 1.0;
   std::uint32_t tick_ = 0;
 };

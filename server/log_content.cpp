@@ -17,20 +17,28 @@
 namespace surefoot::server {
 namespace {
 
-constexpr std::uint64_t kMostDecoded = 4096;   // ticks that are read for an answer …
-constexpr std::uint64_t kMostCompared = 2048;  // … of which the least and greatest are asked
+constexpr std::uint64_t kMostDecoded = 4096;   // ticks read for an answer
+constexpr std::uint64_t kMostCompared = 2048;  // ticks compared for an answer
 
 std::string urdf_of(const logging::LogHeader& header) {
   const std::string* urdf = header.attachment("robot.urdf");
   return urdf == nullptr ? "" : *urdf;
 }
 
-std::string block(const std::string& bytes, std::uint32_t frames) {
-  const auto head = packed(BlockHead{.frames = frames, .dropped = 0, .generation = 0});
-  return std::string(head.data(), head.size()) + bytes;
+/// A block of what `pack_at` appends for each of `count` ticks, as many frames as it returns.
+std::string block(const FrameRequest& asked, std::uint32_t count, std::uint32_t end_tick,
+                  auto&& pack_at) {
+  std::string bytes(kBlockHeadBytes, '\0');
+  std::uint32_t frames = 0;
+  std::uint64_t tick = asked.from;
+  for (std::uint32_t i = 0; i < count && tick < end_tick; ++i, tick += asked.stride) {
+    frames += pack_at(static_cast<std::uint32_t>(tick), bytes);
+  }
+  std::ranges::copy(packed({.frames = frames, .dropped = 0, .generation = 0}), bytes.begin());
+  return bytes;
 }
 
-/// Of a log that is whole as a file.
+/// Why the run of a complete file does not end where it should; empty: it does.
 std::string cut_of(const explain::Outcome& outcome) {
   if (!outcome.known)
     return "how the run ended is not known: the log's file is whole, but has no summary";
@@ -93,7 +101,7 @@ WebAnswer LogContent::get(std::string_view path, const Query& query) {
   if (path == "/api/explain") return explained(query);
   if (path != "/api/frames") return robot_.get(path);
   return answer_frames(query, [this](const FrameRequest& asked) {
-    return asked.min_max ? ranges(asked) : plain_frames(asked);
+    return asked.min_max ? ranges(asked) : frames(asked);
   });
 }
 
@@ -117,58 +125,32 @@ std::string LogContent::session() {
   return to_json(session);
 }
 
-std::string LogContent::plain_frames(const FrameRequest& asked) {
-  if ((asked.count - 1) * std::uint64_t{asked.stride} >= kMostDecoded) return kept_frames(asked);
-  std::string bytes;
-  std::uint32_t frames = 0;
-  std::uint64_t tick = asked.from;
-  for (std::uint32_t i = 0; i < asked.count && tick < frames_.end_tick();
-       ++i, tick += asked.stride) {
-    const ViewFrame* frame = frames_.frame(static_cast<std::uint32_t>(tick));
-    if (frame == nullptr) continue;
+// A long span comes from the summary, each of its frames once.
+std::string LogContent::frames(const FrameRequest& asked) {
+  const bool is_long = (asked.count - 1) * std::uint64_t{asked.stride} >= kMostDecoded;
+  ViewFrame kept;
+  std::optional<std::uint32_t> last;
+  return block(asked, asked.count, frames_.end_tick(), [&](std::uint32_t tick, std::string& bytes) {
+    if (is_long && !summary_.frame_near(tick, kept)) return 0U;
+    const ViewFrame* frame = is_long ? &kept : frames_.frame(tick);
+    if (frame == nullptr || last == frame->tick) return 0U;
+    last = frame->tick;
     pack(*frame, bytes);
-    ++frames;
-  }
-  return block(bytes, frames);
+    return 1U;
+  });
 }
 
-// Of a long piece, those that the summary has: each once.
-std::string LogContent::kept_frames(const FrameRequest& asked) {
-  std::string bytes;
-  std::uint32_t frames = 0;
-  std::uint64_t tick = asked.from;
-  ViewFrame frame;
-  for (std::uint32_t i = 0; i < asked.count && tick < frames_.end_tick();
-       ++i, tick += asked.stride) {
-    const std::uint32_t last = frame.tick;
-    if (!summary_.frame_near(static_cast<std::uint32_t>(tick), frame)) continue;
-    if (frames > 0 && frame.tick == last) continue;
-    pack(frame, bytes);
-    ++frames;
-  }
-  return block(bytes, frames);
-}
-
-// Two frames a stride. From the ticks themselves where the summary is coarser than that.
+// Two frames a stride, from the ticks themselves where the summary is too coarse.
 std::string LogContent::ranges(const FrameRequest& asked) {
-  std::string bytes;
-  std::uint32_t frames = 0;
+  const std::uint32_t count = asked.count / 2 + asked.count % 2;
   const bool is_fine = asked.stride < summary_.stretch() &&
                        std::uint64_t{asked.count / 2} * asked.stride <= kMostCompared;
-  std::uint64_t tick = asked.from;
-  for (std::uint32_t i = 0; 2 * i < asked.count && tick < frames_.end_tick(); ++i) {
-    const auto first = static_cast<std::uint32_t>(tick);
+  return block(asked, count, frames_.end_tick(), [&](std::uint32_t first, std::string& bytes) {
     const std::uint32_t last = first + asked.stride - 1;
-    const bool known =
-        is_fine ? range(first, last)
-                : summary_.range(first, last, range_.least.floats, range_.greatest.floats);
-    if (known) {
-      range_.pack(first, first * frames_.period(), bytes);
-      frames += 2;
-    }
-    tick += asked.stride;
-  }
-  return block(bytes, frames);
+    if (!(is_fine ? range(first, last) : summary_.range(first, last, range_))) return 0U;
+    range_.pack(first, first * frames_.period(), bytes);
+    return 2U;
+  });
 }
 
 bool LogContent::range(std::uint32_t first, std::uint32_t last) {

@@ -11,7 +11,7 @@
 
 namespace surefoot::server {
 
-/// What the pages of a log are told: the session, and frames as they ask for them.
+/// Content for the pages of a log: the session, and frames on request.
 class LogContent final : public WebContent {
  public:
   /// Throws FileError on a file that can't be shown.
@@ -20,9 +20,9 @@ class LogContent final : public WebContent {
   [[nodiscard]] std::string start() const override { return session_.start; }
   [[nodiscard]] WebAnswer get(std::string_view path, const Query& query) override;
 
-  /// Lines that the user should know of.
+  /// Warnings for the user.
   [[nodiscard]] const std::vector<std::string>& notes() const { return notes_; }
-  /// Sentences on what can't be read, as far as the log has been looked through.
+  /// Sentences on what can't be read, as far as the log is summarised.
   [[nodiscard]] std::vector<std::string> damage() { return summary_.damage(); }
 
  private:
@@ -30,8 +30,7 @@ class LogContent final : public WebContent {
   void describe(const std::string& path, const logging::LogHeader& header);
   [[nodiscard]] std::string session();
   [[nodiscard]] WebAnswer explained(const Query& query);
-  [[nodiscard]] std::string plain_frames(const FrameRequest& asked);
-  [[nodiscard]] std::string kept_frames(const FrameRequest& asked);
+  [[nodiscard]] std::string frames(const FrameRequest& asked);
   [[nodiscard]] std::string ranges(const FrameRequest& asked);
   [[nodiscard]] bool range(std::uint32_t first, std::uint32_t last);
 

@@ -18,17 +18,17 @@ namespace {
 constexpr std::size_t kKeptChunks = 32;
 constexpr double kMostTicks = std::numeric_limits<std::uint32_t>::max();
 
-/// A tick as its messages come.
+/// A tick that is being read, message by message.
 struct GrowingTick {
   TickRecord record;
   logged::Hierarchy hierarchy;
   simulation::GroundTruth truth;
   bool has_begin = false, has_end = false, has_truth = false, is_damaged = false;
 
-  /// A tick begins with its readings and ends with its command; either may stand in what is lost.
+  /// A tick begins with its readings and ends with its command; either may be lost.
   [[nodiscard]] bool is_whole() const { return has_begin && has_end && !is_damaged; }
 
-  /// Throws JsonError where the message is not what it should be.
+  /// Throws JsonError where the message is malformed.
   void take(const logging::McapMessage& message) {
     const std::string& topic = message.channel->topic;
     has_begin = has_begin || topic == "/readings";
@@ -43,7 +43,7 @@ struct GrowingTick {
   }
 };
 
-std::string told(const logging::McapMessage& message, const logging::JsonError& error) {
+std::string text_of(const logging::McapMessage& message, const logging::JsonError& error) {
   return "a message on " + message.channel->topic + " is not what it should be: " + error.what();
 }
 
@@ -55,7 +55,7 @@ struct LogFrames::Decoded {
   std::map<std::uint64_t, GrowingTick> ticks;  // by log time
   std::map<std::uint64_t, logged::Timing> timings;
 
-  /// A message that is not what it should be costs its tick, or the timings of it.
+  /// A malformed message costs its tick, or the timings of it.
   void take(const logging::McapMessage& message, LogChunk& chunk);
   void take_timing(const logging::McapMessage& message, LogChunk& chunk);
 };
@@ -71,7 +71,7 @@ void LogFrames::Decoded::take(const logging::McapMessage& message, LogChunk& chu
     chunk.changes.push_back(std::move(change));
   } catch (const logging::JsonError& error) {
     tick.is_damaged = true;
-    chunk.problem = told(message, error);
+    chunk.problem = text_of(message, error);
   }
 }
 
@@ -81,8 +81,13 @@ void LogFrames::Decoded::take_timing(const logging::McapMessage& message, LogChu
     logged::Decoder::decode(message.data, timing);
     timings[message.log_time] = timing;
   } catch (const logging::JsonError& error) {
-    chunk.timing_problem = told(message, error);
+    chunk.timing_problem = text_of(message, error);
   }
+}
+
+std::string without_path(const std::string& text, const std::string& path) {
+  const std::string prefix = path + ": ";
+  return text.starts_with(prefix) ? text.substr(prefix.size()) : text;
 }
 
 LogFrames::LogFrames(const std::string& path, const logging::LogHeader& header)
@@ -100,8 +105,8 @@ std::uint32_t LogFrames::tick_at(std::uint64_t time) const {
   return static_cast<std::uint32_t>(std::llround(seconds(time) / period_));
 }
 
-// Nothing but what stands beside it tells that the time of a message outside of chunks is wrong: it
-// is far beyond theirs, and no other goes on from there, as the ticks do behind a clock that skips.
+// A message outside of chunks has no checksum for its time. It is wrong if it is far beyond those
+// of its neighbours; after a jump of the clock, the next ticks would continue from it.
 bool LogFrames::has_wrong_times(std::size_t chunk) const {
   const std::vector<logging::McapChunk>& all = file_.chunks();
   const auto [first, last] = std::pair(all[chunk].first_time, all[chunk].last_time);
@@ -113,9 +118,9 @@ bool LogFrames::has_wrong_times(std::size_t chunk) const {
   return chunk + 1 < all.size() && all[chunk + 1].first_time < least;
 }
 
-// Ticks come by their time; where it goes back the timings begin, which stand apart: in chunks of
-// their own, but another writer leaves the last ticks and the first timings in one. A chunk whose
-// times can't be is left out: its header is damaged.
+// Ticks are sorted by time. Where it goes back, the timings begin, usually in their own chunks;
+// another writer may put the last ticks and the first timings into one. A chunk with impossible
+// times has a damaged header and is left out.
 void LogFrames::find_ticks(const std::string& path) {
   num_lost_ = file_.num_lost();
   for (std::size_t i = 0; i < file_.chunks().size(); ++i) {
@@ -141,8 +146,7 @@ void LogFrames::find_ticks(const std::string& path) {
   end_tick_ = ends_.back();
 }
 
-// From the first place that can be read and holds a whole tick, whose truth has the sizes of
-// MuJoCo's vectors.
+// Uses the first readable place with a whole tick, whose truth has the sizes of MuJoCo's vectors.
 void LogFrames::learn_channels(const std::string& path, const logging::LogHeader& header) {
   simulation::GroundTruth truth;
   bool is_whole = false;
@@ -212,14 +216,8 @@ LogChunk LogFrames::decode(std::size_t number) {
   return chunk;
 }
 
-// What a page is told says nothing of this machine's folders.
-std::string LogFrames::without_path(const Error& error) const {
-  const std::string text = error.what(), prefix = path_ + ": ";
-  return text.starts_with(prefix) ? text.substr(prefix.size()) : text;
-}
-
-// What belongs to its times may stand in any chunk: a tick may begin or end in the one beside it,
-// and timings stand apart. What can't be read of other places' chunks is told of those.
+// Messages of a place may be in any chunk: a tick may begin or end in the next one, and timings are
+// separate. Damage in the chunks of other places is reported there.
 void LogFrames::read_place(std::size_t number, Decoded& decoded, LogChunk& chunk) {
   const Place& place = places_[number];
   for (const std::size_t i : usable_) {
@@ -230,8 +228,9 @@ void LogFrames::read_place(std::size_t number, Decoded& decoded, LogChunk& chunk
       read_chunk(i, place, decoded, chunk);
     } catch (const Error& error) {
       const bool has_ticks = std::ranges::find(places_, i, &Place::chunk) != places_.end();
-      if (i == place.chunk) chunk.problem = without_path(error);
-      if (!has_ticks) chunk.timing_problem = without_path(error);  // the ticks are still good
+      if (i == place.chunk) chunk.problem = without_path(error.what(), path_);
+      if (!has_ticks)
+        chunk.timing_problem = without_path(error.what(), path_);  // the ticks are good
     }
   }
 }

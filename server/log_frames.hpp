@@ -16,10 +16,10 @@
 
 namespace surefoot::server {
 
-/// What is said of a log that does not end as a log does.
+/// Text on a log without its regular end.
 inline constexpr std::string_view kNeverClosed = "the log was never closed, or is cut off";
 
-/// What a chunk of a log holds, as far as it can be read.
+/// The readable content of a chunk.
 struct LogChunk {
   std::vector<ViewFrame> frames;  ///< by tick; those whose messages can be read
   std::vector<logged::Change> changes;
@@ -28,40 +28,42 @@ struct LogChunk {
   std::string timing_problem;   ///< why their timings are; empty: none are
 };
 
-/// The frames of a log, read from its chunks as they are asked for; few are kept in memory. What is
-/// damaged is left out.
+/// The text of an error without the path at its beginning: pages must not learn this machine's
+/// folders.
+[[nodiscard]] std::string without_path(const std::string& text, const std::string& path);
+
+/// The frames of a log, read from its chunks on request; few are kept. Damaged ones are left out.
 class LogFrames {
  public:
   /// Throws FileError if the file can't be read or holds no whole tick.
   LogFrames(const std::string& path, const logging::LogHeader& header);
 
   [[nodiscard]] const ViewChannels& channels() const { return channels_; }
-  /// The number of a tick is its time in periods: the first is that at which the clock begins, or 0
-  /// where a piece is lost that may have stood before it.
+  /// A tick's number is its time in periods. The first is where the clock begins, or 0 where an
+  /// earlier piece may be lost.
   [[nodiscard]] std::uint32_t first_tick() const { return first_tick_; }
   /// One past the last.
   [[nodiscard]] std::uint32_t end_tick() const { return end_tick_; }
   [[nodiscard]] bool complete() const { return file_.complete(); }
-  /// Where what was found in the file ends [bytes].
+  /// End of what was found in the file [bytes].
   [[nodiscard]] std::uint64_t end_byte() const { return file_.end(); }
   [[nodiscard]] double period() const { return period_; }
-  /// Of the run, as its recorder closed the log with it (JSON); empty without one.
+  /// The run's outcome at the end of the log (JSON); empty: none.
   [[nodiscard]] std::string outcome() { return file_.attachment("summary.json"); }
 
-  /// Places where one chunk or more stood of which not even the times can be read.
+  /// Number of gaps whose times can't be read.
   [[nodiscard]] std::size_t num_lost() const { return num_lost_; }
   [[nodiscard]] std::size_t num_chunks() const { return ends_.size(); }
-  /// Of the chunk that has a tick.
+  /// Number of the chunk with a tick.
   [[nodiscard]] std::size_t chunk_of(std::uint32_t tick) const;
   [[nodiscard]] std::shared_ptr<const LogChunk> chunk(std::size_t number);
-  /// The frame of a tick; null where it can't be read. Stays valid until the next call.
+  /// The frame of a tick, valid until the next call; null: it can't be read.
   [[nodiscard]] const ViewFrame* frame(std::uint32_t tick);
 
  private:
   struct Decoded;
 
-  /// A chunk that has ticks later than all before it, with the times of these ticks: later than
-  /// `before`, up to `last` [ns].
+  /// A chunk with new ticks: those later than `before`, up to `last` [ns].
   struct Place {
     std::size_t chunk = 0;
     std::uint64_t before = 0, last = 0;
@@ -74,7 +76,6 @@ class LogFrames {
   void learn_channels(const std::string& path, const logging::LogHeader& header);
   void find_start();
   [[nodiscard]] LogChunk decode(std::size_t number);
-  [[nodiscard]] std::string without_path(const Error& error) const;
   void read_place(std::size_t number, Decoded& decoded, LogChunk& chunk);
   void read_chunk(std::size_t index, const Place& place, Decoded& decoded, LogChunk& chunk);
 
@@ -84,12 +85,12 @@ class LogFrames {
   std::optional<tasks::FrictionCone> cone_;
   ViewChannels channels_;
   std::optional<evaluation::StartAlignment> start_;
-  std::vector<std::size_t> usable_;  // chunks whose times can be
+  std::vector<std::size_t> usable_;  // chunks with possible times
   std::vector<Place> places_;
-  std::vector<std::uint32_t> ends_;  // of each of them: one past its last tick
+  std::vector<std::uint32_t> ends_;  // one past the last tick of each place
   std::size_t num_lost_ = 0;
   std::uint32_t first_tick_ = 0, end_tick_ = 0;
-  std::list<std::pair<std::size_t, std::shared_ptr<const LogChunk>>> recent_;  // the latest first
+  std::list<std::pair<std::size_t, std::shared_ptr<const LogChunk>>> recent_;  // most recent first
 };
 
 }  // namespace surefoot::server

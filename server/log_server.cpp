@@ -13,17 +13,17 @@ namespace surefoot::server {
 
 namespace {
 
-constexpr std::size_t kMostTold = 10;
+constexpr std::size_t kMostPrinted = 10;
 
 void warn(const std::string& text) {
   std::fprintf(stderr, "surefoot: warning: %s\n", printable(text).c_str());
 }
 
-/// What is found as the log is looked through; `told` so many were told before.
-std::size_t tell_damage(LogContent& content, std::size_t told) {
+/// Prints damage that was found since; `printed` pieces were printed before.
+std::size_t print_damage(LogContent& content, std::size_t printed) {
   const std::vector<std::string> damage = content.damage();
-  for (std::size_t i = told; i < std::min(damage.size(), kMostTold); ++i) warn(damage[i]);
-  if (told <= kMostTold && damage.size() > kMostTold)
+  for (std::size_t i = printed; i < std::min(damage.size(), kMostPrinted); ++i) warn(damage[i]);
+  if (printed <= kMostPrinted && damage.size() > kMostPrinted)
     warn("and more that can't be read: `surefoot info` names it all");
   return damage.size();
 }
@@ -33,15 +33,11 @@ std::size_t tell_damage(LogContent& content, std::size_t told) {
 void serve_log(const std::string& path, const ViewArguments& arguments) {
   runtime::watch_for_interrupt();
   LogContent content(path);
-  const WebServer server({.listen = arguments.listen,
-                          .port = static_cast<std::uint16_t>(arguments.port),
-                          .token = arguments.token,
-                          .max_clients = arguments.clients},
-                         content);
+  const WebServer server(server_options(arguments), content);
   for (const std::string& note : content.notes()) warn(note);
-  tell_link(server.link(), "^C     closes it", arguments.listen);
-  for (std::size_t told = 0; !runtime::interrupted();) {
-    told = tell_damage(content, told);
+  print_link(server.link(), "^C     closes it", arguments.listen);
+  for (std::size_t printed = 0; !runtime::interrupted();) {
+    printed = print_damage(content, printed);
     std::this_thread::sleep_for(std::chrono::milliseconds(50));
   }
 }

@@ -6,8 +6,8 @@
 
 namespace surefoot::server {
 
-/// Serves the page on a log until ^C; its link is printed. Throws FileError, with what to do, on a
-/// file that is no log of ours or of a newer program, Error where it can't listen.
+/// Serves the page of a log until ^C, and prints its link. Throws FileError, with advice, on a file
+/// that is not our log or is of a newer program; Error where it can't listen.
 void serve_log(const std::string& path, const ViewArguments& arguments);
 
 }  // namespace surefoot::server

@@ -15,14 +15,6 @@ namespace {
 
 constexpr std::size_t kMostRanges = 8192;
 
-void widen(const std::vector<float>& values, std::vector<float>& bound, auto&& wider) {
-  for (std::size_t i = 0; i < bound.size(); ++i) bound[i] = wider(bound[i], values[i]);
-}
-
-// What is not a number is passed over.
-float less(float a, float b) { return std::fmin(a, b); }
-float more(float a, float b) { return std::fmax(a, b); }
-
 }  // namespace
 
 LogSummary::LogSummary(const std::string& path, const logging::LogHeader& header)
@@ -90,23 +82,17 @@ std::size_t LogSummary::place(std::uint32_t tick) const {
 void LogSummary::add(const ViewFrame& frame) {
   while (place(frame.tick) >= kMostRanges) coarsen();
   const std::size_t number = place(frame.tick);
-  while (ranges_.size() <= number) {
-    ranges_.push_back({std::vector<float>(frame.floats.size(), NAN),
-                       std::vector<float>(frame.floats.size(), NAN),
-                       {}});
-  }
+  while (ranges_.size() <= number) ranges_.emplace_back().all.clear(frame.floats.size());
   Range& range = ranges_[number];
   if (range.first.floats.empty()) range.first = frame;
-  widen(frame.floats, range.least, less);
-  widen(frame.floats, range.greatest, more);
+  range.all.add(frame.floats);
 }
 
 void LogSummary::coarsen() {
   for (std::size_t i = 0; i < ranges_.size(); i += 2) {
     Range& range = ranges_[i];
     if (i + 1 < ranges_.size()) {
-      widen(ranges_[i + 1].least, range.least, less);
-      widen(ranges_[i + 1].greatest, range.greatest, more);
+      range.all.add(ranges_[i + 1].all);
       if (range.first.floats.empty()) range.first = std::move(ranges_[i + 1].first);
     }
     if (i > 0) ranges_[i / 2] = std::move(range);
@@ -143,15 +129,12 @@ std::uint32_t LogSummary::stretch() {
   return stretch_;
 }
 
-bool LogSummary::range(std::uint32_t first, std::uint32_t last, std::vector<float>& least,
-                       std::vector<float>& greatest) {
+bool LogSummary::range(std::uint32_t first, std::uint32_t last, FrameRange& range) {
   if (last < frames_.first_tick() || std::min(last, frames_.end_tick() - 1) >= known_) return false;
   const std::lock_guard lock(mutex_);
-  least.assign(frames_.channels().floats, NAN);
-  greatest = least;
+  range.clear(frames_.channels().floats);
   for (std::size_t i = place(first); i <= place(last) && i < ranges_.size(); ++i) {
-    widen(ranges_[i].least, least, less);
-    widen(ranges_[i].greatest, greatest, more);
+    range.add(ranges_[i].all);
   }
   return true;
 }
@@ -171,9 +154,7 @@ std::vector<std::string> LogSummary::damage() {
 
 std::string LogSummary::events_json() {
   const std::lock_guard lock(mutex_);
-  std::string text = "[";
-  for (const std::string& event : events_) text += (text.size() > 1 ? "," : "") + event;
-  return text + "]";
+  return json_list(events_);
 }
 
 std::vector<ViewOrder> LogSummary::orders() {

@@ -7,8 +7,7 @@
 
 namespace surefoot::server {
 
-/// Hands letters from one thread to another, in order and however many, without locks: whoever
-/// puts one in never waits for whoever takes them out.
+/// An unbounded queue between threads without locks: the sender never waits.
 template <typename T>
 class Mailbox {
  public:
@@ -24,7 +23,7 @@ class Mailbox {
     }
   }
 
-  /// All that were put in and not taken yet, the oldest first.
+  /// All contents that were not taken yet, oldest first.
   [[nodiscard]] std::vector<T> take() {
     std::vector<T> contents;
     Letter* letter = last_.exchange(nullptr, std::memory_order_acquire);

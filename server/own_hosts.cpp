@@ -12,7 +12,7 @@
 namespace surefoot::server {
 namespace {
 
-/// As it stands in a link; empty for what is no internet address.
+/// The address as in a link; empty: not an internet address.
 std::string host_of(const sockaddr* address) {
   std::array<char, INET6_ADDRSTRLEN> text{};
   if (address == nullptr) return "";

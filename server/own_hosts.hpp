@@ -5,8 +5,8 @@
 
 namespace surefoot::server {
 
-/// This machine's addresses as they stand in a link, those of the network before loopback, and
-/// "localhost" last; with IPv6 in brackets if it is wanted.
+/// This machine's addresses as in a link: those of the network, then loopback, then "localhost".
+/// IPv6 addresses are in brackets.
 [[nodiscard]] std::vector<std::string> own_hosts(bool with_ipv6);
 
 /// Whether ::1 is an address of this machine.

@@ -12,8 +12,7 @@ struct PageFile {
   std::string_view data;
 };
 
-/// All of them; "index.html" is the page itself. Made from viewer/ by the build
-/// (cmake/viewer.cmake).
+/// All files; "index.html" is the page. The build makes them from viewer/ (cmake/viewer.cmake).
 [[nodiscard]] std::span<const PageFile> page_files();
 
 }  // namespace surefoot::server

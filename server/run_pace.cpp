@@ -3,7 +3,7 @@
 namespace surefoot::server {
 namespace {
 
-constexpr std::chrono::milliseconds kLate{100};  // more than this is not made up for
+constexpr std::chrono::milliseconds kLate{100};  // a longer delay is not made up
 
 }  // namespace
 

@@ -4,13 +4,12 @@
 
 namespace surefoot::server {
 
-/// When the ticks of a run are due, so that its time passes at a speed. A run that can't keep up
-/// goes on from where it is: it does not hurry afterwards.
+/// Computes when ticks are due at a speed. A run that can't keep up does not hurry afterwards.
 class RunPace {
  public:
   using Clock = std::chrono::steady_clock;
 
-  /// From now on, by the run's time [s] at this moment; `speed` in times real time.
+  /// Starts the pace now, at the run's time [s]; `speed` relative to real time.
   void begin(double time, double speed, Clock::time_point now);
   /// When the tick at this time [s] may begin.
   [[nodiscard]] Clock::time_point due(double time, Clock::time_point now);

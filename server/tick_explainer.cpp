@@ -1,5 +1,6 @@
 #include "server/tick_explainer.hpp"
 
+#include "server/log_frames.hpp"
 #include "surefoot/explain/explanation_json.hpp"
 #include "surefoot/runtime/interrupt.hpp"
 
@@ -56,17 +57,11 @@ std::string TickExplainer::explained(std::uint32_t tick) const {
     explain::TickExplanation explanation =
         explain::explain_tick(path_, period_ * tick, explain::Costs::exact,
                               [this] { return stopping_ || runtime::interrupted(); });
-    explanation.why_estimates = without_path(explanation.why_estimates);
+    explanation.why_estimates = without_path(explanation.why_estimates, path_);
     return explain::text_of(explain::gave_way_json(explanation));
   } catch (const std::exception& error) {
-    return explain::text_of(Json{{"problem", without_path(error.what())}});
+    return explain::text_of(Json{{"problem", without_path(error.what(), path_)}});
   }
-}
-
-// What a page is told says nothing of this machine's folders.
-std::string TickExplainer::without_path(const std::string& text) const {
-  const std::string begin = path_ + ": ";
-  return text.starts_with(begin) ? text.substr(begin.size()) : text;
 }
 
 }  // namespace surefoot::server

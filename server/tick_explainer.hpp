@@ -11,9 +11,8 @@
 
 namespace surefoot::server {
 
-/// Explains ticks of a log to pages that show them, on a thread of its own, as that takes about as
-/// long as a replay up to the tick. Only the tick that was asked for last waits its turn: whoever
-/// asks for another does not want it any more.
+/// Explains ticks of a log on its own thread, since that takes as long as a replay up to the tick.
+/// A new request replaces one that waits.
 class TickExplainer {
  public:
   /// `period`: of the log's ticks [s].
@@ -22,13 +21,12 @@ class TickExplainer {
   TickExplainer(const TickExplainer&) = delete;
   TickExplainer& operator=(const TickExplainer&) = delete;
 
-  /// `gave_way_json` of a tick, with exact costs; or why not, as `problem`. None: not yet.
+  /// `gave_way_json` of a tick with exact costs, or a `problem`. None: not yet.
   [[nodiscard]] std::optional<std::string> ask(std::uint32_t tick);
 
  private:
   void run();
   [[nodiscard]] std::string explained(std::uint32_t tick) const;
-  [[nodiscard]] std::string without_path(const std::string& text) const;
 
   const std::string path_;
   const double period_;

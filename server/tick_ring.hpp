@@ -6,15 +6,15 @@
 
 namespace surefoot::server {
 
-/// A bounded queue from one thread to another without locks: whoever writes never waits, what finds
-/// no room is left out.
+/// A bounded queue from one thread to another without locks. The writer never waits; without room
+/// it must drop its element.
 template <typename T>
 class TickRing {
  public:
-  /// Room for `capacity` elements, each a copy of `example`, so that memory is taken here.
+  /// Allocates `capacity` copies of `example`.
   explicit TickRing(std::size_t capacity, const T& example = T()) : slots_(capacity + 1, example) {}
 
-  /// The writer's next element to fill; null if there is no room. Then `written` hands it over.
+  /// The writer's next element to fill; null: no room. `written` hands it over.
   [[nodiscard]] T* next_to_write() {
     const std::size_t next = after(written_.load(std::memory_order_relaxed));
     if (next == read_.load(std::memory_order_acquire)) return nullptr;
@@ -24,7 +24,7 @@ class TickRing {
     written_.store(after(written_.load(std::memory_order_relaxed)), std::memory_order_release);
   }
 
-  /// The reader's oldest element; null if there is none. Then `read` gives its place back.
+  /// The reader's oldest element; null: none. `read` gives its place back.
   [[nodiscard]] const T* next_to_read() const {
     const std::size_t place = read_.load(std::memory_order_relaxed);
     return place == written_.load(std::memory_order_acquire) ? nullptr : &slots_[place];

@@ -2,29 +2,24 @@
 
 #include "surefoot/logging/json_text.hpp"
 
+#include <utility>
+
 namespace surefoot::server {
 namespace {
 
 constexpr std::array<std::string_view, 3> kAxes{"x", "y", "z"};
 
-/// What stands in the first brackets: "since the start [s]; …" has the unit "s". A channel whose
-/// numbers have several, "[m/s, rad/s, …]", has none.
-std::string unit_of(std::string_view about) {
+/// A description without its unit, and the unit: "since the start [s]; …" has "s" in its first
+/// brackets. A list of units, "[m/s, rad/s, …]", stays in the description.
+std::pair<std::string, std::string> split_unit(std::string_view about) {
   const std::size_t begin = about.find('[');
   const std::size_t end = about.find(']', begin);
-  if (begin == std::string_view::npos || end == std::string_view::npos) return "";
+  if (end == std::string_view::npos) return {std::string(about), ""};
   const std::string_view unit = about.substr(begin + 1, end - begin - 1);
-  return unit.find(", ") == std::string_view::npos ? std::string(unit) : "";
-}
-
-/// The text without these brackets, unless they say something of its numbers.
-std::string without_unit(std::string_view about) {
-  if (unit_of(about).empty()) return std::string(about);
-  const std::size_t begin = about.find('[');
-  const std::size_t end = about.find(']', begin);
+  if (unit.empty() || unit.find(", ") != std::string_view::npos) return {std::string(about), ""};
   std::string text(about.substr(0, begin));
   while (text.ends_with(' ')) text.pop_back();
-  return text + std::string(about.substr(end + 1));
+  return {text + std::string(about.substr(end + 1)), std::string(unit)};
 }
 
 }  // namespace
@@ -35,9 +30,10 @@ namespace surefoot::logged {
 
 void ChannelLister::add_channel(std::string_view about, std::vector<std::string> labels) {
   const std::size_t size = std::max<std::size_t>(labels.size(), 1);
+  auto [text, unit] = server::split_unit(about);
   table_.channels.push_back({.name = name_,
-                             .unit = server::unit_of(about),
-                             .about = server::without_unit(about),
+                             .unit = std::move(unit),
+                             .about = std::move(text),
                              .labels = std::move(labels),
                              .values = {},
                              .offset = table_.floats,

@@ -12,7 +12,7 @@
 
 namespace surefoot::server {
 
-/// A field of the log as the viewer's page gets it: `size` floats of a frame, from `offset` on.
+/// A field of the log in a frame: `size` floats from `offset` on.
 struct ViewChannel {
   std::string name;                 ///< "plan.feet.LF.p_WF"
   std::string unit, about;          ///< as the log describes it
@@ -21,8 +21,7 @@ struct ViewChannel {
   std::size_t offset = 0, size = 1;
 };
 
-/// All channels of a run, in the order of a frame's floats. They follow from the log's `fields`,
-/// so that what is logged can be seen.
+/// All channels of a run, in the order of a frame's floats, made from the log's `fields`.
 struct ViewChannels {
   std::vector<std::string> level_names;  ///< of the hierarchy: each level has its channels
   std::vector<double> level_visible;     ///< of these levels, see `visible_residual`
@@ -40,7 +39,7 @@ template <typename T>
 inline constexpr bool kIsByLevel =
     std::same_as<T, std::vector<Level>> || std::same_as<T, std::vector<LevelTime>>;
 
-/// What stands for a level that a tick does not have.
+/// A level that a tick lacks.
 template <typename OfLevel>
 [[nodiscard]] OfLevel unknown() {
   return {};
@@ -50,8 +49,8 @@ template <>
   return {.name = "", .report = {.residual = kNaN, .degrees_of_freedom_left = -1, .iterations = 0}};
 }
 
-/// Appends the channels of a signal to a table, by `fields`. The time of a signal is the frame's.
-/// Lists of rows are none: they stand in a frame as entries.
+/// Appends the channels of a signal to a table, by `fields`. The signal's time and lists of rows
+/// are no channels: a frame has them separately.
 class ChannelLister {
  public:
   explicit ChannelLister(server::ViewChannels& table) : table_(table) {}
@@ -181,7 +180,7 @@ class ChannelWriter {
 
 namespace surefoot::server {
 
-/// The channels' descriptions as a JSON array, as the page's session has them.
+/// The channels' descriptions as a JSON array, for the session.
 [[nodiscard]] std::string to_json(const std::vector<ViewChannel>& channels);
 
 }  // namespace surefoot::server

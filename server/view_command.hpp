@@ -22,8 +22,8 @@ enum class ViewCommandType {
   friction,
 };
 
-/// What a page asks for, docs/view_protocol.md. Members that its type does not have keep their
-/// defaults; numbers are finite, and not checked otherwise.
+/// A command of a page, docs/view_protocol.md. Members that its type lacks keep their defaults.
+/// Numbers are finite, but otherwise unchecked.
 struct ViewCommand {
   ViewCommandType type = ViewCommandType::pause;
   int ticks = 1;                      ///< of step
@@ -42,18 +42,18 @@ struct ViewCommand {
   std::vector<std::string> levels{};  ///< of order
 };
 
-/// A message of a page, with what its sender must know.
+/// A message of a page.
 struct ViewMessage {
   std::int64_t id = 0;
-  bool is_object = true;  ///< otherwise nothing else of it is known than `error`
+  bool is_object = true;  ///< otherwise only `error` is set
   std::string token;
-  bool is_hello = false;  ///< it asks only whether its token is known; without a command
-  bool is_drawn = false;  ///< the page has drawn the robot; without a command, token or reply
-  std::string error;      ///< what is wrong with the rest of it; empty: nothing
+  bool is_hello = false;  ///< asks whether its token is known; no command
+  bool is_drawn = false;  ///< the page has drawn the robot; no command, token or reply
+  std::string error;      ///< what is wrong with it; empty: nothing
   ViewCommand command;
 };
 
-/// Reads a message. Throws nothing: what is wrong is in `error`.
+/// Reads a message. Does not throw: errors are in `error`.
 [[nodiscard]] ViewMessage read_message(std::string_view text);
 
 }  // namespace surefoot::server

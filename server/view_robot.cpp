@@ -18,7 +18,7 @@ std::vector<model::MeshFile> meshes_of(const std::string& urdf, const model::Mes
   try {
     return model::mesh_files(urdf, folders);
   } catch (const FileError&) {
-    return {};  // the page tells what it can't read
+    return {};  // the page reports it
   }
 }
 
@@ -34,27 +34,16 @@ std::string media_type(const std::filesystem::path& file) {
 ViewRobot::ViewRobot(std::string urdf, const model::MeshFolders& folders)
     : urdf_(std::move(urdf)), meshes_(meshes_of(urdf_, folders)) {}
 
-std::vector<ViewMesh> ViewRobot::meshes() const {
-  std::vector<ViewMesh> list;
-  for (const model::MeshFile& mesh : meshes_) {
-    std::error_code error;
-    const bool found = !mesh.path.empty();
-    const auto bytes = found ? std::filesystem::file_size(mesh.path, error) : 0;
-    list.push_back({.uri = mesh.uri, .found = found, .bytes = error ? 0 : bytes});
-  }
-  return list;
-}
-
-std::string missing_meshes_text(const std::vector<ViewMesh>& meshes) {
-  constexpr std::size_t kTold = 3;
+std::string missing_meshes_text(const std::vector<model::MeshFile>& meshes) {
+  constexpr std::size_t kNamed = 3;
   std::vector<std::string> names;
-  for (const ViewMesh& mesh : meshes)
-    if (!mesh.found) names.push_back(mesh.uri.substr(mesh.uri.rfind('/') + 1));
+  for (const model::MeshFile& mesh : meshes)
+    if (mesh.path.empty()) names.push_back(mesh.uri.substr(mesh.uri.rfind('/') + 1));
   if (names.empty()) return "";
   std::string text = "the page shows primitives, as these meshes are missing: ";
-  for (std::size_t i = 0; i < std::min(names.size(), kTold); ++i)
+  for (std::size_t i = 0; i < std::min(names.size(), kNamed); ++i)
     text += (i == 0 ? "" : ", ") + names[i];
-  if (names.size() > kTold) text += " and " + std::to_string(names.size() - kTold) + " more";
+  if (names.size() > kNamed) text += " and " + std::to_string(names.size() - kNamed) + " more";
   return text + "; $SUREFOOT_ROBOT_PACKAGES and $ROS_PACKAGE_PATH say where they are looked for";
 }
 

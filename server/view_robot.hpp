@@ -1,6 +1,5 @@
 #pragma once
 
-#include "server/view_session.hpp"
 #include "server/web_server.hpp"
 #include "surefoot/model/mesh_files.hpp"
 
@@ -13,10 +12,10 @@ namespace surefoot::server {
 /// The robot's URDF and meshes, for the page.
 class ViewRobot {
  public:
-  /// Of a URDF that is no XML there are no meshes.
+  /// A URDF that is not XML has no meshes.
   ViewRobot(std::string urdf, const model::MeshFolders& folders);
 
-  [[nodiscard]] std::vector<ViewMesh> meshes() const;
+  [[nodiscard]] const std::vector<model::MeshFile>& meshes() const { return meshes_; }
   /// The answer for /api/robot.urdf and /api/mesh/ID.
   [[nodiscard]] WebAnswer get(std::string_view path) const;
 
@@ -27,8 +26,7 @@ class ViewRobot {
   std::vector<model::MeshFile> meshes_;
 };
 
-/// That the page shows primitives for meshes that are missing, and where they are looked for; empty
-/// where none is.
-[[nodiscard]] std::string missing_meshes_text(const std::vector<ViewMesh>& meshes);
+/// Text on missing meshes, which are replaced by primitives, and where to look; empty: none.
+[[nodiscard]] std::string missing_meshes_text(const std::vector<model::MeshFile>& meshes);
 
 }  // namespace surefoot::server

@@ -39,19 +39,16 @@ void task_member(logging::JsonText& json, const ViewTask& task) {
         .member("max", number.max)
         .end_object();
   }
-  json.end_array().key("choices").object();
-  for (const auto& [name, value] : task.choices) json.member(name, std::string_view(value));
-  json.end_object().end_object();
+  json.end_array().end_object();
 }
 
-void meshes_member(logging::JsonText& json, const std::vector<ViewMesh>& meshes) {
+void meshes_member(logging::JsonText& json, const std::vector<model::MeshFile>& meshes) {
   json.key("meshes").array();
   for (std::size_t id = 0; id < meshes.size(); ++id) {
     json.object()
         .member("id", id)
         .member("uri", std::string_view(meshes[id].uri))
-        .member("found", meshes[id].found)
-        .member("bytes", meshes[id].bytes)
+        .member("found", !meshes[id].path.empty())
         .end_object();
   }
   json.end_array();
@@ -90,8 +87,7 @@ std::string to_json(const ViewSession& session) {
       .member("generation", session.generation)
       .member("begun", session.begun)
       .member("frame_floats", session.channels.floats)
-      .member("friction", session.friction)
-      .member("can_command", session.can_command);
+      .member("friction", session.friction);
   json.key("header").raw(session.header);
   json.key("channels").raw(to_json(session.channels.channels));
   levels_members(json, session);

@@ -1,16 +1,16 @@
 #pragma once
 
 #include "server/view_channels.hpp"
+#include "surefoot/model/mesh_files.hpp"
 
 #include <array>
 #include <cstdint>
-#include <map>
 #include <string>
 #include <vector>
 
 namespace surefoot::server {
 
-/// What may be done to the robot from the page.
+/// Limits of commands of the page.
 struct ViewLimits {
   double push_impulse = 60.0;  ///< [N·s]
   double push_force = 300.0;   ///< of all pushes at one time [N]
@@ -27,7 +27,7 @@ struct ViewLimits {
 struct ViewNumber {
   std::string name, unit, about;
   double value = 0.0;
-  double min = 0.0, max = 0.0;  ///< that the page and the program take
+  double min = 0.0, max = 0.0;  ///< valid range
 };
 
 /// A task of a level, with its numbers.
@@ -35,7 +35,6 @@ struct ViewTask {
   std::size_t level = 0;  ///< in `header.level_names`
   std::string level_name, task;
   std::vector<ViewNumber> numbers;
-  std::map<std::string, std::string> choices;  ///< e.g. axes: gravity
 };
 
 /// The levels in their order from a tick on.
@@ -44,36 +43,32 @@ struct ViewOrder {
   std::vector<std::string> levels;
 };
 
-/// A mesh of the robot's URDF.
-struct ViewMesh {
-  std::string uri;
-  bool found = false;
-  std::uint64_t bytes = 0;
+/// What of a session may change when a run begins again.
+struct ViewRun {
+  std::string header;  ///< the log's header, JSON
+  ViewChannels channels;
+  std::vector<std::vector<std::string>> rows;  ///< of each level of the header
+  std::vector<ViewOrder> orders;
+  std::vector<ViewTask> tasks;
+  std::vector<std::string> bodies;  ///< that can be pushed
+  double friction = 0.0;            ///< that the controller assumes
 };
 
-/// What a page must know of a run before its frames: /api/session of docs/view_protocol.md.
-struct ViewSession {
-  std::string start;  ///< names this start of the program: another one serves another run
+/// What a page needs before the frames of a run: /api/session of docs/view_protocol.md.
+struct ViewSession : ViewRun {
+  std::string start;  ///< names this start of the program: another serves another run
   std::string mode;   ///< "live" or "replay"
   std::string version, title, source;
   std::string cut;         ///< of a log: why the run does not end where it should; "": it does
   std::string ended;       ///< of a log: why its run ended; "": that is not known
-  std::string header;      ///< the log's header, JSON
   double period = 0.0025;  ///< of the ticks [s]
   std::uint32_t first_tick = 0, ticks = 0;
-  std::uint32_t summarised = 0;     ///< of a log: ticks that `min_max` and events know already
+  std::uint32_t summarised = 0;     ///< of a log: ticks that are summarised
   std::vector<std::string> damage;  ///< of a log: sentences on what can't be read, so far
-  ViewChannels channels;
-  std::vector<std::vector<std::string>> rows;  ///< of each level of the header
-  std::vector<ViewOrder> orders;
-  std::vector<ViewMesh> meshes;
-  std::vector<ViewTask> tasks;
-  std::vector<std::string> bodies;  ///< that can be pushed
+  std::vector<model::MeshFile> meshes;
   ViewLimits limits;
-  double friction = 0.0;  ///< that the controller assumes
   std::uint32_t generation = 0;
   std::uint32_t begun = 0;  ///< generation with which the present run began
-  bool can_command = false;
 };
 
 [[nodiscard]] std::string to_json(const ViewSession& session);

@@ -32,7 +32,7 @@ double largest(const std::string& task, const tasks::TaskParameter& parameter) {
   return parameter.default_value;
 }
 
-/// Within the robot's reach, in whole millimetres.
+/// Limits a value to the robot's reach, in whole millimetres.
 double within(const control::StackReach& reach, const std::string& task, const std::string& name,
               double value) {
   const double greatest = reach.greatest(task, name);
@@ -41,8 +41,8 @@ double within(const control::StackReach& reach, const std::string& task, const s
 
 using Names = std::vector<std::string>;
 
-/// "order: torso_yaw from 8 to 5" where one level was moved; of more the new order of all between
-/// the first and the last that stand elsewhere.
+/// "order: torso_yaw from 8 to 5" if one level was moved; otherwise the new order between the first
+/// and the last moved level.
 std::string order_text(const Names& before, const Names& after) {
   std::size_t begin = 0, end = after.size();
   while (begin < end && before[begin] == after[begin]) ++begin;
@@ -94,7 +94,6 @@ std::vector<ViewTask> view_tasks(const control::StackOptions& stack,
       view.level = static_cast<std::size_t>(number);
       view.level_name = level.name;
       view.task = task.task;
-      view.choices = task.choices;
       for (const tasks::TaskParameter& parameter : tasks::task_info(task.task).parameters) {
         const std::string name(parameter.name);
         view.numbers.push_back(view_number(task.task, name, task.numbers.at(name), reach));

@@ -23,7 +23,7 @@ const logged::Timing& no_timing() {
   return none;
 }
 
-/// 255 for a level that has no channels.
+/// Number of a level; 255: it has no channels.
 std::uint8_t number_of(const std::string& level, const ViewChannels& channels) {
   const auto found = std::ranges::find(channels.level_names, level);
   return found == channels.level_names.end()
@@ -83,7 +83,7 @@ Told told(const KnownTick& tick, const explain::CommandedForces& forces,
   return result;
 }
 
-/// Of a channel of `Told`.
+/// The texts of a channel of `Told`.
 std::vector<std::string> texts_of(std::string_view name) {
   if (name == "told.unused") return explain::unused_texts();
   if (name == "told.because") return explain::unused_reasons();

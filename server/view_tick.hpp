@@ -12,13 +12,13 @@
 
 namespace surefoot::server {
 
-/// A level of a tick, as `SeenLevel`.
+/// Result of a level of a tick, a `SeenLevel`.
 struct ToldLevel {
   std::string name;
   double state = 0.0;
 };
 
-/// What the program says of a tick, in words: numbers of the texts that their channels list.
+/// What the program says of a tick in words, as indices into the `values` of their channels.
 struct Told {
   double stop = 0.0, encoders = 0.0, joint_torques = 0.0, imu = 0.0;  ///< of `stop_texts`
   double unused = 0.0, because = 0.0;  ///< of `unused_texts` and `unused_reasons`
@@ -60,19 +60,18 @@ namespace surefoot::server {
 [[nodiscard]] ViewChannels tick_channels(const logging::LogHeader& header,
                                          const simulation::GroundTruth& truth);
 
-/// What is known of a tick; what is null is not a number in its frame.
+/// What is known of a tick; what is null becomes NaN in its frame.
 struct KnownTick {
   std::uint32_t number = 0;
   const TickRecord& record;
-  const logged::Hierarchy& hierarchy;              ///< of the record, with names
+  const logged::Hierarchy& hierarchy;              ///< the record's, with names
   const std::optional<tasks::FrictionCone>& cone;  ///< of its stack
   const simulation::GroundTruth* truth = nullptr;
   const logged::Timing* timing = nullptr;
   const evaluation::StartAlignment* start = nullptr;
 };
 
-/// The tick as the page gets it. Levels and rows are numbered as in the channels' level names,
-/// whatever their order was.
+/// Writes the tick into a frame. Levels are numbered as in the channels' level names, in any order.
 void to_frame(const KnownTick& tick, const ViewChannels& channels, ViewFrame& frame);
 
 }  // namespace surefoot::server

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::string_view kApi = "/api/";
 
-/// Letters that our own links have; others, such as %, are nobody's.
+/// Characters of our own links; others, such as %, are refused.
 bool is_plain(char c) {
   constexpr std::string_view kMarks = "/._-=&?";
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||

@@ -10,7 +10,7 @@
 
 namespace surefoot::server {
 
-/// What every answer says of how a browser is to treat it.
+/// Headers of every answer.
 inline constexpr std::array<std::pair<std::string_view, std::string_view>, 6> kWebHeaders{{
     {"Content-Security-Policy",
      "default-src 'none'; script-src 'self'; style-src 'self'; connect-src 'self'; "
@@ -26,7 +26,7 @@ inline constexpr std::array<std::pair<std::string_view, std::string_view>, 6> kW
 [[nodiscard]] std::optional<std::pair<std::string, WebContent::Query>> read_target(
     std::string_view target);
 
-/// The answer for a target: a file of the page, or what the content says.
+/// The answer for a target: a file of the page, or the content's.
 [[nodiscard]] WebAnswer answer_for(std::string_view target, WebContent& content);
 
 /// Reads a whole number from a query; keeps `value` where it is not given. Throws Error, with what
@@ -34,7 +34,7 @@ inline constexpr std::array<std::pair<std::string_view, std::string_view>, 6> kW
 void read_number(const WebContent::Query& query, const char* key, std::uint32_t min,
                  std::uint32_t max, std::uint32_t& value);
 
-/// A line of text with a status.
+/// An answer with a status and a line of text.
 [[nodiscard]] WebAnswer refusal(int status, std::string why);
 
 }  // namespace surefoot::server

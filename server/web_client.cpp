@@ -17,10 +17,10 @@ namespace websocket = beast::websocket;
 
 constexpr std::size_t kLongestMessage = 4096;      // of a page [bytes]
 constexpr double kMessagesPerSecond = 60.0;        // of a page
-constexpr std::size_t kMostWaiting = 4U << 20U;    // for a page that does not read [bytes] …
-constexpr std::size_t kMostMessagesWaiting = 512;  // … and messages
-constexpr int kSendBuffer = 256 << 10;             // of the system, so that little is on the way
-constexpr std::chrono::seconds kIdle{20};          // without an answer to a ping
+constexpr std::size_t kMostWaiting = 4U << 20U;    // for a slow page [bytes]
+constexpr std::size_t kMostMessagesWaiting = 512;  // for a slow page
+constexpr int kSendBuffer = 256 << 10;     // of the system, small, so that little is on the way
+constexpr std::chrono::seconds kIdle{20};  // without an answer to a ping
 
 }  // namespace
 
@@ -49,7 +49,7 @@ void WebClient::begin(const Request& request) {
   });
 }
 
-// Only after the upgrade: a browser does not tell its page why one was refused.
+// After the upgrade, because a browser hides from its page why an upgrade was refused.
 void WebClient::turn_away() {
   const int most = shared_.options.max_clients;
   const std::string watch =
@@ -119,7 +119,7 @@ void WebClient::send(std::shared_ptr<const std::string> text) {
   put({Kind::text, 0, 0, std::move(text)});
 }
 
-// What was said since the status that waits is not overtaken.
+// A new status does not overtake texts that followed the waiting one.
 void WebClient::send_status(std::shared_ptr<const std::string> status) {
   const auto first = waiting_.begin() + (writing_ ? 1 : 0);
   const auto end = place_of(Kind::status);
@@ -144,8 +144,8 @@ void WebClient::put(Message message) {
   if (!writing_) write_next();
 }
 
-// What is said goes before the frames that wait: else a slow page would hear of its own commands
-// late, or of its status never.
+// Texts go before waiting frames; otherwise a slow page would get replies late and its status
+// never.
 std::deque<WebClient::Message>::iterator WebClient::place_of(Kind kind) {
   if (kind == Kind::block) return waiting_.end();
   return std::find_if(waiting_.begin() + (writing_ ? 1 : 0), waiting_.end(),

@@ -19,22 +19,22 @@ namespace surefoot::server {
 
 class WebClient;
 
-/// What the connections of a server have in common; all on its one thread.
+/// Shared by the connections of a server, all on its thread.
 struct WebShared {
   const WebServerOptions& options;
   WebContent& content;
   const OwnNames& names;
-  /// Tells those that watch what is new, if they wait for it: before another is answered.
+  /// Sends due news to watching pages, before another request is answered.
   std::function<void()> catch_up;
   std::set<std::shared_ptr<WebClient>> clients{};  ///< that watch live
-  // These may be outlived by those who count.
-  /// With those that only ask.
+  // Shared, since counts may outlive the server.
+  /// All connections.
   std::shared_ptr<std::size_t> connections = std::make_shared<std::size_t>(0);
-  /// Of answers on their way [bytes].
+  /// Answers on their way [bytes].
   std::shared_ptr<std::size_t> answers = std::make_shared<std::size_t>(0);
 };
 
-/// Counts something as long as it lives: a connection, or the bytes of an answer.
+/// Adds an amount to a count while it lives: a connection, or the bytes of an answer.
 class Count {
  public:
   explicit Count(std::shared_ptr<std::size_t> all, std::size_t amount = 1)
@@ -50,20 +50,20 @@ class Count {
   std::size_t amount_;
 };
 
-/// A page that watches live, over WebSocket. What waits for it is bounded: the oldest frames are
-/// dropped, and counted.
+/// A page that watches live, over WebSocket. Its queue is bounded: the oldest frames are dropped
+/// and counted.
 class WebClient : public std::enable_shared_from_this<WebClient> {
  public:
   using Request = boost::beast::http::request<boost::beast::http::empty_body>;
 
   WebClient(boost::beast::tcp_stream&& stream, WebShared& shared, std::shared_ptr<Count> count);
 
-  /// Accepts the upgrade that was asked for; where all places are taken, to say so.
+  /// Accepts the upgrade; if all places are taken, it closes with that reason.
   void begin(const Request& request);
   void send(const SharedBlock& block);
   void send(std::shared_ptr<const std::string> text);
-  /// In the place of a status that still waits, where nothing was said since. Texts go before the
-  /// frames that wait.
+  /// Replaces a status that still waits, if no other text followed it. Texts go before waiting
+  /// frames.
   void send_status(std::shared_ptr<const std::string> status);
   void close();
 

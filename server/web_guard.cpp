@@ -10,7 +10,7 @@ namespace surefoot::server {
 namespace {
 
 constexpr std::string_view kScheme = "http://";
-constexpr std::uint16_t kDefaultPort = 80;  // that a browser leaves out
+constexpr std::uint16_t kDefaultPort = 80;  // left out by browsers
 constexpr std::size_t kShortestToken = 16;
 constexpr std::size_t kLongestToken = 128;
 
@@ -43,7 +43,7 @@ bool is_same_secret(std::string_view given, std::string_view secret) {
 
 std::string random_token() {
   constexpr std::string_view kDigits = "0123456789abcdef";
-  std::random_device source;  // the system's, not a sequence from a seed
+  std::random_device source;  // the system's random source
   std::string token;
   for (int word = 0; word < 4; ++word) {
     unsigned bits = source();

@@ -8,16 +8,16 @@
 
 namespace surefoot::server {
 
-/// The names under which a server may be asked: whatever else a browser says that it wants comes
-/// from a page that has no business here (DNS rebinding, requests across sites).
+/// The names of this server. A browser that asks for other names acts for a foreign page (DNS
+/// rebinding, cross-site requests).
 class OwnNames {
  public:
   /// `hosts` as in a link, without the port: "127.0.0.1", "localhost", "[::1]".
   OwnNames(const std::vector<std::string>& hosts, std::uint16_t port);
 
-  /// Of the header `Host`: one of the names, exactly.
+  /// Whether the header `Host` is one of the names.
   [[nodiscard]] bool has_host(std::string_view host) const;
-  /// Of the header `Origin`: "http://" before one of the names, exactly.
+  /// Whether the header `Origin` is "http://" and one of the names.
   [[nodiscard]] bool has_origin(std::string_view origin) const;
   [[nodiscard]] const std::vector<std::string>& names() const { return names_; }
 
@@ -25,7 +25,7 @@ class OwnNames {
   std::vector<std::string> names_;
 };
 
-/// The same, in a time that does not depend on where they differ.
+/// Compares in a time that does not depend on the first difference.
 [[nodiscard]] bool is_same_secret(std::string_view given, std::string_view secret);
 
 /// 128 random bits, as 32 hexadecimal digits.
@@ -34,12 +34,12 @@ class OwnNames {
 /// Throws Error unless the token can stand in a link and is long enough not to be guessed.
 void check_token(const std::string& token);
 
-/// So many messages a second, and as many at once.
+/// Allows so many messages a second, and as many at once.
 class RateLimit {
  public:
   explicit RateLimit(double per_second) : per_second_(per_second), left_(per_second) {}
 
-  /// False for one too many.
+  /// Counts a message; false: too many.
   [[nodiscard]] bool take(std::chrono::steady_clock::time_point now);
 
  private:

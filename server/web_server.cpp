@@ -25,17 +25,17 @@ namespace http = beast::http;
 using tcp = asio::ip::tcp;
 
 constexpr std::uint32_t kLongestHeader = 8192;    // of a request [bytes]
-constexpr std::size_t kConnectionsBesides = 32;   // besides those of pages
-constexpr std::size_t kConnectionsOfPage = 8;     // a browser's to one host, and the live one
-constexpr std::size_t kRefusedAtOnce = 32;        // that are told why
-constexpr std::size_t kMostAnswers = 128U << 20;  // on their way, for all that ask [bytes]
+constexpr std::size_t kExtraConnections = 32;     // in addition to those of pages
+constexpr std::size_t kConnectionsOfPage = 8;     // of a browser to one host, and the live one
+constexpr std::size_t kRefusedAtOnce = 32;        // that get an answer
+constexpr std::size_t kMostAnswers = 128U << 20;  // on their way, for all clients [bytes]
 constexpr std::chrono::seconds kRequestTime{15};  // to send a request, or the next one
 constexpr std::chrono::seconds kAnswerTime{60};   // to take an answer
-constexpr std::chrono::seconds kFinishTime{2};    // for what comes after the answer
+constexpr std::chrono::seconds kFinishTime{2};    // to discard input after the answer
 constexpr std::chrono::milliseconds kBlockInterval{33};  // between blocks
-constexpr std::chrono::milliseconds kNoRoom{100};        // before one more is accepted
+constexpr std::chrono::milliseconds kNoRoom{100};        // pause before the next accept
 
-/// A connection that asks by HTTP, until it asks for an upgrade.
+/// An HTTP connection, until its upgrade.
 class WebConnection : public std::enable_shared_from_this<WebConnection> {
  public:
   WebConnection(tcp::socket&& socket, WebShared& shared)
@@ -53,7 +53,7 @@ class WebConnection : public std::enable_shared_from_this<WebConnection> {
                      });
   }
 
-  /// Instead of reading: there are too many of them.
+  /// Refuses the connection instead of reading: there are too many.
   void refuse() {
     send(refusal(503, "too many connections; close some of the pages that are open"), false, false);
   }
@@ -79,29 +79,28 @@ class WebConnection : public std::enable_shared_from_this<WebConnection> {
     send(answer(request), request.keep_alive(), is_head);
   }
 
-  /// Of what is wrong with whoever asks, if anything.
-  [[nodiscard]] std::optional<WebAnswer> stranger(const Request& request) const {
+  /// The refusal of a request for another host, if it is one.
+  [[nodiscard]] std::optional<WebAnswer> foreign_host(const Request& request) const {
     const auto host = std::string_view(request[http::field::host]);
     if (request.count(http::field::host) == 1 && shared_.names.has_host(host)) return std::nullopt;
     return refusal(421, "this server is not the host that was asked for; open http://" +
                             shared_.names.names().front() + "/");
   }
 
-  /// What a page of another origin gets.
+  /// The refusal of a page of another origin.
   [[nodiscard]] WebAnswer foreign_origin() const {
     return refusal(403, "a page of another origin may not watch; open http://" +
                             shared_.names.names().front() + "/");
   }
 
-  /// A browser says so of whatever another page makes it ask for: a picture or a link, too, of
-  /// which it names no origin.
+  /// Whether a browser asks for another page, also by an image or a link, which have no origin.
   [[nodiscard]] static bool is_of_another_site(const Request& request) {
     const auto site = std::string_view(request["Sec-Fetch-Site"]);
     return !site.empty() && site != "same-origin" && site != "none";
   }
 
   [[nodiscard]] WebAnswer answer(const Request& request) const {
-    if (auto refused = stranger(request)) return *refused;
+    if (auto refused = foreign_host(request)) return *refused;
     if (request.method() != http::verb::get && request.method() != http::verb::head) {
       return refusal(405, "only GET and HEAD are known here");
     }
@@ -121,7 +120,7 @@ class WebConnection : public std::enable_shared_from_this<WebConnection> {
 
   void upgrade(const Request& request) {
     const auto origin = std::string_view(request[http::field::origin]);
-    std::optional<WebAnswer> refused = stranger(request);
+    std::optional<WebAnswer> refused = foreign_host(request);
     if (!refused && std::string_view(request.target()) != "/api/live") {
       refused = refusal(404, "a WebSocket is at /api/live");
     }
@@ -162,7 +161,7 @@ class WebConnection : public std::enable_shared_from_this<WebConnection> {
         [serializer, done](beast::error_code error, std::size_t sent) { done(error, sent); });
   }
 
-  // What is still on the way is read: else the answer could be lost with it.
+  // Reads remaining input; otherwise closing could lose the answer.
   void finish() {
     beast::error_code ignored;
     stream_.socket().shutdown(tcp::socket::shutdown_send, ignored);
@@ -234,7 +233,7 @@ struct WebServer::Implementation {
     const std::uint16_t found = open({asio::ip::address_v4::loopback(), options.port});
     try {
       open({asio::ip::address_v6::loopback(), found});
-    } catch (const Error&) {  // of a machine without IPv6
+    } catch (const Error&) {  // a machine without IPv6
       if (has_ipv6_loopback()) throw;
     }
     return found;
@@ -286,7 +285,7 @@ struct WebServer::Implementation {
     });
   }
 
-  // Where the process may have no more files open, each try would fail at once.
+  // Without free file descriptors each try would fail at once.
   void accept_later(tcp::acceptor& acceptor) {
     const auto wait = std::make_shared<asio::steady_timer>(io, kNoRoom);
     wait->async_wait([this, &acceptor, wait](beast::error_code error) {
@@ -296,7 +295,7 @@ struct WebServer::Implementation {
 
   void greet(tcp::socket&& socket) {
     const auto pages = static_cast<std::size_t>(options.max_clients);
-    const std::size_t most = pages * kConnectionsOfPage + kConnectionsBesides;
+    const std::size_t most = pages * kConnectionsOfPage + kExtraConnections;
     if (*shared.connections >= most + kRefusedAtOnce) return;  // closed
     const bool is_full = *shared.connections >= most;
     const auto connection = std::make_shared<WebConnection>(std::move(socket), shared);
@@ -312,14 +311,14 @@ struct WebServer::Implementation {
     });
   }
 
-  // Many who ask at once are answered one after the other, however long that takes.
+  // Many simultaneous requests must not delay the broadcast.
   void catch_up() {
     if (std::chrono::steady_clock::now() - broadcast_at >= kBlockInterval) broadcast();
   }
 
   void broadcast() {
     broadcast_at = std::chrono::steady_clock::now();
-    const auto clients = shared.clients;  // those that leave meanwhile leave the set
+    const auto clients = shared.clients;  // a copy, since clients may leave meanwhile
     for (const SharedBlock& block : shared.content.blocks()) {
       for (const auto& client : clients) client->send(block);
     }

@@ -19,14 +19,14 @@ struct WebAnswer {
   std::string body;
 };
 
-/// Frames for all clients: packed once, whoever reads them.
+/// Frames for all clients, packed once.
 struct SharedBlock {
   std::uint32_t frames = 0, generation = 0;
-  std::uint32_t lost = 0;  ///< ticks before it that nobody gets
+  std::uint32_t lost = 0;  ///< dropped ticks before it
   std::shared_ptr<const std::string> bytes;
 };
 
-/// What a server shows. All calls come from the server's own thread.
+/// Content of a server. All calls come from the server's thread.
 class WebContent {
  public:
   using Query = std::map<std::string, std::string, std::less<>>;
@@ -36,17 +36,17 @@ class WebContent {
   WebContent& operator=(const WebContent&) = delete;
   virtual ~WebContent() = default;
 
-  /// Names this start of the program: where it is another one, something else is shown.
+  /// Names this start of the program: another start serves something else.
   [[nodiscard]] virtual std::string start() const { return ""; }
-  /// The answer for a path below /api/, but for `/api/alive`, which gives the start.
+  /// The answer for a path below /api/ other than `/api/alive`.
   [[nodiscard]] virtual WebAnswer get(std::string_view path, const Query& query) = 0;
-  /// Whether there is anything live at all.
+  /// Whether there is a live run.
   [[nodiscard]] virtual bool is_live() const { return false; }
-  /// What a new client gets first.
+  /// The first frames for a new client.
   [[nodiscard]] virtual std::vector<SharedBlock> welcome() { return {}; }
   /// Frames since the last call, about 30 times a second.
   [[nodiscard]] virtual std::vector<SharedBlock> blocks() { return {}; }
-  /// Messages for all clients since the last call, `clients` of which there are.
+  /// Messages for all clients since the last call; `clients`: how many there are.
   [[nodiscard]] virtual std::vector<std::string> messages(std::size_t clients) {
     static_cast<void>(clients);
     return {};
@@ -58,7 +58,7 @@ class WebContent {
   }
   /// A page has drawn the robot for the first time.
   virtual void drawn() {}
-  /// Takes a command whose token was right. What is wrong with it; empty: nothing.
+  /// Takes a command with the right token. Returns what is wrong with it; empty: nothing.
   [[nodiscard]] virtual std::string command(const ViewCommand& command) {
     static_cast<void>(command);
     return "there is nothing to command";
@@ -66,20 +66,19 @@ class WebContent {
 };
 
 struct WebServerOptions {
-  /// Of this machine; empty: loopback alone, 127.0.0.1 and ::1. Another needs a token of the
-  /// user's.
+  /// Address of this machine; empty: loopback, 127.0.0.1 and ::1. Another needs the user's token.
   std::string listen{};
   std::uint16_t port = 0;  ///< 0: any that is free
   std::string token{};     ///< for commands; empty: a random one
   int max_clients = 8;     ///< that watch live
 };
 
-/// Serves the viewer's page and what it asks for: HTTP and WebSocket (docs/view_protocol.md), on a
-/// thread of its own. Nobody who asks can make anyone else wait: what a client does not read in
-/// time is dropped, and what it may send is limited in size, number and rate.
+/// Serves the viewer's page by HTTP and WebSocket (docs/view_protocol.md), on its own thread. No
+/// client can make others wait: what it does not read in time is dropped, and its requests are
+/// limited in size, number and rate.
 class WebServer {
  public:
-  /// Throws Error where it can't listen, with what to do. `content` must outlive it.
+  /// Throws Error, with advice, where it can't listen. `content` must outlive it.
   WebServer(const WebServerOptions& options, WebContent& content);
   ~WebServer();
 

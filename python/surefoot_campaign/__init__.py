@@ -5,6 +5,8 @@ program    the program, and what it says of a run before it begins
 scheduler  runs tasks, some at a time
 outcome    what became of a run
 statistics rates with their intervals, median and worst
+text, units   names, metrics and tables as people read them
+output_files  files and folders that are this call's alone
 
 Of campaigns:
 spec       reads the file that says what to run
@@ -15,7 +17,5 @@ plots, report   what the table says
 
 Of `run --seeds` and the demo:
 seeds      the runs of one scenario, and what they come to
-text       metrics and tables on a terminal
-output_files  folders and logs that are this call's alone
 demo, demo_page, experiments  the paper's experiments
 """

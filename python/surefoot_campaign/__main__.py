@@ -1,5 +1,6 @@
 import sys
 
-from surefoot_campaign.cli import main
+from surefoot_campaign.cli import campaign
+from surefoot_campaign.command_line import run_command
 
-sys.exit(main(sys.argv[1:]))
+sys.exit(run_command(campaign, sys.argv[1:]))

@@ -3,8 +3,8 @@
 from dataclasses import dataclass
 
 from surefoot_campaign.program import yaml_text
-from surefoot_campaign.results import is_number
 from surefoot_campaign.spec import CASE
+from surefoot_campaign.statistics import is_number
 from surefoot_campaign.units import label, unit_of_parameter
 
 SEEDS_A_BIN = 10  # points of a grid share their draws: more of them fill no bin better
@@ -20,11 +20,11 @@ class Axis:
     drawn: bool
     is_choice: bool  # between values that have no distance
     of: object  # value -> number of its cell
-    span: tuple = None  # from end to end of all cells; None where they have no width
+    span: tuple = None  # from the first cell's begin to the last one's end; None where cells have no width
 
     @property
     def width(self):
-        """Of a cell."""
+        """The width of a cell."""
         return (self.span[1] - self.span[0]) / len(self.ticks) if self.span else 0.0
 
     def cells(self, records):

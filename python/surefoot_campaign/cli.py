@@ -1,24 +1,24 @@
 """The command `surefoot campaign`."""
 
-import argparse
 import json
 import os
 import pathlib
 import shlex
 import sys
 
-from surefoot_campaign.command_line import WRONG_INPUT, Parser, folder_name, run_command, tell, whole_number
+from surefoot_campaign.axes import number_text
+from surefoot_campaign.command_line import Parser, folder_name, tell, whole_number
 from surefoot_campaign.errors import InputError
 from surefoot_campaign.journal import Journal, check_campaign, read_rows
 from surefoot_campaign.outcome import ended_from_outside, row_of
-from surefoot_campaign.plan import by_seed, folder_of, make_plan
-from surefoot_campaign.plots import write_plots
+from surefoot_campaign.plan import make_plan
 from surefoot_campaign.program import Program, Refused, arguments_of
 from surefoot_campaign.progress import Progress
 from surefoot_campaign.report import short_table, write_all
 from surefoot_campaign.results import records_of
 from surefoot_campaign.scheduler import SCHEDULERS, Task, make_scheduler, results_of
 from surefoot_campaign.spec import load_spec
+from surefoot_campaign.text import in_words
 
 ALL_RIGHT, SOME_BROKE = 0, 1
 BROKEN = ("crashed", "timed_out", "refused")
@@ -46,11 +46,10 @@ Examples:
 
 
 def parser():
-    made = Parser("surefoot campaign", description=DESCRIPTION, epilog=EPILOG, allow_abbrev=False,
-                  formatter_class=argparse.RawDescriptionHelpFormatter)  # fmt: skip
+    made = Parser("campaign", DESCRIPTION, EPILOG)
     made.add_argument("spec", type=pathlib.Path, metavar="SPEC.yaml", help="what to run")
     made.add_argument("--out", type=folder_name, metavar="DIR", help="folder of the results; results/NAME by default")
-    made.add_argument("--jobs", type=whole_number, metavar="N", default=len(os.sched_getaffinity(0)),
+    made.add_argument("--jobs", type=whole_number(), metavar="N", default=len(os.sched_getaffinity(0)),
                       help="processes at once; one a core (%(default)s) by default")  # fmt: skip
     made.add_argument("--dry-run", action="store_true", help="list the runs and which are done; run and write nothing")
     made.add_argument("--retry", action="store_true", help="make runs again that crashed, took too long or were refused")
@@ -65,35 +64,32 @@ def is_done(run, rows, retry):
 
 
 def dry_run(plan, rows, program, arguments, folder):
-    listed = [(run, is_done(run, rows, arguments.retry)) for run in plan.runs]
-    done = sum(is_done_ for _, is_done_ in listed)
-    commands = [program.command(run.file, run.seed, run.parameters) for run in plan.runs]
+    runs = [{"id": run.id, "done": is_done(run, rows, arguments.retry), "command": program.command(run)} for run in plan.runs]
+    done = sum(run["done"] for run in runs)
     if arguments.json:
-        runs = [{"id": run.id, "done": state, "command": text} for (run, state), text in zip(listed, commands)]
         print(json.dumps({"name": plan.spec.name, "planned": len(runs), "done": done, "runs": runs}))
     else:
-        for (run, state), text in zip(listed, commands):
-            print("done " if state else "to do", run.id, text)
-        print(f"{len(listed)} runs, {done} done, {len(listed) - done} to do; results go to {folder}/")
+        for run in runs:
+            print("done " if run["done"] else "to do", run["id"], run["command"])
+        print(f"{len(runs)} runs, {done} done, {len(runs) - done} to do; results go to {folder}/")
     return ALL_RIGHT
 
 
 def description(run, spec):
-    values = [f"{key}={run.value(key):.4g}" if isinstance(run.value(key), float) else f"{key}={run.value(key)}"
-              for key in spec.varied()]  # fmt: skip
+    values = [f"{key}={number_text(run.value(key))}" for key in spec.varied()]
     return " ".join([run.scenario, *values, f"seed {run.seed}"])
 
 
 def sources_hash_now(run, row, program):
-    """Of the scenario's files as they were when it ran; None if they are no scenario any more."""
+    """The hash of the scenario's files as the run found them; None if they are no scenario any more."""
     if row["result"] is not None:
         return row["result"].get("sources_hash", run.sources_hash)
     try:
-        return program.check(run.file, run.parameters).sources_hash
+        return program.check(run.file, run.parameters)["sources_hash"]
     except Refused:
         return None
     except (InputError, OSError, ValueError):
-        return run.sources_hash  # nobody can say
+        return run.sources_hash  # not known
 
 
 def check_unchanged(run, row, program):
@@ -121,12 +117,12 @@ def run_missing(plan, missing, scheduler, journal, program):
             journal.append(row)
             progress.update()
             if row["outcome"] in BROKEN:
-                progress.say(f"{description(run, plan.spec)}: {row['outcome'].replace('_', ' ')}: {row['reason']}")
+                progress.say(f"{description(run, plan.spec)}: {in_words(row['outcome'])}: {row['reason']}")
     return ended
 
 
 def tell_what_is_done(plan, missing, journal):
-    """Where a campaign goes on, on stderr."""
+    """Says on stderr where a campaign goes on."""
     done = len(plan.runs) - len(missing)
     torn = "; its last row was torn and is dropped" if journal.was_torn else ""
     if done or torn:
@@ -145,8 +141,10 @@ def finish(plan, journal, program, arguments, folder):
         return ALL_RIGHT
     found = write_all(plan, records, program, folder)
     if not arguments.no_plots:
+        from surefoot_campaign.plots import write_plots
+
         write_plots(plan, records, folder / "plots")
-    print(json.dumps(found) if arguments.json else short_table(plan, found, folder), end="\n" if arguments.json else "")
+    print(json.dumps(found) + "\n" if arguments.json else short_table(plan, found, folder), end="")
     broken = sum(found["runs"][outcome] for outcome in BROKEN)
     if not broken:
         return ALL_RIGHT
@@ -166,7 +164,8 @@ def make_campaign(plan, program, arguments, folder, typed):
     scheduler = make_scheduler(arguments.scheduler, arguments.jobs)
     with open_journal(folder) as journal:
         check_campaign(folder, journal.rows, plan.spec.name)
-        missing = by_seed([run for run in plan.runs if not is_done(run, journal.rows, arguments.retry)])
+        missing = [run for run in plan.runs if not is_done(run, journal.rows, arguments.retry)]
+        missing.sort(key=lambda run: run.seed)  # early results are of every point
         tell_what_is_done(plan, missing, journal)
         copy = program.copied_to(folder / "program")
         try:
@@ -189,13 +188,9 @@ def campaign(typed):
     plan = make_plan(spec, program, arguments.jobs)
     for note in plan.notes:
         print(f"surefoot: warning: {note}", file=sys.stderr)
-    folder = arguments.out or folder_of(spec)
+    folder = arguments.out or pathlib.Path("results") / spec.name
     if arguments.dry_run:
         rows = read_rows(folder / "rows.jsonl")
         check_campaign(folder, rows, spec.name)
         return dry_run(plan, rows, program, arguments, folder)
     return make_campaign(plan, program, arguments, folder, typed)
-
-
-def main(typed):
-    return run_command(campaign, typed)

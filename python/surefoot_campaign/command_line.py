@@ -11,7 +11,11 @@ WRONG_INPUT = 2
 
 
 class Parser(argparse.ArgumentParser):
-    """Tells what is wrong as one InputError, with the options that there are."""
+    """Throws what is wrong as an InputError that names the valid options."""
+
+    def __init__(self, name, description, epilog=""):
+        super().__init__(f"surefoot {name}", description=description, epilog=epilog, allow_abbrev=False,
+                         formatter_class=argparse.RawDescriptionHelpFormatter)  # fmt: skip
 
     def error(self, message):
         name = self.prog.split()[-1]
@@ -22,10 +26,15 @@ class Parser(argparse.ArgumentParser):
         raise InputError(f"{message}; see surefoot {name} --help")
 
 
-def whole_number(text, most=None):
-    if not text.isdecimal() or int(text) < 1 or (most and int(text) > most):
-        raise argparse.ArgumentTypeError(f'"{text}" is not a whole number {f"from 1 to {most}" if most else "of at least 1"}')
-    return int(text)
+def whole_number(most=None):
+    """Reads a whole number of at least 1."""
+
+    def read(text):
+        if not text.isdecimal() or int(text) < 1 or (most and int(text) > most):
+            raise argparse.ArgumentTypeError(f'"{text}" is not a whole number {f"from 1 to {most}" if most else "of at least 1"}')
+        return int(text)
+
+    return read
 
 
 def folder_name(text):
@@ -35,7 +44,7 @@ def folder_name(text):
 
 
 def interrupt(*_):
-    """For signals that end the command as ^C does."""
+    """Handles signals that end the command as ^C does."""
     raise KeyboardInterrupt
 
 
@@ -44,17 +53,18 @@ def tell(message):
     return WRONG_INPUT
 
 
-def run_command(command, typed):
-    """Its exit code; what is wrong with the input is one line on stderr."""
+def run_command(command, typed, interrupted="interrupted: no results"):
+    """Returns the exit code. What is wrong is one line on stderr."""
     ending = (signal.SIGINT, signal.SIGTERM)
     for number in ending:
         signal.signal(number, interrupt)
     try:
         signal.pthread_sigmask(signal.SIG_UNBLOCK, ending)  # the program keeps them back until here
-        return command(typed)
+        return command(typed) or 0
     except InputError as error:
         return tell(error)
     except KeyboardInterrupt:
-        return tell("interrupted: no results")
-    except OSError as error:
-        return tell(f"{error.filename}: {error.strerror}" if error.filename else error)
+        return tell(interrupted)
+    except (ImportError, OSError) as error:
+        file = getattr(error, "filename", None)
+        return tell(f"{file}: {error.strerror}" if file else " ".join(str(error).split()))

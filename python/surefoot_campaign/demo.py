@@ -1,8 +1,6 @@
 """The command `surefoot demo`."""
 
-import argparse
 import concurrent.futures
-import functools
 import json
 import os
 import pathlib
@@ -53,11 +51,10 @@ class Row:
 
 
 def parser():
-    made = Parser("surefoot demo", description="Run the paper's experiments and print them beside its numbers.", epilog=EPILOG,
-                  allow_abbrev=False, formatter_class=argparse.RawDescriptionHelpFormatter)  # fmt: skip
+    made = Parser("demo", "Run the paper's experiments and print them beside its numbers.", EPILOG)
     made.add_argument("--out", type=folder_name, metavar="DIR", help="folder for the reports; build/demo by default")
-    made.add_argument("--seeds", type=functools.partial(whole_number, most=MOST_SEEDS), metavar="N", help=f"seeds of each random experiment; {SEEDS} by default")
-    made.add_argument("--jobs", type=functools.partial(whole_number, most=MOST_JOBS), metavar="N", help=f"processes at once; {JOBS} by default")
+    made.add_argument("--seeds", type=whole_number(MOST_SEEDS), metavar="N", help=f"seeds of each random experiment; {SEEDS} by default")
+    made.add_argument("--jobs", type=whole_number(MOST_JOBS), metavar="N", help=f"processes at once; {JOBS} by default")
     made.add_argument("--no-pictures", action="store_true", help="leave strip and clip out of the reports, which take seconds each")
     made.add_argument("--view", action="store_true", help="show one run in a browser, live; ^C ends it")
     return made
@@ -132,10 +129,9 @@ def make_demo(program, arguments, out):
     print(f"{len(of)} experiments of the paper in {len(tasks)} runs, {jobs} at a time; reports go to {out}", file=sys.stderr)
     found = run_rows("experiments", tasks, jobs, lambda name, seed, row: [f"{name}: {row['reason']}"] if seed == 0 else [])
     whole = [one for one in EXPERIMENTS if all(task.id in found for task in of[one.name])]
-    for experiment in EXPERIMENTS:
-        if experiment not in whole:
-            remove_results(experiment, out)
-            remove_if_empty(out / experiment.name)
+    for experiment in (one for one in EXPERIMENTS if one not in whole):
+        remove_results(experiment, out)
+        remove_if_empty(out / experiment.name)
     if not whole:
         return tell("interrupted: no results")
     rows_of = {one.name: [found[task.id] for task in of[one.name]] for one in whole}

@@ -1,6 +1,6 @@
 """The demo's overview as one HTML page without network: its table, each line with a link to its report."""
 
-import html
+from surefoot_campaign.text import escape
 
 HEAD = """<!DOCTYPE html>
 <html lang="en">
@@ -22,10 +22,6 @@ td small { color: #666; }
 """
 COLUMNS = ["experiment", "measured", "random seeds", "", "paper"]
 STYLES = {"✓": "ok", "✗": "bad"}
-
-
-def escape(text):
-    return html.escape(text).replace("&#x27;", "'")
 
 
 def line(row):

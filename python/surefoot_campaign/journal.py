@@ -28,7 +28,7 @@ def split_torn(data):
 
 
 def read_rows(path):
-    """id -> row, the last one of an id; without changing the file."""
+    """Maps each id to its last row. Does not change the file."""
     if not path.exists():
         return {}
     lines, _ = split_torn(path.read_bytes())
@@ -41,27 +41,12 @@ def read_rows(path):
     return rows
 
 
-def name_in_summary(path):
-    """None where there is no summary, or a torn one."""
-    try:
-        return json.loads(path.read_bytes())["name"]
-    except (OSError, ValueError, KeyError, TypeError):
-        return None
-
-
-def campaign_of(folder, rows):
-    """Whose results a folder holds, by name, or None. Rows of older versions do not tell it; their summary does."""
-    named = (row["campaign"] for row in rows.values() if "campaign" in row)
-    return next(named, None) or name_in_summary(folder / "summary.json")
-
-
 def check_campaign(folder, rows, name):
-    found = campaign_of(folder, rows)
-    if found not in (None, name):
-        raise InputError(
-            f'the folder {folder} holds results of the campaign "{found}", and those of "{name}" would take their '
-            "place; choose another with --out"
-        )
+    """A folder holds one campaign's results: throws InputError where they are another's."""
+    other = next((row["campaign"] for row in rows.values() if row.get("campaign", name) != name), None)
+    if other is not None:
+        raise InputError(f'the folder {folder} holds results of the campaign "{other}", and those of "{name}" would take their place; '
+                         "choose another with --out")  # fmt: skip
 
 
 class Journal:
@@ -73,14 +58,11 @@ class Journal:
         except BlockingIOError:
             os.close(self.fd)
             raise InputError(f"another campaign writes to {path}; wait for it, or choose another folder with --out") from None
-        self._drop_torn_line()
-        self.rows = read_rows(path)
-
-    def _drop_torn_line(self):
-        lines, torn = split_torn(self.path.read_bytes())
+        lines, torn = split_torn(path.read_bytes())
         self.was_torn = bool(torn)
         if torn:
             os.ftruncate(self.fd, sum(len(line) + 1 for line in lines))
+        self.rows = read_rows(path)
 
     def append(self, row):
         """Returns once the row is on the disk."""
@@ -95,11 +77,8 @@ class Journal:
             raise
         self.rows[row["id"]] = row
 
-    def close(self):
-        os.close(self.fd)
-
     def __enter__(self):
         return self
 
     def __exit__(self, *_):
-        self.close()
+        os.close(self.fd)

@@ -3,9 +3,11 @@
 import json
 import signal
 
+from surefoot_campaign.command_line import WRONG_INPUT
+from surefoot_campaign.statistics import is_number
+
 OUTCOMES = ["succeeded", "failed", "crashed", "timed_out", "refused"]
 JUDGED = (0, 1, 3)  # exit codes of a run that came to its end
-WRONG_INPUT = 2
 
 
 def last_line(text):
@@ -35,7 +37,7 @@ def read_result(stdout):
 
 
 def ended_from_outside(result, stopped):
-    """Somebody asked the run to end, or has `stopped` its scheduler: it tells nothing, and must be made again."""
+    """Whether somebody asked the run to end, or `stopped` its scheduler: it has no outcome, and must be made again."""
     if stopped or result.timed_out:
         return stopped and result.status not in JUDGED
     asked = result.status in (-signal.SIGTERM, -signal.SIGINT)
@@ -46,7 +48,7 @@ def number_at(result, name):
     """A metric that is a number, or None; "tick_us.p99" is a member."""
     for key in name.split("."):
         result = result.get(key) if isinstance(result, dict) else None
-    return result if isinstance(result, (int, float)) and not isinstance(result, bool) else None
+    return result if is_number(result) else None
 
 
 def judge(task, result):

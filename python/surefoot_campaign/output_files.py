@@ -1,4 +1,4 @@
-"""Folders and logs that runs write: this call's alone meanwhile, and none of an earlier run beside those of the next."""
+"""Files and folders that are written whole or not at all, by one call at a time, and of which none of an earlier run stay."""
 
 import contextlib
 import fcntl
@@ -6,6 +6,24 @@ import os
 import pathlib
 
 from surefoot_campaign.errors import InputError
+
+
+def partial_name(path):
+    """A name that only this process uses: NAME.partial may be the log of a run that was interrupted, or that is being recorded."""
+    return f"{path}.{os.getpid()}.partial"
+
+
+@contextlib.contextmanager
+def written_whole(path):
+    """Gives a temporary name to write to; the file gets its own name once it is whole."""
+    partial = partial_name(path)
+    try:
+        yield partial
+        os.replace(partial, path)
+    except OSError as error:
+        raise InputError(f"{path}: can't be written: {error.strerror or error}") from None
+    finally:
+        pathlib.Path(partial).unlink(missing_ok=True)
 
 
 def with_seed(file, seed):
@@ -27,7 +45,7 @@ def holder(fd):
 
 @contextlib.contextmanager
 def locked(path, shown):
-    """This process's alone, as logging/write_lock.hpp has it for runs."""
+    """Locks a file or folder for this process, as logging/write_lock.hpp does for runs."""
     fd = os.open(path, os.O_RDONLY)
     try:
         fcntl.flock(fd, fcntl.LOCK_EX | fcntl.LOCK_NB)
@@ -38,14 +56,18 @@ def locked(path, shown):
         os.close(fd)
 
 
-@contextlib.contextmanager
-def folder_of_our_own(folder):
-    """Made if there is none; gone again if nothing is in it at the end."""
-    is_new = not os.path.exists(folder)
+def make_folder(folder):
     try:
         os.makedirs(folder, exist_ok=True)
     except OSError as error:
         raise InputError(f"{folder}: this folder can't be made: {error.strerror}") from None
+
+
+@contextlib.contextmanager
+def folder_of_our_own(folder):
+    """Makes and locks a folder. Removes it in the end if it is new and empty."""
+    is_new = not os.path.exists(folder)
+    make_folder(folder)
     try:
         with locked(folder, folder):
             yield
@@ -67,7 +89,7 @@ def check_not_being_written(log):
 
 
 def remove_outdated(report, log=None):
-    """The page of a report, and a log with what a crash left of it."""
+    """Removes the page of a report, and a log with what a crash left of it."""
     if log:
         check_not_being_written(log)
     for file in [f"{report}/index.html", *([log, f"{log}.partial"] if log else [])]:

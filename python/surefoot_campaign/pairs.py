@@ -1,6 +1,5 @@
 """Cases compared with the first one seed by seed: what each of them mends, breaks and gains."""
 
-from surefoot_campaign.spec import CASE
 from surefoot_campaign.statistics import median, median_interval
 
 
@@ -31,7 +30,7 @@ def one_point(spec, judge, first, couples):
     differences = [two - one for one, two in values if one is not None and two is not None]
     return {
         "scenario": run.scenario,
-        "parameters": {CASE: run.case} | {key: run.parameters[key] for key in spec.grid},
+        "parameters": run.place(spec),
         "against": first,
         "seeds": len(couples),
         "mended": sum(two.succeeded and not one.succeeded for one, two in couples),

@@ -26,8 +26,12 @@ class Run:
     point: int  # of the grid, over all scenarios
 
     def value(self, name):
-        """Of a parameter, or the case: what a figure has along an axis."""
+        """The value of a parameter, or the case: what a figure has along an axis."""
         return self.case if name == CASE else self.parameters[name]
+
+    def place(self, spec):
+        """The case and the parameters of the grid, which distinguish its point from others."""
+        return ({CASE: self.case} if spec.cases else {}) | {key: self.parameters[key] for key in spec.grid}
 
 
 @dataclass
@@ -40,15 +44,15 @@ class Plan:
 
 
 def run_id(sources_hash, seed, parameters, version):
-    """The same for the same run: what it is made from, its seed, its parameters and the program."""
+    """Equal for equal files, seed, parameters and program."""
     values = sorted((key, yaml_text(value)) for key, value in parameters.items())
     return hashlib.sha256(json.dumps([sources_hash, seed, values, version]).encode()).hexdigest()[:16]
 
 
 def scenario_file(spec, name):
-    """A file is looked for beside the spec first."""
-    beside = spec.path.parent / name
-    return str(beside) if name.endswith((".yaml", ".yml")) and beside.is_file() else name
+    """A file is looked for in the spec's folder first."""
+    file = spec.path.parent / name
+    return str(file) if name.endswith((".yaml", ".yml")) and file.is_file() else name
 
 
 def grid_points(spec):
@@ -81,16 +85,16 @@ def explain(spec, scenario, case, parameters, message):
                 return f"{spec.where((case, key))}: cases.{case}: {given} (scenario {scenario})"
             return f"{spec.where(key)}: {section}: {given} (scenario {scenario})"
     # The program does not know of the folder that was looked in first.
-    missing, beside = f'there is no file "{scenario}" in ', spec.path.parent.resolve()
-    if message.startswith(missing) and beside != pathlib.Path.cwd():
-        message = f"{missing}{beside}, {message.removeprefix(missing)}"
+    missing, folder = f'there is no file "{scenario}" in ', spec.path.parent.resolve()
+    if message.startswith(missing) and folder != pathlib.Path.cwd():
+        message = f"{missing}{folder}, {message.removeprefix(missing)}"
     values = " ".join(f"{key}={yaml_text(value)}" for key, value in parameters.items())
     with_values = f" with {values}" if values and not message.startswith("unknown scenario") else ""
     return f"{spec.where('scenario')}: scenario {scenario}{with_values}: {message}"
 
 
 def check_all(spec, program, jobs):
-    """A Check for each scenario and point of the grid. The ends of every range are asked for, too."""
+    """The points of all scenarios, and what the program says of each. It is asked for both ends of every range."""
     ends = [{key: range_.lower for key, range_ in spec.draw.items()}]
     if spec.draw:
         ends.append({key: range_.upper for key, range_ in spec.draw.items()})
@@ -123,43 +127,34 @@ def check_judge(spec, metrics):
 
 
 def notes_of(points, checks):
-    """Each note once, however many points have it."""
+    """Names each note once, however many points have it."""
     first = {}
     for (scenario, case, _), check in zip(points, checks):
-        for note in check.notes:
+        for note in check["notes"]:
             first.setdefault((scenario, note), case)
     return [f"{scenario}{'' if case is None else f' ({case})'}: {note}" for (scenario, note), case in first.items()]
 
 
 def make_plan(spec, program, jobs):
     points, checks = check_all(spec, program, jobs)
-    check_judge(spec, checks[0].metrics)
+    check_judge(spec, checks[0]["metrics"])
     runs, of_id = [], {}
     for number, ((scenario, case, parameters), check) in enumerate(zip(points, checks)):
         for seed in spec.seeds:
             full = with_draws(spec, parameters, seed)
             run = Run(
-                id=run_id(check.sources_hash, seed, full, check.version),
+                id=run_id(check["sources_hash"], seed, full, check["version"]),
                 scenario=scenario,
                 file=scenario_file(spec, scenario),
                 seed=seed,
                 case=case,
                 parameters=full,
-                sources_hash=check.sources_hash,
-                version=check.version,
+                sources_hash=check["sources_hash"],
+                version=check["version"],
                 point=number,
             )
             if run.id in of_id:
                 raise InputError(f"{spec.where('scenario')}: scenario: {of_id[run.id]} and {scenario} are the same; one of them is valid")
             of_id[run.id] = scenario
             runs.append(run)
-    return Plan(spec, runs, checks[0].metrics, checks[0].version, notes_of(points, checks))
-
-
-def by_seed(runs):
-    """The order to run them in: so that what is there early tells of every point."""
-    return sorted(runs, key=lambda run: run.seed)
-
-
-def folder_of(spec):
-    return pathlib.Path("results") / spec.name
+    return Plan(spec, runs, checks[0]["metrics"], checks[0]["version"], notes_of(points, checks))

@@ -3,24 +3,23 @@
 import itertools
 import textwrap
 
+import matplotlib
+import numpy
+from matplotlib.figure import Figure
+
 from surefoot_campaign.axes import axis_of
+from surefoot_campaign.results import values_of
 from surefoot_campaign.statistics import quantile, rate_of
 from surefoot_campaign.units import metric_label
 
 FORMATS = ["png", "svg"]
-COLOURS = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#56b4e9", "#e69f00"]  # told apart by the colour-blind, too
+COLOURS = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#56b4e9", "#e69f00"]  # colour-blind people can distinguish them
 MARKERS = "osD^vP"
-FLAT = 0.05  # of the largest value: a median below it can't be told from 0 on a linear axis
-
-
-def values_of(plan, records):
-    return [value for record in records if (value := record.metric(plan.spec.judge)) is not None]
+FLAT = 0.05  # of the largest value: a median below it looks like 0 on a linear axis
 
 
 def draw_curve(axes, axis, places, middles, lows, highs, style):
     """A line with a band where the axis is a number, open at empty cells; bars at choices and lone cells."""
-    import numpy
-
     x, y, low, high = (numpy.array(values, dtype=float) for values in (places, middles, lows, highs))
     barred = numpy.isfinite(y)
     if not axis.is_choice:
@@ -32,8 +31,6 @@ def draw_curve(axes, axis, places, middles, lows, highs, style):
 
 
 def has_neighbour(filled):
-    import numpy
-
     padded = numpy.pad(filled, 1)
     return padded[:-2] | padded[2:]
 
@@ -45,8 +42,6 @@ def side_by_side(axis, number, count):
 
 
 def draw_rates(axes, axis, records, style, places):
-    import numpy
-
     rates = [rate_of(cell) if cell else None for cell in axis.cells(records)]
     shares = [[None] * 3 if rate is None else [rate.rate, *rate.interval] for rate in rates]
     draw_curve(axes, axis, places, *(100 * numpy.array(shares, dtype=float).T), style)
@@ -54,22 +49,20 @@ def draw_rates(axes, axis, records, style, places):
 
 
 def draw_judge(axes, plan, axis, records, style, places):
-    values = [values_of(plan, cell) for cell in axis.cells(records)]
+    values = [values_of(cell, plan.spec.judge) for cell in axis.cells(records)]
     shares = [[quantile(v, share) for share in (0.5, 0.05, 0.95)] for v in values]
     draw_curve(axes, axis, places, *zip(*shares), style)
     return [of_cell for of_cell in shares if of_cell[0] is not None]
 
 
 def scale_of(drawn):
-    """For (median, low, high) of all cells: logarithmic where the largest would press a median flat."""
+    """The scale for (median, low, high) of all cells: logarithmic where the largest would press a median flat."""
     medians, lows, highs = zip(*drawn) if drawn else ([], [], [])
     return "log" if min(lows, default=0) > 0 and min(medians) < FLAT * max(highs) else "linear"
 
 
 def curve_figure(plan, records, parameter):
     """Success rate with Wilson's interval, and below it the judging metric: median and 5 to 95 % of the runs."""
-    from matplotlib.figure import Figure
-
     axis = axis_of(plan.spec, parameter)
     figure = Figure(figsize=(7.0, 6.0), layout="constrained")
     upper, lower = figure.subplots(2, 1, sharex=True)
@@ -115,10 +108,8 @@ def counts_text(trials):
 
 def heat_map(figure, axes, x, y, numbers, texts, colours, title):
     """Cells with a text each; those without a number stay white. `colours`: map, smallest, largest."""
-    import numpy
-
     name, low, high = colours
-    values = numpy.array([[numpy.nan if n is None else n for n in row] for row in numbers])
+    values = numpy.array(numbers, dtype=float)
     image = axes.imshow(values, cmap=name, vmin=low, vmax=high, origin="lower", aspect="auto")
     size = 10 if len(x.ticks) <= 6 else 8 if len(x.ticks) <= 10 else 6
     for (row, column), value in numpy.ndenumerate(values):
@@ -138,8 +129,6 @@ def heat_map(figure, axes, x, y, numbers, texts, colours, title):
 
 def map_figure(plan, records, scenario, parameters):
     """Success rate, and the median of the judging metric, over two parameters."""
-    from matplotlib.figure import Figure
-
     x, y = (axis_of(plan.spec, parameter) for parameter in parameters)
     cells = [x.cells(row) for row in y.cells(records)]
     figure = Figure(figsize=(4.0 + 1.6 * max(3, len(x.ticks)), 1.8 + 0.62 * max(3, len(y.ticks))), layout="constrained")
@@ -148,7 +137,7 @@ def map_figure(plan, records, scenario, parameters):
     texts = [["" if r is None else f"{100 * r.rate:.0f} %\n{r.successes}/{r.trials}" for r in row] for row in rates]
     percent = [[None if r is None else 100 * r.rate for r in row] for row in rates]
     heat_map(figure, left, x, y, percent, texts, ("cividis", 0, 100), "succeeded [%]")
-    medians = [[quantile(values_of(plan, cell), 0.5) for cell in row] for row in cells]
+    medians = [[quantile(values_of(cell, plan.spec.judge), 0.5) for cell in row] for row in cells]
     texts = [["" if m is None else f"{m:.3g}" for m in row] for row in medians]
     heat_map(figure, right, x, y, medians, texts, ("viridis_r", None, None), f"median of {metric_label(plan.spec.judge)}")
     left.set_ylabel(y.label)
@@ -157,7 +146,7 @@ def map_figure(plan, records, scenario, parameters):
 
 
 def save(figure, path):
-    """The same bytes for the same figure."""
+    """Writes the same bytes for the same figure."""
     figure.savefig(path, dpi=150, metadata={"Software": None} if path.suffix == ".png" else {"Date": None, "Creator": None})
 
 
@@ -173,18 +162,12 @@ def figures(plan, records):
 
 
 def write_plots(plan, records, folder):
-    """The files written. Those of an earlier start are taken away."""
-    import matplotlib
-
+    """Writes all figures. Removes those of an earlier start."""
     matplotlib.use("agg")
     matplotlib.rcParams["svg.hashsalt"] = plan.spec.name
     folder.mkdir(exist_ok=True)
     for old in [file for form in FORMATS for file in folder.glob(f"*.{form}")]:
         old.unlink()
-    written = []
     for name, figure in figures(plan, records):
         for form in FORMATS:
-            path = folder / f"{name.replace('/', '_')}.{form}"
-            save(figure, path)
-            written.append(path)
-    return written
+            save(figure, folder / f"{name.replace('/', '_')}.{form}")

@@ -8,10 +8,10 @@ import re
 import shlex
 import shutil
 import subprocess
-from dataclasses import dataclass
 
+from surefoot_campaign.command_line import WRONG_INPUT
 from surefoot_campaign.errors import InputError
-from surefoot_campaign.outcome import WRONG_INPUT, last_line
+from surefoot_campaign.outcome import last_line
 
 MAX_SEED = 999_999_999  # of --seed
 PLAIN_WORD = re.compile(r"[A-Za-z_][A-Za-z0-9_./-]*")
@@ -19,16 +19,6 @@ PLAIN_WORD = re.compile(r"[A-Za-z_][A-Za-z0-9_./-]*")
 
 class Refused(InputError):
     """The program does not take a scenario with these parameters."""
-
-
-@dataclass(frozen=True)
-class Check:
-    """What the program says of a scenario with parameters, before it runs."""
-
-    sources_hash: str
-    metrics: dict  # name -> {"worst": "greatest" or "least", "by_clock": bool}
-    version: str
-    notes: tuple  # what is worth telling, though nothing is wrong
 
 
 def yaml_text(value):
@@ -52,7 +42,8 @@ class Program:
             raise InputError(f"the program {self.path} is not there; bin/surefoot starts it")
 
     def about(self, arguments):
-        """What the program says of a run before it begins. Throws its words: Refused, if it refuses the arguments."""
+        """What the program says of a run before it begins, of a metric its `worst` value ("greatest" or "least") and whether it is `by_clock`.
+        Throws its words: Refused, if it refuses the arguments."""
         command = [str(self.path), *arguments, "--check", "--json"]
         done = subprocess.run(command, stdin=subprocess.DEVNULL, capture_output=True, text=True)
         if done.returncode != 0:
@@ -61,11 +52,12 @@ class Program:
         return json.loads(done.stdout)
 
     def check(self, scenario, parameters):
-        found = self.about(arguments_of(scenario, 0, parameters))
-        return Check(found["sources_hash"], found["metrics"], self._version(found["version"], found["commit"]), tuple(found["notes"]))
+        """The same of a scenario with parameters, with a version that distinguishes programs."""
+        about = self.about(arguments_of(scenario, 0, parameters))
+        return about | {"version": self._version(about["version"], about["commit"])}
 
     def _version(self, version, commit):
-        """Two programs with the same version do the same: where no commit says it alone, the file's hash does."""
+        """Programs with the same version do the same. Where the commit does not suffice, the file's hash is part of it."""
         if commit and not commit.endswith("-dirty"):
             return f"{version}+{commit}"
         digest = hashlib.sha256(self.path.read_bytes()).hexdigest()[:12]
@@ -79,11 +71,11 @@ class Program:
         return path
 
     def pinned(self):
-        """This very file, whatever is built in its place while this process lives; also for those who read its runs' logs."""
+        """The program as this file is now, even if it is built again meanwhile; also for those who read its runs' logs."""
         path = f"/proc/{os.getpid()}/fd/{os.open(self.path, os.O_RDONLY)}"
         os.environ["SUREFOOT_PROGRAM"] = path
         return Program(path)
 
-    def command(self, scenario, seed, parameters):
-        """What to type to run this again, here."""
-        return shlex.join([self.typed, *arguments_of(scenario, seed, parameters)])
+    def command(self, run):
+        """What to type to make a run of a plan again, here."""
+        return shlex.join([self.typed, *arguments_of(run.file, run.seed, run.parameters)])

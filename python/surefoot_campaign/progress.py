@@ -1,4 +1,4 @@
-"""How far many runs are and how long they will take, on stderr."""
+"""How far many runs or the images of a film are, and how long the rest will take, on stderr."""
 
 import sys
 import time
@@ -6,9 +6,7 @@ import time
 WIDTH = 30
 REDRAW = 0.2  # s, on a terminal
 NEXT_LINE = 10.0  # s, elsewhere
-
-
-EARLY, SHORT, LITTLE = 2.0, 60.0, 0.05  # s, s and a share: what is known by then of the time that is left, and what is worth telling
+EARLY, SHORT, LITTLE = 2.0, 60.0, 0.05  # s, s and a share: from when on the time left is known, and worth telling
 
 
 def duration_text(seconds):
@@ -20,8 +18,8 @@ def duration_text(seconds):
 
 
 class Progress:
-    def __init__(self, label, done, total, stream=None):
-        self.label, self.before, self.done, self.total = label, done, done, total
+    def __init__(self, label, done, total, unit="runs", stream=None):
+        self.label, self.before, self.done, self.total, self.unit = label, done, done, total, unit
         self.stream = stream or sys.stderr
         self.terminal = self.stream.isatty()
         self.started = self.last = time.monotonic()
@@ -52,7 +50,7 @@ class Progress:
             self.draw()
 
     def draw(self):
-        text = f"{self.done} of {self.total} runs{self.left()}"
+        text = f"{self.done} of {self.total} {self.unit}{self.left()}"
         if self.terminal:
             filled = WIDTH * self.done // max(1, self.total)
             print(f"\r\033[K{self.label} {'█' * filled}{'░' * (WIDTH - filled)} {text}", end="", file=self.stream, flush=True)

@@ -1,18 +1,16 @@
 """What a campaign leaves in its folder, and what it prints at the end."""
 
 import collections
-import csv
-import io
 import json
 
 from surefoot_campaign.outcome import OUTCOMES
 from surefoot_campaign.pairs import pairs, pairs_rows
 from surefoot_campaign.program import yaml_text
-from surefoot_campaign.results import Table, csv_text, is_number
+from surefoot_campaign.results import Table, csv_table, plain, values_of
 from surefoot_campaign.spec import CASE
 from surefoot_campaign.statistics import rate_of, summary_of
-from surefoot_campaign.text import aligned
-from surefoot_campaign.worst import entry, told, worst, worst_text
+from surefoot_campaign.text import aligned, in_words
+from surefoot_campaign.worst import entry, in_one_line, worst, worst_text
 
 
 def points(plan, records):
@@ -24,29 +22,27 @@ def points(plan, records):
 
 
 def columns(plan):
-    """What tells the points of a scenario apart."""
+    """What distinguishes the points of a scenario."""
     return [CASE] * bool(plan.spec.cases) + list(plan.spec.grid)
 
 
-def judged(plan, records):
-    values = [value for record in records if (value := record.metric(plan.spec.judge)) is not None]
-    return summary_of(values, plan.metrics[plan.spec.judge]["worst"])
+def outcomes_of(records):
+    """The number of runs of each outcome."""
+    counted = collections.Counter(record.row["outcome"] for record in records)
+    return {outcome: counted[outcome] for outcome in OUTCOMES}
 
 
 def point_json(plan, records):
-    run = records[0].run
-    parameters = ({CASE: run.case} if plan.spec.cases else {}) | {key: run.parameters[key] for key in plan.spec.grid}
-    outcomes = collections.Counter(record.row["outcome"] for record in records)
-    counts = {outcome: outcomes[outcome] for outcome in OUTCOMES}
-    return {"scenario": run.scenario, "parameters": parameters, **rate_of(records).as_json(), "outcomes": counts, "judge": judged(plan, records)}
+    run, judge = records[0].run, plan.spec.judge
+    judged = summary_of(values_of(records, judge), plan.metrics[judge]["worst"])
+    return {"scenario": run.scenario, "parameters": run.place(plan.spec), **rate_of(records).as_json(), "outcomes": outcomes_of(records), "judge": judged}
 
 
 def summary(plan, records, program, table):
-    outcomes = collections.Counter(record.row["outcome"] for record in records)
     return {
         "name": plan.spec.name,
         "version": plan.version,
-        "runs": {"planned": len(plan.runs), "finished": len(records), **{key: outcomes[key] for key in OUTCOMES}},
+        "runs": {"planned": len(plan.runs), "finished": len(records), **outcomes_of(records)},
         "judge": plan.spec.judge,
         "all": rate_of(records).as_json(),
         "points": [point_json(plan, of_point) for of_point in points(plan, records)],
@@ -57,18 +53,13 @@ def summary(plan, records, program, table):
 
 
 def rates_csv(plan, found):
-    text = io.StringIO()
-    writer = csv.writer(text, lineterminator="\n")
-    writer.writerow(
-        ["scenario", *columns(plan), "successes", "trials", "rate", "low", "high", *OUTCOMES[1:]]
-        + [f"{plan.spec.judge}.median", f"{plan.spec.judge}.worst"]
-    )
+    judged = [f"{plan.spec.judge}.median", f"{plan.spec.judge}.worst"]
+    rows = [["scenario", *columns(plan), "successes", "trials", "rate", "low", "high", *OUTCOMES[1:], *judged]]
     for point in found["points"]:
-        cells = [value if is_number(value) else yaml_text(value) for value in point["parameters"].values()]
-        cells += [point["successes"], point["trials"], point["rate"], *point["interval"]]
+        cells = [*map(plain, point["parameters"].values()), point["successes"], point["trials"], point["rate"], *point["interval"]]
         cells += [point["outcomes"][outcome] for outcome in OUTCOMES[1:]]
-        writer.writerow(map(csv_text, [point["scenario"], *cells, point["judge"]["median"], point["judge"]["worst"]]))
-    return text.getvalue()
+        rows.append([point["scenario"], *cells, point["judge"]["median"], point["judge"]["worst"]])
+    return csv_table(rows)
 
 
 def write_all(plan, records, program, folder):
@@ -92,8 +83,8 @@ def rate_cells(entry):
 
 
 def others(outcomes):
-    """What is not simply a success or a failure."""
-    return ", ".join(f"{outcomes[name]} {name.replace('_', ' ')}" for name in OUTCOMES[2:] if outcomes[name])
+    """The outcomes that are neither success nor failure."""
+    return ", ".join(f"{outcomes[name]} {in_words(name)}" for name in OUTCOMES[2:] if outcomes[name])
 
 
 def short_table(plan, found, folder):
@@ -107,7 +98,7 @@ def short_table(plan, found, folder):
     text = aligned(rows)
     if found["worst"]:
         first = found["worst"][0]
-        text += f"\nworst: {told(plan, first)}\n  {first['command']}\n"
+        text += f"\nworst: {in_one_line(plan, first)}\n  {first['command']}\n"
     if found["pairs"]:
         text += "\nseed by seed against " + f'"{found["pairs"][0]["against"]}":\n' + aligned(pairs_rows(found["pairs"], judge))
     return text + f"\nall of it: {folder}/  digest {found['digest']}\n"

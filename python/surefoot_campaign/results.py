@@ -8,8 +8,9 @@ from dataclasses import dataclass
 from surefoot_campaign.outcome import number_at
 from surefoot_campaign.program import yaml_text
 from surefoot_campaign.spec import CASE
+from surefoot_campaign.statistics import is_number
 
-# Of a result: what other columns say already.
+# Members of a result that other columns have already.
 LEFT_OUT = {"scenario", "stack", "seed", "version", "succeeded", "reason", "sources_hash", "estimation", "foot_force_sensor"}
 WALL_TIME = "wall_time_s"
 
@@ -30,8 +31,13 @@ class Record:
 
 
 def records_of(plan, rows):
-    """Only what the plan asks for, whatever else the journal holds."""
+    """The runs of the plan that have a row, whatever else the journal holds."""
     return [Record(run, rows[run.id]) for run in plan.runs if run.id in rows]
+
+
+def values_of(records, metric):
+    """The values of a metric that are known."""
+    return [value for record in records if (value := record.metric(metric)) is not None]
 
 
 def flat(result, prefix=""):
@@ -56,13 +62,20 @@ def cells_of(record):
     cells = {"id": run.id, "scenario": run.scenario, "seed": run.seed, "version": run.version}
     if run.case is not None:
         cells[CASE] = run.case
-    cells |= {key: value if is_number(value) or isinstance(value, bool) else yaml_text(value) for key, value in run.parameters.items()}
+    cells |= {key: plain(value) for key, value in run.parameters.items()}
     cells |= {"outcome": row["outcome"], "reason": row["reason"], "missed": " ".join(missed(result))}
     return cells | flat(result) | {WALL_TIME: row["wall_time_s"]}
 
 
-def is_number(value):
-    return isinstance(value, (int, float)) and not isinstance(value, bool)
+def plain(value):
+    """A parameter's value as a cell."""
+    return value if isinstance(value, (bool, int, float)) else yaml_text(value)
+
+
+def csv_table(rows):
+    text = io.StringIO()
+    csv.writer(text, lineterminator="\n").writerows(map(csv_text, row) for row in rows)
+    return text.getvalue()
 
 
 class Table:
@@ -77,12 +90,7 @@ class Table:
         self.columns = {name: [row.get(name) for row in rows] for name in self.names}
 
     def csv(self, names):
-        text = io.StringIO()
-        writer = csv.writer(text, lineterminator="\n")
-        writer.writerow(names)
-        for cells in zip(*(self.columns[name] for name in names)):
-            writer.writerow(map(csv_text, cells))
-        return text.getvalue()
+        return csv_table([names, *zip(*(self.columns[name] for name in names))])
 
     def digest(self):
         """Equal for equal results."""

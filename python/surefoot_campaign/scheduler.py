@@ -13,7 +13,6 @@ import subprocess
 import tempfile
 import time
 from dataclasses import dataclass
-from typing import Iterable, Iterator, Protocol
 
 from surefoot_campaign.errors import InputError
 
@@ -37,16 +36,6 @@ class Result:
     wall_time: float  # s
 
 
-class Scheduler(Protocol):
-    stopped: bool
-
-    def run(self, tasks: Iterable[Task]) -> Iterator[Result]:
-        """Starts the tasks in their order and yields each result as it comes; closing the iterator kills what runs."""
-
-    def stop(self):
-        """Starts no more and asks what runs to end; `run` yields their results. Asked again it kills them. For signal handlers."""
-
-
 @contextlib.contextmanager
 def results_of(scheduler, tasks):
     """What `scheduler.run` yields. ^C and SIGTERM stop it meanwhile."""
@@ -59,7 +48,7 @@ def results_of(scheduler, tasks):
             signal.signal(number, handler)
 
 
-# The kernel tells of a parent's end only to a child that has asked for it: one whose parent ended before goes no further.
+# The kernel signals a parent's end only to a child that has asked for it. A child whose parent ended before that goes no further.
 TIED_TO_PARENT = ["setpriv", "--pdeathsig", "KILL", "--", "sh", "-c", '[ "$PPID" = "$0" ] || exit 1; exec "$@"']
 
 
@@ -70,7 +59,7 @@ class Process:
         self.task = task
         self.out, self.err = tempfile.TemporaryFile(), tempfile.TemporaryFile()
         self.started = time.monotonic()
-        # A process group of its own: ^C is for us to handle. It ends with its parent, however that ends.
+        # In a process group of its own, so that ^C does not reach it. It ends with its parent, however that ends.
         guard = [*TIED_TO_PARENT, str(os.getpid())] if shutil.which("setpriv") else []
         self.process = subprocess.Popen(
             [*guard, *task.command],
@@ -84,12 +73,12 @@ class Process:
         return self.started + self.task.timeout
 
     def send(self, number):
-        """To it and all that it started."""
+        """Sends a signal to the process and all that it started."""
         with contextlib.suppress(ProcessLookupError):
             os.killpg(self.process.pid, number)
 
     def result(self, timed_out=False):
-        """Of one that has ended, or whose time is over."""
+        """The result of a process that has ended, or whose time is over."""
         self.send(signal.SIGKILL)
         status = self.process.wait()
         wall_time = time.monotonic() - self.started
@@ -116,19 +105,21 @@ def run_one(task):
 
 
 class LocalScheduler:
-    """Processes on this machine."""
+    """Processes on this machine. Another scheduler has the same `run`, `stop` and `stopped`."""
 
     def __init__(self, jobs):
         self.jobs, self.running, self.stopped = jobs, {}, False
-        _, most = resource.getrlimit(resource.RLIMIT_NOFILE)  # a run takes three
+        _, most = resource.getrlimit(resource.RLIMIT_NOFILE)  # a run takes three files
         resource.setrlimit(resource.RLIMIT_NOFILE, (most, most))
 
     def stop(self):
+        """Starts no more and asks what runs to end; `run` yields their results. Asked again it kills them. For signal handlers."""
         for process in list(self.running.values()):
             process.send(signal.SIGKILL if self.stopped else signal.SIGTERM)
         self.stopped = True
 
     def run(self, tasks):
+        """Starts the tasks in their order and yields each result as it comes; closing the iterator kills what runs."""
         waiting = collections.deque(tasks)
         with selectors.DefaultSelector() as selector:
             try:
@@ -151,7 +142,7 @@ class LocalScheduler:
         fd = os.pidfd_open(process.process.pid)
         self.running[fd] = process
         selector.register(fd, selectors.EVENT_READ)
-        if self.stopped:  # since it was asked for
+        if self.stopped:  # while it was being started
             process.send(signal.SIGTERM)
 
     def _ended(self, selector):

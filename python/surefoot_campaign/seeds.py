@@ -14,7 +14,7 @@ from surefoot_campaign.program import MAX_SEED, Program
 from surefoot_campaign.progress import Progress
 from surefoot_campaign.scheduler import LocalScheduler, Task, results_of
 from surefoot_campaign.statistics import Rate, summary_of
-from surefoot_campaign.text import aligned, asked, pretty, printable, rate_text, with_unit
+from surefoot_campaign.text import aligned, asked, in_words, pretty, printable, rate_text
 
 PASSED, FAILED, SAFETY_STOP = 0, 1, 3
 HEADING = ["scenario", "stack", "estimation", "foot_force_sensor", "version"]
@@ -27,13 +27,13 @@ REMARKS = {
 
 
 def complaints(result, row):
-    """Of a run that has a result, without the notes of its scenario."""
+    """What the program said on stderr, without the notes of the scenario."""
     lines = [line for line in result.stderr.splitlines() if line.startswith("surefoot: ")]
     return [line for line in lines if line.removeprefix("surefoot: warning: ") not in row.get("notes", [])]
 
 
-def run_rows(label, tasks, jobs, told):
-    """Id -> row of each task that came to its end: the program's JSON, or why there is none. Ids are (name, seed); `told` makes a line of id and row."""
+def run_rows(label, tasks, jobs, lines_of):
+    """Id -> row of each task that came to its end: the program's JSON, or why there is none. Ids are (name, seed); `lines_of` an id and a row are shown."""
     of_id, rows = {task.id: task for task in tasks}, {}
     scheduler = LocalScheduler(jobs)
     with Progress(printable(label), 0, len(tasks)) as progress, results_of(scheduler, tasks) as results:
@@ -41,10 +41,10 @@ def run_rows(label, tasks, jobs, told):
             if ended_from_outside(result, scheduler.stopped):
                 continue
             _, reason, found = judge(of_id[result.id], result)
-            found = found or read_result(result.stdout)  # of a run whose report could not be written, say
+            found = found or read_result(result.stdout)  # e.g. of a run whose report could not be written
             row = rows[result.id] = found or {"seed": result.id[1], "succeeded": False, "crashed": True, "reason": reason}
             progress.update()
-            for line in (complaints(result, row) if found else []) + told(*result.id, row):
+            for line in (complaints(result, row) if found else []) + lines_of(*result.id, row):
                 progress.say(printable(line))
     return rows
 
@@ -64,7 +64,8 @@ def seeds_json(about, rows):
     rates = {name: Rate(sum(row.get(name) is True for row in rows), len(rows)).as_json()
              for name in RATES if name != "goal_reached" or about["has_goal"]}  # fmt: skip
     values = {metric: [float(value) for row in rows if (value := number_at(row, metric)) is not None] for metric in about["metrics"]}
-    metrics = {metric: summary_of(found, about["metrics"][metric]["worst"]) for metric, found in values.items() if found}
+    judged = {criterion["metric"] for row in rows for criterion in row.get("criteria", [])}
+    metrics = {metric: summary_of(found, about["metrics"][metric]["worst"]) for metric, found in values.items() if found or metric in judged}
     heading = {key: about[key] for key in HEADING}
     return {**heading, "rates": rates, "metrics": metrics, "events": event_totals(rows), "runs": rows}
 
@@ -74,7 +75,7 @@ def enough_succeeded(about, rows):
 
 
 def all_the_same(rows):
-    """Chance had no part in the seeds: a rate over them says nothing."""
+    """Whether chance had no part in the seeds, so that a rate over them says nothing."""
     outcomes = [{key: value for key, value in row.items() if key != "seed" and key not in BY_CLOCK} for row in rows]
     return len(rows) > 1 and all(outcome == outcomes[0] and "crashed" not in outcome for outcome in outcomes)
 
@@ -96,7 +97,7 @@ def seeds_table(about, seeds):
     title = f"{about['scenario']}, stack {about['stack']}, estimation {about['estimation']}{sensors}{described}\n"
     failures = [[f"seed {row['seed']}", failure(row)] for row in seeds["runs"] if not row["succeeded"]]
     rates = [[name, rate_text(rate)] for name, rate in seeds["rates"].items()]
-    metrics = [[metric, with_unit(metric, summary["median"]), with_unit(metric, summary["worst"]), about["paper"].get(metric, ""), REMARKS.get(metric, "")]
+    metrics = [[metric, pretty(metric, summary["median"]), pretty(metric, summary["worst"]), about["paper"].get(metric, ""), REMARKS.get(metric, "")]
                for metric, summary in seeds["metrics"].items()]  # fmt: skip
     runs = len(seeds["runs"])
     events = [[one["event"], f"in {one['runs']} of {runs} runs", f"{times(one['count'])} in all"] for one in seeds["events"]]
@@ -107,7 +108,7 @@ def seeds_table(about, seeds):
 def seeds_line(about, seeds):
     """How many reached the goal (or succeeded, where there is none), how many fell."""
     rates, name = seeds["rates"], "goal_reached" if about["has_goal"] else "succeeded"
-    return f"{name.replace('_', ' ')} {rate_text(rates[name])}, fell {rates['fell']['successes']}"
+    return f"{in_words(name)} {rate_text(rates[name])}, fell {rates['fell']['successes']}"
 
 
 def parser():
@@ -156,16 +157,11 @@ def interrupted(outputs, finished):
 def run_seeds(program, about, arguments, outputs):
     tasks = [Task((about["scenario"], seed), [str(program.path), *words(arguments, seed, names), "--json"]) for seed, names in outputs.items()]
 
-    def told(_, seed, row):
+    def lines_of(_, seed, row):
         return [f"seed {seed}: {'succeeded' if row['succeeded'] else 'did not succeed'}, {row['reason']}"]
 
-    rows = run_rows(about["scenario"], tasks, arguments.jobs, told)
+    rows = run_rows(about["scenario"], tasks, arguments.jobs, lines_of)
     return [rows[task.id] for task in tasks if task.id in rows]
-
-
-def print_seeds(about, seeds, as_json):
-    text = json.dumps(seeds, ensure_ascii=False, separators=(",", ":")) + "\n" if as_json else seeds_table(about, seeds)
-    print(printable(text), end="", flush=True)
 
 
 def seeds(typed):
@@ -186,7 +182,9 @@ def seeds(typed):
     if all_the_same(rows):
         print("surefoot: warning: all runs are the same: the scenario draws nothing at random, so rates and their intervals mean nothing", file=sys.stderr)
     if rows:
-        print_seeds(about, seeds_json(about, rows) | ({"interrupted": True} if is_cut else {}), arguments.json)
+        found = seeds_json(about, rows) | ({"interrupted": True} if is_cut else {})
+        text = json.dumps(found, ensure_ascii=False, separators=(",", ":")) + "\n" if arguments.json else seeds_table(about, found)
+        print(printable(text), end="", flush=True)
     if is_cut:
         return interrupted(outputs, len(rows))
     if enough_succeeded(about, rows):

@@ -1,4 +1,4 @@
-"""The file that says what a campaign runs. Everything that can be wrong with it alone is told with file and line."""
+"""The file that says what a campaign runs. A complaint names file, line and key."""
 
 import itertools
 import math
@@ -8,6 +8,7 @@ from dataclasses import dataclass, field
 
 from surefoot_campaign.errors import InputError, valid_names
 from surefoot_campaign.program import MAX_SEED, yaml_text
+from surefoot_campaign.statistics import is_number
 from surefoot_campaign.yaml_tree import read_yaml
 
 KEYS = ["name", "scenario", "seeds", "cases", "grid", "draw", "set", "timeout", "judge", "units"]
@@ -46,7 +47,7 @@ class Spec:
         return [*of_cases, *self.grid, *self.draw, *self.fixed]
 
     def values(self):
-        """Every parameter that the file gives values, with these."""
+        """Every parameter with the values that the file gives it."""
         of_cases = [(name, [value]) for case in self.cases.values() for name, value in case.items()]
         return [*of_cases, *self.grid.items(), *((name, [value]) for name, value in self.fixed.items())]
 
@@ -109,11 +110,8 @@ class Reader:
         for name, entry in node.value.items():
             if key != "units":
                 if name in self.lines:
-                    self.fail(
-                        entry.line,
-                        f"{key}.{name}",
-                        f"this parameter stands at line {self.lines[name]} already; once is valid, in cases, grid, draw or set",
-                    )
+                    message = f"this parameter stands at line {self.lines[name]} already; once is valid, in cases, grid, draw or set"
+                    self.fail(entry.line, f"{key}.{name}", message)
                 self.lines[name] = entry.line
         return node.value
 
@@ -174,7 +172,7 @@ class Reader:
         return seeds
 
     def seeds_in_a_row(self, node):
-        """A list only of what may be one: a campaign of more could not even be listed."""
+        """Checks the number first: a list of far too many would not fit into memory."""
         first = self.whole("seeds.first", node.value["first"], 0) if "first" in node.value else 1
         count = self.whole("seeds.count", node.value["count"], 1)
         if first > MAX_SEED:
@@ -212,12 +210,12 @@ class Reader:
         return node.value
 
     def number(self, key, node):
-        if isinstance(node.value, bool) or not isinstance(node.value, (int, float)) or not math.isfinite(node.value):
+        if not is_number(node.value) or not math.isfinite(node.value):
             self.fail(node.line, key, f"{shown(node)} is not a number")
         return node.value
 
     def whole(self, key, node, least):
-        if isinstance(node.value, bool) or not isinstance(node.value, int) or node.value < least:
+        if not is_number(node.value) or not isinstance(node.value, int) or node.value < least:
             self.fail(node.line, key, f"{shown(node)} is not a whole number of at least {least}")
         return node.value
 
@@ -254,5 +252,3 @@ def shown(node):
 
 def load_spec(path):
     return Reader(pathlib.Path(path)).read()
-
-

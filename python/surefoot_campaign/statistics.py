@@ -1,6 +1,7 @@
 """Success rates with their intervals, and what stands for many values."""
 
 import math
+import statistics
 from dataclasses import dataclass
 
 Z = 1.959963984540054  # 95 %
@@ -31,7 +32,7 @@ def wilson_interval(successes, trials):
     centre = p + Z * Z / (2 * trials)
     spread = Z * math.sqrt(p * (1 - p) / trials + Z * Z / (4 * trials * trials))
     scale = 1 + Z * Z / trials
-    # Against rounding: the rate itself is inside, and so are 0 and 1 where it is one of them.
+    # Rounding must not leave the rate outside.
     return min(max((centre - spread) / scale, 0.0), p), max(min((centre + spread) / scale, 1.0), p)
 
 
@@ -39,8 +40,12 @@ def rate_of(records):
     return Rate(sum(record.succeeded for record in records), len(records))
 
 
+def is_number(value):
+    return isinstance(value, (int, float)) and not isinstance(value, bool)
+
+
 def quantile(values, share):
-    """Linear between the sorted values; None of none."""
+    """Linear between the sorted values; None if there are none."""
     if not values:
         return None
     values = sorted(values)
@@ -51,11 +56,8 @@ def quantile(values, share):
 
 
 def median(values):
-    """The mean of the two in the middle, where their number is even; None of none."""
-    values, half = sorted(values), len(values) // 2
-    if not values:
-        return None
-    return values[half] if len(values) % 2 else (values[half - 1] + values[half]) / 2
+    """The median; None if there are no values."""
+    return statistics.median(values) if values else None
 
 
 def summary_of(values, worst):
@@ -64,7 +66,7 @@ def summary_of(values, worst):
 
 
 def median_interval(values):
-    """A 95 % interval of the median from the values' ranks (binomial, no distribution assumed); None of fewer than six."""
+    """A 95 % interval of the median from the values' ranks (binomial, no distribution assumed); None if there are fewer than six."""
     count = len(values)
     tail, limit = 1, 2**count // 40  # P(X <= rank) of X ~ B(count, 1/2), and 2.5 %, times 2**count
     if tail > limit:

@@ -1,5 +1,6 @@
-"""Metrics and tables as people read them on a terminal."""
+"""Names, metrics and tables as people read them."""
 
+import html
 import re
 
 from surefoot_campaign.units import unit_of_metric
@@ -8,8 +9,17 @@ CONTROL = re.compile("[\x00-\x09\x0b-\x1f\x7f-\x9f]")
 
 
 def printable(text):
-    """Safe for a terminal, as base/printable.hpp has it: control characters, which names may hold, as in JSON."""
+    """Control characters, which names may hold, are escaped as in JSON (base/printable.hpp)."""
     return CONTROL.sub(lambda found: f"\\u{ord(found[0]):04x}", text)
+
+
+def escape(text):
+    """For HTML: <, >, & and quotes made harmless."""
+    return html.escape(str(text)).replace("&#x27;", "'")
+
+
+def in_words(name):
+    return name.replace("_", " ")
 
 
 def aligned(rows):

@@ -3,6 +3,7 @@
 import pathlib
 
 from surefoot_campaign.results import missed
+from surefoot_campaign.text import in_words
 
 COUNT = 10
 
@@ -16,7 +17,7 @@ def severity(record):
     return 0 if broke else 1
 
 
-def worst(plan, records, count=COUNT):
+def worst(plan, records):
     """Falls, stops and crashes first, then missed criteria; of each what gave no value, then by the metric that judges."""
     judge = plan.spec.judge
     sign = 1 if plan.metrics[judge]["worst"] == "least" else -1
@@ -25,7 +26,7 @@ def worst(plan, records, count=COUNT):
         value = record.metric(judge)
         return severity(record), value is not None, 0.0 if value is None else sign * value
 
-    return sorted(records, key=key)[:count]
+    return sorted(records, key=key)[:COUNT]
 
 
 def entry(plan, record, program):
@@ -37,14 +38,14 @@ def entry(plan, record, program):
         "reason": record.row["reason"],
         "missed": missed(record.row["result"] or {}),
         judge: record.metric(judge),
-        "command": program.command(record.run.file, record.run.seed, record.run.parameters),
+        "command": program.command(record.run),
     }
 
 
-def told(plan, entry):
+def in_one_line(plan, entry):
     """Outcome, why the run ended, the criteria that it missed, and the metric that judges."""
     judge = plan.spec.judge
-    text = f"{entry['outcome'].replace('_', ' ')}: {entry['reason']}"
+    text = f"{in_words(entry['outcome'])}: {entry['reason']}"
     if entry["missed"]:
         text += f"; missed: {', '.join(entry['missed'])}"
     return text if entry[judge] is None else f"{text}; {judge} {entry[judge]:.4g}"
@@ -62,5 +63,5 @@ def worst_text(plan, records, program):
     ]
     for number, record in enumerate(worst(plan, records), 1):
         of = entry(plan, record, program)
-        lines += [f"{number}. {told(plan, of)} (`{of['id']}`)", "   ```sh", f"   {of['command']}", "   ```"]
+        lines += [f"{number}. {in_one_line(plan, of)} (`{of['id']}`)", "   ```sh", f"   {of['command']}", "   ```"]
     return "\n".join(lines) + "\n"

@@ -1,5 +1,6 @@
 import sys
 
-from surefoot_log.cli import main
+from surefoot_campaign.command_line import run_command
+from surefoot_log.cli import command
 
-sys.exit(main(sys.argv[1:]))
+sys.exit(run_command(command, sys.argv[1:], "interrupted: nothing is kept"))

@@ -14,7 +14,7 @@ SMOOTHED = 1.5  # s
 
 
 def heading(frames):
-    """Of the whole walk, or of the robot at its start where it goes nowhere [rad]."""
+    """The direction of the whole walk, or the robot's yaw at its start if it goes nowhere [rad]."""
     way = frames[-1].p_WB - frames[0].p_WB
     if math.hypot(way[0], way[1]) > 0.3:
         return math.atan2(way[1], way[0])
@@ -23,7 +23,7 @@ def heading(frames):
 
 
 def smooth(values, width):
-    """Mean of the values around each, which keeps what stands still."""
+    """Moving average; values at the ends are repeated."""
     half = min(width // 2, len(values) - 1)
     if half < 1:
         return values
@@ -45,7 +45,7 @@ class Camera:
         self._camera.azimuth = math.degrees(heading(frames)) + BESIDE
 
     def at(self, time):
-        """What is looked at, and the camera."""
+        """The point that is looked at, and the camera."""
         point = np.array([np.interp(time, self._times, axis) for axis in self._path.T]) - [0, 0, BELOW_BASE]
         self._camera.lookat[:] = point
         return point, self._camera

@@ -7,6 +7,7 @@ import matplotlib
 import numpy as np
 from PIL import Image, ImageDraw, ImageFont
 
+from surefoot_campaign.text import in_words
 from surefoot_log.frames import CARRIES
 
 INK, SOFT, PANEL = (28, 31, 35, 255), (92, 99, 107, 255), (255, 255, 255, 205)
@@ -21,39 +22,35 @@ def font(size, bold=False):
     return ImageFont.truetype(str(folder / ("DejaVuSans-Bold.ttf" if bold else "DejaVuSans.ttf")), size)
 
 
-def words_of(name):
-    return name.replace("_", " ")
-
-
 def also(others):
     if not others:
         return ""
     if len(others) > 2:
         return f"; {len(others)} more levels give way too"
-    return f"; {' and '.join(words_of(other) for other in others)} {'gives' if len(others) == 1 else 'give'} way too"
+    return f"; {' and '.join(in_words(other) for other in others)} {'gives' if len(others) == 1 else 'give'} way too"
 
 
 def acting(limits, by):
-    """Of limits that act the first two, by their level's name."""
+    """The first two of the acting limits, with their level's name."""
     if not limits:
         return ""
     rows = ", ".join(limits[:2]) + (", …" if len(limits) > 2 else "")
-    return f" as {words_of(by)} {'act' if by.endswith('s') else 'acts'}: {rows}"
+    return f" as {in_words(by)} {'act' if by.endswith('s') else 'acts'}: {rows}"
 
 
 def pushes_of(frame):
-    """What pushes the robot from outside."""
+    """The forces that push the robot from outside, as text."""
     return " and ".join(f"{np.linalg.norm(force):.3g} N" for _, force, _ in frame.pushes)
 
 
 def dated(text, time, frame):
-    """A text with its time, where that is another than the one on the picture."""
+    """A text with its time, where the picture shows another."""
     when, shown = f"{frame.time if time is None else time:.2f} s", f"{frame.time:.2f} s"
     return f"{text} ({when})" if text and when != shown else text
 
 
 def sentence(frame, units):
-    """That the controller has stopped, or what gave way to what, in a line; empty where nothing did."""
+    """Why the controller has stopped, or what gave way to what; empty if neither."""
     if frame.stop:
         return f"the controller has stopped for safety: {frame.stop}"
     if frame.gave_way is None:
@@ -62,7 +59,7 @@ def sentence(frame, units):
     unit = f" {units[level]}" if units.get(level) else ""
     digits = ".2g" if abs(residual) < 99.5 else ".0f"
     why = " between two hierarchies" if by is None else acting(limits, by)
-    return dated(f"{words_of(level)} gives way by {residual:{digits}}{unit}{why}{also(others)}", frame.gave_way_time, frame)
+    return dated(f"{in_words(level)} gives way by {residual:{digits}}{unit}{why}{also(others)}", frame.gave_way_time, frame)
 
 
 def wrapped(text, length, room):
@@ -99,7 +96,7 @@ class Captions:
         return Image.alpha_composite(image.convert("RGBA"), canvas).convert("RGB")
 
     def height(self, frame, width):
-        """What the texts at the top of an image so wide cover; 0 where there are none."""
+        """The height of the texts at the top of an image so wide [pixels]; 0 if there are none."""
         texts = self._texts(frame)
         heights = [self._height(self._lines(text, width)) + 0.3 * self._unit for text, _ in texts]
         return round(sum(heights) + 1.2 * self._unit) if texts else 0
@@ -110,7 +107,7 @@ class Captions:
         return [(text, colour) for text, colour in texts if text]
 
     def _lines(self, text, width):
-        """Over as many lines as it needs."""
+        """The text in as many lines as it needs."""
         return wrapped(text, self._letters(False).getlength, width - 3.8 * self._unit)
 
     def _letters(self, bold):
@@ -128,7 +125,7 @@ class Captions:
             draw.text((x + 0.7 * unit, y + (1.4 + 2.2 * i) * unit), line, font=letters, fill=colour, anchor="lm")
 
     def _legs(self, draw, corner, frame):
-        """A field a leg; grey carries, white is in the air, amber searches for ground."""
+        """One field for each leg: grey carries, white is in the air, amber searches for ground."""
         unit, (right, bottom) = self._unit, corner
         for i, leg in enumerate(LEGS):
             phase = frame.phases.get(leg)

@@ -7,13 +7,12 @@ AXES = ("x", "y", "z")
 QUATERNION = ("w", "x", "y", "z")
 LEVEL_LISTS = ("hierarchy.levels", "timings.levels")
 UNIT = re.compile(r"\s*\[([^\]]*)\]")
-ARROW_KINDS = {"number": "number", "integer": "integer", "boolean": "boolean", "string": "text"}
 
 
 @dataclass(frozen=True)
 class Channel:
     name: str  # "plan.feet.LF.p_WF.x"
-    kind: str  # number, integer, boolean or text
+    kind: str  # as JSON Schema names it: number, integer, boolean or string
     unit: str = ""
     about: str = ""
 
@@ -55,7 +54,7 @@ def kind_of(schema):
 
 
 class Flattener:
-    """Channels and values of one topic's messages. Lists of rows are none: their length changes from tick to tick."""
+    """Channels and values of one topic's messages. Lists of rows are left out: their length changes from tick to tick."""
 
     def __init__(self, topic, schema, header, example):
         """`example`: a message, decoded; it has the sizes of lists that the schema leaves open."""
@@ -84,7 +83,7 @@ class Flattener:
                     self._collect(member, None, found)
 
     def _object(self, name, schema, example):
-        """What is said of an object whose members say nothing, as of the feet, is said of each of them."""
+        """Members without a description get that of their object, as the feet do."""
         node = Node()
         said = {"description": schema.get("description", "")}
         for key, part in schema["properties"].items():
@@ -141,6 +140,6 @@ class Flattener:
         return self._channel(name, kind, unit, about)
 
     def _channel(self, name, kind, unit, about):
-        node = Node(channel=Channel(name, ARROW_KINDS[kind], unit, about))
+        node = Node(channel=Channel(name, kind, unit, about))
         self.channels.append(node.channel)
         return node

@@ -4,16 +4,13 @@ import argparse
 import json
 import math
 import pathlib
-import signal
 import sys
-import time
 
-from surefoot_campaign.command_line import Parser, interrupt, whole_number
+from surefoot_campaign.command_line import Parser, tell, whole_number
 from surefoot_campaign.errors import InputError, valid_names
+from surefoot_campaign.output_files import partial_name
 from surefoot_log.log_file import LogFile
-from surefoot_log.whole_file import partial_name
 
-DONE, WRONG_INPUT = 0, 2
 LARGEST = (3840, 2160)  # pixels
 FASTEST = 400  # images a second
 
@@ -40,30 +37,26 @@ Examples:
 """
 
 
-def positive(text):
+def number(text):
+    """NaN where the text is none."""
     try:
-        value = float(text)
+        return float(text)
     except ValueError:
-        value = 0.0
+        return math.nan
+
+
+def positive(text):
+    value = number(text)
     if not 0.0 < value < 1e3:
         raise argparse.ArgumentTypeError(f'"{text}" is not a number above 0 and below 1000')
     return int(value) if value == int(value) else value
 
 
 def time_of_run(text):
-    try:
-        value = float(text)
-    except ValueError:
-        value = math.nan
+    value = number(text)
     if not math.isfinite(value):
         raise argparse.ArgumentTypeError(f'"{text}" is not a time; a number of seconds is valid')
     return value
-
-
-def image_rate(text):
-    if not (text.isdecimal() and 1 <= int(text) <= FASTEST):
-        raise argparse.ArgumentTypeError(f'"{text}" is not a whole number from 1 to {FASTEST}')
-    return int(text)
 
 
 def image_size(text):
@@ -74,15 +67,14 @@ def image_size(text):
     return tuple(sizes)
 
 
-def parser(name, description, epilog):
-    made = Parser(f"surefoot {name}", description=description, epilog=epilog, allow_abbrev=False,
-                  formatter_class=argparse.RawDescriptionHelpFormatter)  # fmt: skip
+def parser(name, description, epilog=""):
+    made = Parser(name, description, epilog)
     made.add_argument("log", metavar="RUN.mcap", help="log of a run")
     return made
 
 
 def check_writable(path, log):
-    """What can't be written is told before the work, not after it."""
+    """Throws InputError before the work, not after it."""
     path = pathlib.Path(path)
     if path.exists() and pathlib.Path(log).exists() and path.samefile(log):
         raise InputError(f"{path}: is the log itself, which would be lost; another name would be valid")
@@ -98,15 +90,6 @@ def check_writable(path, log):
         raise InputError(f"{path}: can't be written: {error.strerror}") from None
 
 
-def check_is_film(path):
-    if pathlib.Path(path).suffix.lower() != ".mp4":
-        raise InputError(f"{path}: films are written as MP4; a name that ends with .mp4 would be valid")
-
-
-def tell(text):
-    print(f"surefoot: {text}", file=sys.stderr)
-
-
 def tell_problem(log):
     for note in log.notes:
         tell(note)
@@ -120,7 +103,7 @@ def export(typed):
     made.add_argument("--parquet", metavar="FILE", help="the same with types, units and descriptions")
     made.add_argument("--foxglove", metavar="FILE.mcap", help="the scene, and the log's topics beside it")
     made.add_argument("--topics", metavar="TOPIC", nargs="+", action="extend", help="of the log; all by default")
-    made.add_argument("--every", type=whole_number, metavar="N", default=1, help="of so many ticks, write one; 1 by default")
+    made.add_argument("--every", type=whole_number(), metavar="N", default=1, help="of so many ticks, write one; 1 by default")
     arguments = made.parse_args(typed)
     files = [file for file in (arguments.csv, arguments.parquet, arguments.foxglove) if file]
     if not files:
@@ -137,22 +120,15 @@ def export(typed):
 def write_exports(arguments):
     from surefoot_log import table
 
-    topics = table.wanted_topics(arguments.topics)
-    if arguments.csv or arguments.parquet:
-        log = LogFile(arguments.log)
-        files = [(arguments.csv, table.Csv), (arguments.parquet, table.parquet_writer)]
-        table.write_table(table.Table(log, topics, arguments.every), [(file, make) for file, make in files if file])
-        tell_problem(log)
+    log, topics = LogFile(arguments.log), table.wanted_topics(arguments.topics)
+    files = [(file, make) for file, make in ((arguments.csv, table.Csv), (arguments.parquet, table.parquet_writer)) if file]
+    if files:
+        table.write_table(table.Table(log, topics, arguments.every), files)
     if arguments.foxglove:
-        write_foxglove(arguments, topics)
+        from surefoot_log import foxglove, pictures
 
-
-def write_foxglove(arguments, topics):
-    from surefoot_log import foxglove, pictures
-
-    log = LogFile(arguments.log)
-    for note in foxglove.write_scene(log, arguments.foxglove, pictures.package_folders(), pictures.cache_folder(), topics, arguments.every):
-        tell(f"note: {note}")
+        for note in foxglove.write_scene(log, arguments.foxglove, pictures.package_folders(), pictures.cache_folder(), topics, arguments.every):
+            tell(f"note: {note}")
     tell_problem(log)
 
 
@@ -162,89 +138,35 @@ def video(typed):
     made.add_argument("--from", dest="first", type=time_of_run, metavar="S", help="time at which it begins [s]; by default that of the log")
     made.add_argument("--to", dest="last", type=time_of_run, metavar="S", help="time at which it ends [s]; by default that of the log")
     made.add_argument("--size", type=image_size, metavar="WxH", default=(1280, 720), help="in pixels; 1280x720 by default")
-    made.add_argument("--rate", type=image_rate, metavar="N", default=25, help="images a second; 25 by default")
+    made.add_argument("--rate", type=whole_number(FASTEST), metavar="N", default=25, help="images a second; 25 by default")
     made.add_argument("--speed", type=positive, metavar="F", default=1, help="so many times as fast as the run; 1 by default")
     arguments = made.parse_args(typed)
     check_writable(arguments.out, arguments.log)
-    check_is_film(arguments.out)
+    if pathlib.Path(arguments.out).suffix.lower() != ".mp4":
+        raise InputError(f"{arguments.out}: films are written as MP4; a name that ends with .mp4 would be valid")
     from surefoot_log import pictures
 
     log = LogFile(arguments.log)
-    film = pictures.make_film(log, arguments.out, arguments.size, arguments.rate, arguments.speed, arguments.first, arguments.last,
-                              ImageCount(sys.stderr))  # fmt: skip
-    for note in film.notes:
+    for note in pictures.make_film(log, arguments.out, arguments.size, arguments.rate, arguments.speed, arguments.first, arguments.last, sys.stderr):
         tell(f"note: {note}")
     tell_problem(log)
     print(arguments.out)
 
 
-class ImageCount:
-    """How far a film is and what is left of its time: on a terminal one line that the last image ends; elsewhere a line after the
-    first images, by which the time is known, and one every so often. Called with 0 images before the first."""
-
-    SAMPLE, EVERY = 2.0, 30.0  # s
-
-    def __init__(self, stream, clock=time.monotonic):
-        self._stream, self._clock, self._terminal, self._next = stream, clock, stream.isatty(), self.SAMPLE
-
-    def __call__(self, done, all_of_them):
-        if done == 0:
-            self._begun = self._clock()
-            if not self._terminal:
-                self._say(f"surefoot: a film of {all_of_them} images is made\n")
-            return
-        passed = self._clock() - self._begun
-        text = f"image {done} of {all_of_them}, about {duration_text(passed * (all_of_them - done) / done)} left"
-        if self._terminal:
-            self._say(f"\r{text}\033[K" + ("\n" if done == all_of_them else ""))
-        elif passed >= self._next and done < all_of_them:
-            self._next = passed + self.EVERY
-            self._say(f"surefoot: {text}\n")
-
-    def _say(self, text):
-        self._stream.write(text)
-        self._stream.flush()
-
-
-def duration_text(seconds):
-    return f"{seconds:.0f} s" if seconds < 90 else f"{seconds / 60:.0f} min"
-
-
 def report_pictures(typed):
-    """Called by the program: writes strip.jpg and clip.mp4 into a folder, and says in JSON what they show."""
-    made = parser("report-pictures", "Make the pictures of a report.", "")
+    """Of a report: writes strip.jpg and clip.mp4 into a folder, and says in JSON what they show."""
+    made = parser("report-pictures", "Make the pictures of a report.")
     made.add_argument("folder")
     arguments = made.parse_args(typed)
     from surefoot_log import pictures
 
-    done = pictures.make_report_pictures(LogFile(arguments.log), arguments.folder)
-    span = {"first": done.span.first, "last": done.span.last}
-    print(json.dumps({"times": [round(time, 6) for time in done.times], "span": span, "notes": done.notes, "has_pushes": done.has_pushes}))
+    print(json.dumps(pictures.make_report_pictures(LogFile(arguments.log), arguments.folder)))
 
 
 COMMANDS = {"export": export, "video": video, "report-pictures": report_pictures}
-
-
-def guarded(command, typed, interrupted="interrupted"):
-    """Its exit code; what is wrong is told in one line."""
-    signal.signal(signal.SIGTERM, interrupt)
-    try:
-        command(typed)
-        return DONE
-    except InputError as error:
-        tell(error)
-    except KeyboardInterrupt:
-        tell(interrupted)
-    except (ImportError, OSError) as error:
-        tell(" ".join(str(error).split()))
-    return WRONG_INPUT
 
 
 def command(typed):
     if not typed or typed[0] not in COMMANDS:
         raise InputError(f"unknown command; {valid_names(typed[0] if typed else '', COMMANDS)}")
     COMMANDS[typed[0]](typed[1:])
-
-
-def main(typed):
-    return guarded(command, typed, "interrupted: nothing is kept")

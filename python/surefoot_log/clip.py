@@ -36,18 +36,18 @@ class Film:
 
 
 def times_of(first, last, rate, speed):
-    """Of the run, one for each image of the film [s]."""
+    """The time of the run that each image of the film shows [s]."""
     step = speed / rate
     return [first + step * i for i in range(max(1, math.floor((last - first) / step + 1e-9) + 1))]
 
 
 def nearest(frames, times):
-    """For each time the frame next to it; both are in order. With it the last one up to it, since the time before, at which something happened, or None."""
-    found, at, told = [], 0, None
+    """The nearest frame of each time (both are in order), and the last frame since the time before that has an event, or None."""
+    found, at, last = [], 0, None
     for time in times:
         while at + 1 < len(frames) and abs(frames[at + 1].time - time) <= abs(frames[at].time - time):
             at += 1
-            told = frames[at] if frames[at].event else told
-        found.append((frames[at], told))
-        told = None
+            last = frames[at] if frames[at].event else last
+        found.append((frames[at], last))
+        last = None
     return found

@@ -6,18 +6,18 @@ import numpy as np
 from mcap.writer import CompressionType, Writer
 
 from surefoot_campaign.errors import InputError
+from surefoot_campaign.output_files import written_whole
 from surefoot_log import foxglove_schemas as schemas
 from surefoot_log import foxglove_shapes as shapes
 from surefoot_log import meshes
 from surefoot_log.foxglove_events import Events
 from surefoot_log.foxglove_ground import ground_entity
-from surefoot_log.frames import LOADED, FrameMaker, nothing_to_show
+from surefoot_log.frames import LOADED, FrameMaker
 from surefoot_log.offscreen import mujoco
 from surefoot_log.log_file import SUMMARY
 from surefoot_log.overlays import COM, METRES_PER_NEWTON, POLYGON, PUSH, colour_of_use, hull, push_arrow
 from surefoot_log.table import check_topics
-from surefoot_log.urdf_visuals import file_of, links_below_bodies, visuals_of
-from surefoot_log.whole_file import written_whole
+from surefoot_log.urdf_visuals import file_of, visuals_on_bodies
 
 WORLD = "world"
 DETAIL = 0.008  # m
@@ -66,13 +66,12 @@ def nanoseconds(time):
 
 
 def transforms(model, data, time):
-    """Of each body in its parent's frame, as mj_kinematics left them."""
+    """The pose of each body in its parent's frame, after mj_kinematics."""
     result = []
     for body in range(1, model.nbody):
         parent = model.body_parentid[body]
         R_WP = data.xmat[parent].reshape(3, 3)
-        quaternion = np.zeros(4)
-        mujoco.mju_mat2Quat(quaternion, (R_WP.T @ data.xmat[body].reshape(3, 3)).ravel())
+        quaternion = shapes.wxyz_of(R_WP.T @ data.xmat[body].reshape(3, 3))
         result.append({"timestamp": shapes.moment(time), "parent_frame_id": model.body(parent).name if parent else WORLD,
                        "child_frame_id": model.body(body).name, "translation": shapes.vector(R_WP.T @ (data.xpos[body] - data.xpos[parent])),
                        "rotation": shapes.quaternion(quaternion)})  # fmt: skip
@@ -97,15 +96,11 @@ def shape_of(visual, X_BV):
 
 
 def physics_shapes(model, body):
-    """What the physics has of a body, where it has no mesh here."""
+    """Shapes of the physics, for a body whose mesh is missing."""
     found = {}
     for geom in np.flatnonzero(model.geom_bodyid == body):
-        X_BG = np.eye(4)
-        rotation = np.zeros(9)
-        mujoco.mju_quat2Mat(rotation, model.geom_quat[geom])
-        X_BG[:3, :3], X_BG[:3, 3] = rotation.reshape(3, 3), model.geom_pos[geom]
-        size = model.geom_size[geom]
-        kind = model.geom_type[geom]
+        X_BG = shapes.transform(model.geom_pos[geom], model.geom_quat[geom])
+        size, kind = model.geom_size[geom], model.geom_type[geom]
         if kind == mujoco.mjtGeom.mjGEOM_BOX:
             found.setdefault("cubes", []).append(shapes.cube(X_BG, 2 * size, PLAIN))
         elif kind == mujoco.mjtGeom.mjGEOM_SPHERE:
@@ -116,31 +111,24 @@ def physics_shapes(model, body):
 
 
 def robot_entities(model, urdf, packages, cache):
-    """A part a body, fixed to its frame; and notes on meshes that are not there."""
+    """One entity for each body, fixed to its frame; and notes on missing meshes."""
     names = {model.body(body).name: body for body in range(1, model.nbody)}
-    carriers = links_below_bodies(urdf, names)
     parts, missing = {}, []
-    for visual in visuals_of(urdf):
-        if visual.link not in carriers:
-            continue
-        body, X_BL = carriers[visual.link]
+    for visual, body, X_BV in visuals_on_bodies(urdf, names):
         try:
-            X_BV = X_BL @ visual.X_LV
             shown = {"triangles": mesh_triangles(visual, X_BV, packages, cache)} if visual.mesh else shape_of(visual, X_BV)
         except (OSError, ValueError) as error:
             missing.append((visual.link, visual.mesh, error))
             shown = physics_shapes(model, names[body])
         for kind, primitives in shown.items():
             parts.setdefault(body, {}).setdefault(kind, []).extend(primitives)
-    for name, body in names.items():
-        if not parts:
-            parts[name] = physics_shapes(model, body)
+    parts = parts or {name: physics_shapes(model, body) for name, body in names.items()}
     entities = [shapes.entity(f"robot {name}", name, 0, locked=True, **primitives) for name, primitives in parts.items()]
     return entities, meshes.missing_notes(missing, packages)
 
 
 def scene_entities(frame, foot_radius, places):
-    """`places`: of the centres of mass of the physics' bodies."""
+    """What a frame shows over the robot. `places`: the centres of mass of the physics' bodies."""
     time = nanoseconds(frame.time)
     arrows = [shapes.arrow(touch.point, touch.force, METRES_PER_NEWTON, colour_of_use(touch.friction_use))
               for touch in frame.forces if np.linalg.norm(touch.force) > LOADED / 4]  # fmt: skip
@@ -158,8 +146,7 @@ def scene_entities(frame, foot_radius, places):
 
 
 def write_scene(log, path, packages, cache=None, topics=None, every=1):
-    """Copies the log's topics, all or some, every so manieth message of each, beside the scene, all in the order of time. Returns
-    notes."""
+    """Copies the log's topics, all or some, one of `every` messages of each, and adds the scene, all in the order of time. Returns notes."""
     check_topics(topics, log.topics())
     model = mujoco.MjModel.from_xml_string(log.text("model.xml"))
     robot, notes = robot_entities(model, log.text("robot.urdf"), packages, cache)
@@ -173,7 +160,7 @@ def write_scene(log, path, packages, cache=None, topics=None, every=1):
             if frame is not None:
                 scene.write(frame)
         if not scene.has_begun:
-            raise nothing_to_show(log)
+            raise log.no_tick("show")
         events.write_until()
         for name, data in log.attachments.items():
             file.add_attachment(name, "application/json" if name.endswith(".json") else "text/plain", data)
@@ -183,7 +170,7 @@ def write_scene(log, path, packages, cache=None, topics=None, every=1):
 
 
 class Scene:
-    """Writes frame by frame what they show; before the first what stays."""
+    """Writes what each frame shows, and before the first what never changes."""
 
     def __init__(self, file, log, model, robot):
         self._file, self._log, self._model, self._robot = file, log, model, robot
@@ -209,7 +196,7 @@ class Scene:
 
 
 class Copies:
-    """Writes the log's own messages, every so manieth of each topic; of what was changed from outside, which is of no tick, all."""
+    """Writes the log's own messages, one of `every` of each topic; all of what was changed from outside, which belongs to no tick."""
 
     def __init__(self, file, log, topics, every):
         self._file, self._log, self._topics, self._every, self._counts = file, log, topics, every, {}

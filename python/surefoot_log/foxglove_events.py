@@ -4,12 +4,13 @@ import json
 
 from surefoot_log import foxglove_schemas as schemas
 from surefoot_log import foxglove_shapes as shapes
+from surefoot_log.log_file import event_text, stop_reason
 
 INFO, WARNING, ERROR = 2, 3, 4  # levels of a foxglove.Log
 
 
 def has_fallen(summary):
-    """By the summary of its log, as JSON."""
+    """Whether the robot fell, by the summary of the log (JSON)."""
     try:
         return json.loads(summary)["metrics"]["fell"] is True
     except (ValueError, KeyError, TypeError):
@@ -17,7 +18,7 @@ def has_fallen(summary):
 
 
 class Events:
-    """Writes them as the time goes on."""
+    """Writes the events in time with the scene."""
 
     def __init__(self, file, log, summary):
         self._file, self._events, self._ended = file, list(log.events), ERROR if has_fallen(summary) else INFO
@@ -28,8 +29,7 @@ class Events:
             self._write(self._events.pop(0))
 
     def _write(self, event):
-        time, by, text = round(1e9 * event["time"]), event["by"], event["text"]
-        level = self._ended if by == "run" else WARNING if by == "controller" and ", as " in text else INFO
-        message = {"timestamp": shapes.moment(time), "level": level, "message": f"{event['leg']}: {text}" if event["leg"] else text, "name": by,
-                   "file": "", "line": 0}  # fmt: skip
+        time, by = round(1e9 * event["time"]), event["by"]
+        level = self._ended if by == "run" else WARNING if stop_reason(event) else INFO
+        message = {"timestamp": shapes.moment(time), "level": level, "message": event_text(event), "name": by, "file": "", "line": 0}
         self._file.write("/events", "foxglove.Log", schemas.LOG, time, message)

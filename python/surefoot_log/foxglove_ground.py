@@ -3,17 +3,9 @@
 import numpy as np
 
 from surefoot_log import foxglove_shapes as shapes
-from surefoot_log.offscreen import mujoco
 
 GROUND = (0.86, 0.86, 0.84, 1.0)
 PLANE = (40.0, 40.0, 0.02)  # m: what is shown of an endless plane
-
-
-def transform(piece):
-    X, R = np.eye(4), np.zeros(9)
-    mujoco.mju_quat2Mat(R, piece["q_WT"])
-    X[:3, :3], X[:3, 3] = R.reshape(3, 3), piece["position"]
-    return X
 
 
 def height_field(piece):
@@ -30,7 +22,7 @@ def height_field(piece):
 def ground_entity(terrain, frame):
     cubes, triangles = [], []
     for piece in terrain:
-        X = transform(piece)
+        X = shapes.transform(piece["position"], piece["q_WT"])
         if piece["shape"] == "box":
             cubes.append(shapes.cube(X, piece["size"], GROUND))
         elif piece["shape"] == "plane":

@@ -23,6 +23,14 @@ def wxyz_of(R):
     return found
 
 
+def transform(position, wxyz):
+    """A pose as a 4 × 4 matrix."""
+    X, R = np.eye(4), np.zeros(9)
+    mujoco.mju_quat2Mat(R, wxyz)
+    X[:3, :3], X[:3, 3] = R.reshape(3, 3), position
+    return X
+
+
 def pose(position=(0, 0, 0), wxyz=(1, 0, 0, 0)):
     return {"position": vector(position), "orientation": quaternion(wxyz)}
 

@@ -5,16 +5,16 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from surefoot_campaign.errors import InputError
+from surefoot_log.log_file import event_text, stop_reason
 
 LEGS = ("LF", "RF", "LH", "RH")
 CARRIES = ("stance", "unloading")
 BETWEEN = "; "  # of two events at one tick
 TOPICS = {"/truth", "/plan", "/state", "/hierarchy", "/command"}
-ROUNDING = 1e-6  # a residual in every unit, of logs that don't say which people should see
+ROUNDING = 1e-6  # in any unit; for logs that don't say from which residual on a level gives way
 OPTIMAL, ITERATION_CAP, INVALID_INPUT = 0, 1, 2  # of /hierarchy.status
-LOADED = 20.0  # N: what a foot that carries has at least
-LEAST_PUSH = 1e-6  # N: less is of a step that a push touches by rounding
+LOADED = 20.0  # N: least force on a foot that carries
+LEAST_PUSH = 1e-6  # N: less is rounding at the ends of a push
 
 
 @dataclass(frozen=True)
@@ -80,7 +80,7 @@ class Run:
 
 
 def read_frames(log, every=1):
-    """One frame of so many ticks."""
+    """Makes a frame of one of `every` ticks."""
     maker = FrameMaker(log, every)
     frames, last = [], 0.0
     for time, messages in log.by_time(TOPICS):
@@ -89,12 +89,8 @@ def read_frames(log, every=1):
             frames.append(frame)
         last = max(last, 1e-9 * time)
     if not frames:
-        raise nothing_to_show(log)
+        raise log.no_tick("show")
     return Run(log.header, frames, maker.has_truth, last)
-
-
-def nothing_to_show(log):
-    return InputError(f"{log.path}: the log holds no tick, so there is nothing to show{'; ' + log.problem if log.problem else ''}")
 
 
 class FrameMaker:
@@ -106,7 +102,7 @@ class FrameMaker:
         self.has_truth = False
 
     def frame(self, messages):
-        """Of the messages of one time; None where that is none of the ticks that are shown."""
+        """The frame of the messages of one time; None if that tick is not shown."""
         found = {message.topic: message.data for message in messages}
         self._see_events(1e-9 * messages[0].time)
         if "/state" not in found:
@@ -121,29 +117,27 @@ class FrameMaker:
         return made
 
     def _see_events(self, time):
-        """Those of the planner that came last, and whether the controller has stopped: "command mode: sit, as encoders stopped"."""
-        told = []
+        """Keeps the planner's last events, and why the controller has stopped."""
+        texts = []
         while self._events and self._events[0]["time"] < time + 1e-9:
             event = self._events.pop(0)
             if event["by"] == "planner":
-                told.append(f"{event['leg']}: {event['text']}" if event["leg"] else event["text"])
+                texts.append(event_text(event))
                 self._event_time = event["time"]
             elif event["by"] == "controller":
-                self._stop = event["text"].partition(", as ")[2]
-        self._event = BETWEEN.join(told) or self._event
+                self._stop = stop_reason(event)
+        self._event = BETWEEN.join(texts) or self._event
 
 
 def frame_of(tick, header, event):
     decoded = {topic: json.loads(bytes(data)) for topic, data in tick.items()}
-    state, plan = decoded.get("/state"), decoded.get("/plan", {})
-    truth = decoded.get("/truth")
+    state, truth = decoded.get("/state"), decoded.get("/truth")
     if state is None or (truth is None and None in state["p_WB"] + state["q"]):
         return None
     seen = truth or {"qpos": state["p_WB"] + state["q_WB"] + state["q"], "p_WB": state["p_WB"]}
     frame = Frame(state["time"], seen["qpos"], np.array(seen["p_WB"]), event=event)
-    frame.phases = {leg: foot["phase"] for leg, foot in plan.get("feet", {}).items()}
-    command = decoded.get("/command", {})
-    frame.mode = command.get("mode", "optimal")
+    frame.phases = {leg: foot["phase"] for leg, foot in decoded.get("/plan", {}).get("feet", {}).items()}
+    frame.mode = decoded.get("/command", {}).get("mode", "optimal")
     frame.gave_way = gave_way(decoded.get("/hierarchy", {}), header)
     if truth is not None:
         add_truth(frame, truth)
@@ -162,13 +156,13 @@ def add_truth(frame, truth):
 
 
 def visible_residuals(header):
-    """By level, from which residual on it gave way; None: it is never content."""
+    """The residual from which on each level gave way; None: it is never zero by nature."""
     names = header["level_names"]
     return dict(zip(names, header.get("level_visible", [None if name.endswith("_minimisation") else ROUNDING for name in names])))
 
 
 def solved_levels(hierarchy):
-    """The levels of a message on /hierarchy that are at their optimum: of a solve that was cut off the numbers of others say nothing."""
+    """The levels of a message on /hierarchy that are at their optimum. If the solve was cut off, the numbers of others mean nothing."""
     levels, status, failed = hierarchy.get("levels", []), hierarchy.get("status", OPTIMAL), hierarchy.get("failed_level", -1)
     if status == INVALID_INPUT:
         return []
@@ -176,8 +170,8 @@ def solved_levels(hierarchy):
 
 
 def gave_way(hierarchy, header):
-    """The highest level that did not get what it asked for, the limits of the nearest level above that has some that act, and the other levels
-    that did not. (What each row costs the log only estimates.) On the way from one hierarchy to another nobody knows what acts: None."""
+    """The highest level that did not get what it asked for, its residual, the acting limits of the nearest level above that has some, that level,
+    and the other levels that gave way. During a transition between hierarchies the limits are unknown: None."""
     visible = visible_residuals(header)
     yielding = {}
     for level in solved_levels(hierarchy):
@@ -193,7 +187,7 @@ def gave_way(hierarchy, header):
 
 
 def limits_above(name, hierarchy):
-    """Rows of the nearest level above that are at their bounds or beyond; and that level. None: ((), "")."""
+    """The rows of the nearest level above that are at their bounds or beyond, and that level; ((), "") if there is none."""
     levels = [level["name"] for level in hierarchy["levels"]]
     for by in reversed(levels[: levels.index(name)]):
         rows = tuple(row["row"] for row in hierarchy.get("active", []) if row["level"] == by)

@@ -47,8 +47,18 @@ def program(*words):
     return done.stdout, said
 
 
+def event_text(event):
+    """What happened, with the leg that it happened to."""
+    return f"{event['leg']}: {event['text']}" if event["leg"] else event["text"]
+
+
+def stop_reason(event):
+    """Why the controller stopped for safety: "encoders stopped" of "command mode: sit, as encoders stopped". Empty for other events."""
+    return event["text"].partition(", as ")[2] if event["by"] == "controller" else ""
+
+
 def index_of(path):
-    """What stands behind the data of a closed file; None where its checksum is wrong, or it does not say which topics are in which chunk."""
+    """The index behind the data of a closed file; None if its checksum is wrong, or it does not say which topics are in which chunk."""
     with open(path, "rb") as file:
         end = file.seek(-MAGIC - FOOTER.size, os.SEEK_END)
         _, _, begin, _, crc = FOOTER.unpack(file.read(FOOTER.size))
@@ -75,7 +85,7 @@ def messages_of(chunk, topics):
 
 
 class LogFile:
-    """Throws InputError where it is no log."""
+    """Reads a log. Throws InputError if the file is none."""
 
     def __init__(self, path):
         self.path = pathlib.Path(path)
@@ -101,7 +111,7 @@ class LogFile:
         return json.loads(program("info", self.path, "--json", "--events")[0])["events"]
 
     def topics(self):
-        return set(self._channels)
+        return self._channels.keys()
 
     def messages(self, topics=None):
         """All messages, or those on some topics, in the order of the file."""
@@ -113,17 +123,12 @@ class LogFile:
                     yield from messages_of(Chunk.read(ReadDataStream(file)), wanted)
 
     def by_time(self, topics=None):
-        """The same, time by time: each time [ns] with its messages. What stands apart behind all ticks is read beside them, so that nothing
-        waits in memory."""
+        """The same, time by time: each time [ns] with its messages. Topics that stand behind all ticks are read in parallel, so that nothing waits
+        in memory."""
         wanted = self.topics() if topics is None else topics
         merged = heapq.merge(self.messages(wanted - APART), self.messages(wanted & APART), key=attrgetter("time"))
         for time, group in groupby(merged, key=attrgetter("time")):
             yield time, list(group)
-
-    def first_messages(self):
-        """Of each topic its first message."""
-        found = {topic: next(self.messages({topic}), None) for topic in self._channels}
-        return {topic: message for topic, message in found.items() if message is not None}
 
     def schema_record(self, topic):
         return self._index.schemas[self._channels[topic].schema_id]
@@ -135,9 +140,15 @@ class LogFile:
     def text(self, name):
         """An attachment. Throws InputError if the log has none of that name."""
         if name not in self.attachments:
-            raise InputError(f"{self.path}: has no attachment {name}, which this needs; record the run anew"
-                             f"{'; ' + self.problem if self.problem else ''}")
+            raise self._error(f"has no attachment {name}, which this needs; record the run anew")
         return self.attachments[name].decode()
+
+    def no_tick(self, purpose):
+        """The error of a log without ticks."""
+        return self._error(f"the log holds no tick, so there is nothing to {purpose}")
+
+    def _error(self, text):
+        return InputError(f"{self.path}: {text}{'; ' + self.problem if self.problem else ''}")
 
     def decoded(self, topic, data):
         """What a message says. Throws InputError where it says nothing."""

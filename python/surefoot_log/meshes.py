@@ -56,7 +56,7 @@ def used_only(vertices, faces, uv):
 
 
 def image_file(folder, name, roots):
-    """Where an image lies; empty where that is below none of the roots."""
+    """The path of an image; empty if it lies below none of the roots."""
     path = pathlib.Path(os.path.normpath(folder / name))
     return str(path) if any(path.is_relative_to(os.path.normpath(root)) for root in roots) else ""
 
@@ -102,7 +102,7 @@ def opened_collada(path):
 
 
 def read_collada(path, roots):
-    """Up is z whatever the file says of it, as the ROS tools that these files are made for have it."""
+    """Ignores the file's up axis, as ROS tools do: up is z."""
     document = opened_collada(path)
     by_material = {}
     for geometry in document.scene.objects("geometry"):
@@ -189,7 +189,7 @@ def pack(parts, path):
 
 
 def unpacked(path):
-    """What is kept; None where it is not there or can't be read."""
+    """The parts in a file of the cache; None if it is missing or can't be read."""
     try:
         with np.load(path) as arrays:
             return parts_in(arrays)
@@ -203,7 +203,7 @@ def parts_in(arrays):
 
 
 def missing_notes(missing, packages):
-    """What is said of links without their meshes, `missing` by link, mesh and error: of a few a line each, of more one."""
+    """Notes on links without their meshes, `missing` by link, mesh and error: a line each if they are few, else one line."""
     reasons = [f"{mesh}: {error.strerror if isinstance(error, OSError) else error}" for _, mesh, error in missing]
     if len(missing) <= MOST_NOTES:
         return [f"{link} is shown as the physics has it: {reason}" for (link, *_), reason in zip(missing, reasons)]

@@ -24,7 +24,7 @@ class Span:
 
 
 def is_quiet(event):
-    """Is it what every step of a walk has?"""
+    """Whether every step of a walk has such events."""
     found = [one.partition(": ") for one in event.split(BETWEEN)]
     return all((what if leg in LEGS else leg + colon + what) in QUIET for leg, colon, what in found)
 
@@ -37,10 +37,7 @@ def is_of_interest(frame):
 
 
 def started(frames):
-    for frame in frames:
-        if np.hypot(*(frame.p_WB - frames[0].p_WB)[:2]) > STARTED:
-            return frame.time
-    return frames[0].time
+    return next((frame.time for frame in frames if np.hypot(*(frame.p_WB - frames[0].p_WB)[:2]) > STARTED), frames[0].time)
 
 
 def span_of_interest(frames):
@@ -66,14 +63,14 @@ def shortened(frames, span, length):
 
 
 def reach(frame):
-    """How far a foot in the air is below the base [m]; where none is, what the lowest foot makes of that, halved."""
+    """How far a foot in the air is below the base [m]; where all stand, half of that of the lowest foot."""
     depths = {leg: frame.p_WB[2] - position[2] for leg, position in frame.p_WF.items()}
     in_air = [depth for leg, depth in depths.items() if frame.phases.get(leg) not in CARRIES]
     return max(in_air, default=0.5 * max(depths.values(), default=0.0))
 
 
 def chosen(frames, span, count):
-    """So many frames, one of each equal part of a span, off its ends: where a leg reaches deepest below the base."""
+    """`count` frames, one of each equal part of a span, off its ends: where a leg reaches deepest below the base."""
     edges = np.linspace(span.first, span.last, count + 1)
     apart = APART * (edges[1] - edges[0]) / 2
     found = []

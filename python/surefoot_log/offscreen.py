@@ -1,4 +1,4 @@
-"""MuJoCo, told before its import to render in software, without a screen."""
+"""MuJoCo, set to render in software, without a screen."""
 
 import os
 

@@ -17,12 +17,12 @@ ABOVE_GROUND = 0.004  # m: what lies on the ground is drawn so far above it
 
 
 def colour_of_use(use):
-    """Of a force by the share of its friction cone: grey, amber from 60 % on, red from 90 % on."""
+    """The colour of a force by the share of its friction cone: grey, amber from 60 % on, red from 90 % on."""
     return (*(SAFE if use < NEAR_FROM else NEAR if use < SLIDES_FROM else SLIDES), 1.0)
 
 
 def push_arrow(centre, force, torque):
-    """Begins in the line in which the force acts, where that is nearest to the body's centre of mass: f × τ / |f|² from it."""
+    """Start and vector of a push's arrow. It starts at the point of the force's line that is nearest to the body's centre of mass, f × τ / |f|² from it."""
     size = np.linalg.norm(force)
     lever = np.cross(force, torque) / size**2
     start = centre + (lever if np.linalg.norm(lever) <= BODY_REACH else 0.0)
@@ -30,7 +30,7 @@ def push_arrow(centre, force, torque):
 
 
 def ground_arrows(force):
-    """The ways of the arrows that stand for a force of the ground: one, or two where it is longer than can be seen."""
+    """The vectors of the arrows that stand for a force of the ground: one, or two where it is too long for the picture."""
     way = METRES_PER_NEWTON * force
     length = np.linalg.norm(way)
     return [way] if length <= LONGEST else [LONGEST / length * way, 0.85 * LONGEST / length * way]

@@ -1,11 +1,14 @@
 """Films and strips of a log."""
 
+import io
 import os
 import pathlib
 import sysconfig
-from dataclasses import dataclass, field, replace
+from dataclasses import asdict, replace
 
 from surefoot_campaign.errors import InputError
+from surefoot_campaign.output_files import written_whole
+from surefoot_campaign.progress import Progress
 from surefoot_log.camera import Camera
 from surefoot_log.captions import Captions
 from surefoot_log.clip import Film, nearest, times_of
@@ -14,22 +17,12 @@ from surefoot_log.moments import Span, shortened, span_of_interest
 from surefoot_log.painter import painter
 from surefoot_log.scene import dress
 from surefoot_log.strip import LETTERS, QUALITY, TILE, make_strip
-from surefoot_log.whole_file import written_whole
 
 EVENT_SHOWN, GAVE_WAY_SHOWN = 1.2, 0.4  # s
-# Of a report: small, and made in some seconds.
+# The clip and strip of a report are small, and made in some seconds.
 CLIP_SIZE, CLIP_RATE, CLIP_LENGTH = (768, 432), 12, 10.0  # pixels, 1/s, s
 COARSE = 0.008  # m: detail of the meshes in it
 STRIP_SCALE = 2  # pixels that become one along each edge
-
-
-@dataclass
-class Made:
-    files: list
-    times: list = field(default_factory=list)  # of the moments of a strip [s]
-    span: Span | None = None  # of a film
-    notes: list = field(default_factory=list)
-    has_pushes: bool = False  # in a strip
 
 
 def package_folders():
@@ -42,12 +35,8 @@ def package_folders():
 
 
 def cache_folder():
-    """Keeps meshes as they are drawn; the launcher names it. None: they are read anew each time."""
+    """Keeps meshes as they are drawn; the launcher names it. None: they are read again each time."""
     return os.environ.get("SUREFOOT_MESH_CACHE") or None
-
-
-def title_of(header):
-    return f"{header['scenario']}, seed {header['seed']}"
 
 
 def dressed(log, run, size, detail):
@@ -74,40 +63,35 @@ class Lasting:
         return self._shown if time <= self._until else None
 
 
-def time_of_event(frame):
-    return frame.time if frame.event_time is None else frame.event_time
-
-
 def with_lasting_words(pairs):
     event_shown, gave_way_shown = Lasting(EVENT_SHOWN), Lasting(GAVE_WAY_SHOWN)
-    for frame, told in pairs:
-        told = event_shown.update(told, frame.time)
+    for frame, happened in pairs:
+        happened = event_shown.update(happened, frame.time)
         if frame.stop:  # nothing is solved any more
             gave_way_shown.forget()
         gave_way = gave_way_shown.update(frame if frame.gave_way else None, frame.time)
         yield replace(
             frame,
-            event=told.event if told else "",
-            event_time=told and time_of_event(told),
+            event=happened.event if happened else "",
+            event_time=happened and (happened.time if happened.event_time is None else happened.event_time),
             gave_way=gave_way and gave_way.gave_way,
             gave_way_time=gave_way and gave_way.time,
         )
 
 
-def write_film(run, paint, path, span, rate, speed, size, progress=None):
-    captions = Captions(size[1], run.header)
+def write_film(run, paint, path, span, rate, speed, size, stream=None):
+    """`stream`: where its progress is shown."""
+    captions, title = Captions(size[1], run.header), f"{run.header['scenario']}, seed {run.header['seed']}"
     times = times_of(span.first, span.last, rate, speed)
-    if progress is not None:
-        progress(0, len(times))
-    with Film(path, size, rate) as film:
-        for i, frame in enumerate(with_lasting_words(nearest(run.frames, times))):
-            film.add(captions.draw(paint(frame), frame, title_of(run.header), speed))
-            if progress is not None:
-                progress(i + 1, len(times))
+    with Film(path, size, rate) as film, Progress("film", 0, len(times), "images", stream or io.StringIO()) as progress:
+        progress.draw()
+        for frame in with_lasting_words(nearest(run.frames, times)):
+            film.add(captions.draw(paint(frame), frame, title, speed))
+            progress.update()
 
 
-def make_film(log, path, size=(1280, 720), rate=25, speed=1, first=None, last=None, progress=None):
-    """Of the whole log, or of a part of it. Throws InputError where no tick lies in it."""
+def make_film(log, path, size, rate, speed, first=None, last=None, stream=None):
+    """Films the whole log, or a part of it. Returns notes. Throws InputError where no tick lies in it."""
     run = read_frames(log, every=max(1, int(speed / rate / log.header["control_period"] / 2)))
     begin, end = run.frames[0].time, run.last
     span = Span(begin if first is None else first, end if last is None else last)
@@ -118,12 +102,13 @@ def make_film(log, path, size=(1280, 720), rate=25, speed=1, first=None, last=No
     scene = dressed(log, run, size, detail=0.005)
     camera = Camera(run.frames)
     with painter(scene, run.header, size) as artist, written_whole(path) as partial:
-        write_film(run, lambda frame: artist.paint(frame, camera), partial, span, rate, speed, size, progress)
-    return Made([path], span=span, notes=scene.notes)
+        write_film(run, lambda frame: artist.paint(frame, camera), partial, span, rate, speed, size, stream)
+    return scene.notes
 
 
 def make_report_pictures(log, folder):
-    """strip.jpg and clip.mp4 in a folder."""
+    """Writes strip.jpg and clip.mp4 into a folder. Returns the times [s] of the strip's moments and whether something pushes the robot in them, the span [s]
+    that the clip shows, and notes."""
     folder = pathlib.Path(folder)
     run = read_frames(log, every=8)
     camera = Camera(run.frames)
@@ -135,4 +120,5 @@ def make_report_pictures(log, folder):
     span = shortened(run.frames, span_of_interest(run.frames), CLIP_LENGTH)
     with painter(scene, run.header, CLIP_SIZE) as artist:
         write_film(run, lambda frame: artist.paint(frame, camera), folder / "clip.mp4", span, CLIP_RATE, 1, CLIP_SIZE)
-    return Made(["strip.jpg", "clip.mp4"], [frame.time for frame in moments], span, scene.notes, any(frame.pushes for frame in moments))
+    return {"times": [round(frame.time, 6) for frame in moments], "span": asdict(span), "notes": scene.notes,
+            "has_pushes": any(frame.pushes for frame in moments)}  # fmt: skip

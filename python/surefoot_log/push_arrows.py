@@ -33,7 +33,7 @@ class Lens:
         return self._centre + scale * np.array([self._right @ way, -self._up @ way])
 
     def pixels(self, point):
-        """Of a metre at a point."""
+        """The length of a metre at a point [pixels]."""
         return self._scale / self.depth(point)
 
 
@@ -63,7 +63,7 @@ def draw_pushes(image, pushes, places, cameras):
     for body, force, torque in pushes:
         start, vector = push_arrow(places[body], force, torque)
         tip = start + vector
-        if min(lens.depth(start), lens.depth(tip)) > 0.1:  # before the camera
+        if min(lens.depth(start), lens.depth(tip)) > 0.1:  # in front of the camera
             arrows.append((lens.pixel(start), lens.pixel(tip), lens.pixels(start), lens.pixels(tip)))
     for rim, colour in ((RIM, EDGE), (0.0, FILL)):
         mask = Image.new("L", (SMOOTH * image.width, SMOOTH * image.height), 0)

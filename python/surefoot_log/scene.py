@@ -8,7 +8,7 @@ from PIL import Image
 
 from surefoot_log import meshes
 from surefoot_log.offscreen import mujoco
-from surefoot_log.urdf_visuals import file_of, links_below_bodies, visuals_of
+from surefoot_log.urdf_visuals import file_of, visuals_on_bodies
 
 GROUND = (0.93, 0.93, 0.91, 1.0)
 EDGES = (0.74, 0.74, 0.72)
@@ -42,7 +42,7 @@ def set_light(spec, size):
     spec.visual.headlight.ambient = [0.42, 0.42, 0.44]
     spec.visual.headlight.diffuse = [0.22, 0.22, 0.22]
     spec.visual.headlight.specular = [0.1, 0.1, 0.1]
-    spec.visual.map.shadowclip = 10.0  # as far as the ground is seen: at the rim of what has shadows are black dots
+    spec.visual.map.shadowclip = 10.0  # as far as the ground is seen, because there are black dots at the shadows' rim
     spec.visual.map.znear = 0.02
     spec.visual.map.zfar = 60.0
     spec.visual.rgba.haze = [*SKY_LOW, 1.0]
@@ -66,14 +66,10 @@ def set_ground(spec):
 
 def add_robot(spec, urdf, packages, load):
     bodies = {body.name: body for body in spec.bodies if body.name}
-    carriers = links_below_bodies(urdf, bodies)
     missing, dressed, kept = [], set(), {}
-    for visual in visuals_of(urdf):
-        if visual.link not in carriers:
-            continue
-        name, X_BL = carriers[visual.link]
+    for visual, name, X_BV in visuals_on_bodies(urdf, bodies):
         try:
-            add_visual(spec, bodies[name], X_BL @ visual.X_LV, visual, packages, load, kept)
+            add_visual(spec, bodies[name], X_BV, visual, packages, load, kept)
             dressed.add(name)
         except (OSError, ValueError) as error:
             missing.append((visual.link, visual.mesh, error))
@@ -82,7 +78,7 @@ def add_robot(spec, urdf, packages, load):
 
 
 def hide_physics(bodies, dressed):
-    """The shapes that stand for what the meshes show; a payload, which has no link, stays."""
+    """Hides the shapes of the physics where meshes are shown. A payload, which has no link, stays."""
     for name, body in bodies.items():
         if name == "world":
             continue
@@ -110,11 +106,12 @@ def add_visual(spec, body, X_BV, visual, packages, load, kept):
                 "sphere": [visual.size[0], 0, 0]}  # fmt: skip
         body.add_geom(type=kinds[visual.shape], size=half[visual.shape], rgba=visual.colour or PLAIN, **at)
         return
-    for name, material in mesh_parts(spec, visual, packages, load, kept):
-        body.add_geom(type=mujoco.mjtGeom.mjGEOM_MESH, meshname=name, material=material, **at)
+    for name in mesh_parts(spec, visual, packages, load, kept):
+        body.add_geom(type=mujoco.mjtGeom.mjGEOM_MESH, meshname=name, material=name, **at)
 
 
 def mesh_parts(spec, visual, packages, load, kept):
+    """The names of its meshes, which are those of their materials, too."""
     key = (visual.mesh, visual.scale)
     if key not in kept:
         parts = load(file_of(visual.mesh, packages))
@@ -133,7 +130,7 @@ def add_part(spec, part, name, scale):
         add_texture(spec, part.image, name)
         material.textures[mujoco.mjtTextureRole.mjTEXROLE_RGB] = name
         material.rgba = [1, 1, 1, 1]
-    return name, name
+    return name
 
 
 def lifted(colour):

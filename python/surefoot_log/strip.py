@@ -13,8 +13,8 @@ QUALITY = 82
 
 
 def make_strip(run, paint, captions):
-    """`paint`: frame → image of at least the tile's size. A row has more sky where more is said of one of its
-    moments than there is room for over the robot."""
+    """`paint`: frame → image of at least the tile's size. A row gets more sky where the texts of one of its
+    moments need more room than there is over the robot."""
     frames = chosen(run.frames, span_of_interest(run.frames), COLUMNS * ROWS)
     rows = -(-len(frames) // COLUMNS)
     columns = min(COLUMNS, len(frames))
@@ -30,6 +30,6 @@ def make_strip(run, paint, captions):
 
 
 def band_over(frames, captions):
-    """How much higher the sky over a row of moments is than in its pictures, so that no text lies on a robot [pixels]."""
+    """Height of the sky that is added over a row of moments, so that no text covers a robot [pixels]."""
     highest = max(captions.height(frame, TILE[0]) for frame in frames)
     return max(0, highest - SKY)

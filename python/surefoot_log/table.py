@@ -9,17 +9,17 @@ import pyarrow.csv
 import pyarrow.parquet
 
 from surefoot_campaign.errors import InputError, valid_names
+from surefoot_campaign.output_files import written_whole
 from surefoot_log.channels import Flattener
-from surefoot_log.whole_file import written_whole
 
-TYPES = {"number": pa.float64(), "integer": pa.int64(), "boolean": pa.bool_(), "text": pa.string()}
-TICK = "/state"  # the topic whose messages say which ticks there are
+TYPES = {"number": pa.float64(), "integer": pa.int64(), "boolean": pa.bool_(), "string": pa.string()}
+TICK = "/state"  # each tick has a message on this topic
 PART = 256  # ticks that are decoded at once
 GROUP = 4096  # ticks of a row group in Parquet: columns are compressed in it, and all of it is in memory
 
 
 def wanted_topics(names):
-    """None: all. A name may stand without its slash."""
+    """The topics by their full names; None means all. A name may lack its slash."""
     if not names:
         return None
     return {name if name.startswith("/") else f"/{name}" for name in names}
@@ -34,11 +34,11 @@ def check_topics(wanted, known):
 
 
 def first_messages(log, topics):
-    """Of each topic its first message, which has the sizes of lists. Throws InputError on unknown topics, and where there is no tick."""
+    """The first message of each topic, which has the sizes of lists. Throws InputError on unknown topics, and where there is no tick."""
     check_topics(topics, log.topics())
-    first = {topic: log.decoded(topic, message.data) for topic, message in log.first_messages().items()}
+    first = {topic: log.decoded(topic, message.data) for topic in log.topics() for message in islice(log.messages({topic}), 1)}
     if TICK not in first:
-        raise InputError(f"{log.path}: the log holds no tick, so there is nothing to export{'; ' + log.problem if log.problem else ''}")
+        raise log.no_tick("export")
     return {topic: message for topic, message in first.items() if topics is None or topic in topics}
 
 
@@ -56,7 +56,7 @@ class Table:
         self.schema = pa.schema(fields, metadata={"surefoot": json.dumps(log.header)})
 
     def _ticks(self):
-        """Every so manieth tick."""
+        """One of `every` ticks."""
         number = -1
         for time, messages in self._log.by_time(None if self._topics is None else self._topics | {TICK}):
             found = {message.topic: message.data for message in messages}
@@ -96,7 +96,7 @@ class Grouped:
 
 
 def with_unit(field):
-    """As a column is called in CSV, which has no other place for its unit: "plan.com.p.x[m]"."""
+    """The name of a column in CSV, which has no other place for its unit: "plan.com.p.x[m]"."""
     unit = field.metadata[b"unit"].decode()
     return f"{field.name}[{unit}]" if unit else field.name
 

@@ -39,7 +39,7 @@ def numbers(text, count):
 
 
 def pose(element):
-    """Of the <origin> inside an element."""
+    """The pose in the <origin> of an element."""
     result = np.eye(4)
     origin = element.find("origin")
     if origin is not None:
@@ -93,6 +93,15 @@ def links_below_bodies(urdf, bodies):
         if body in bodies:
             found[link] = (body, X_BL)
     return found
+
+
+def visuals_on_bodies(urdf, bodies):
+    """Each visual that one of the bodies carries, with that body's name and its pose there."""
+    carriers = links_below_bodies(urdf, bodies)
+    for visual in visuals_of(urdf):
+        if visual.link in carriers:
+            body, X_BL = carriers[visual.link]
+            yield visual, body, X_BL @ visual.X_LV
 
 
 def file_of(uri, packages):

@@ -3,8 +3,8 @@
 import argparse
 import sys
 
-from surefoot_campaign.command_line import folder_name
-from surefoot_log.cli import guarded, parser
+from surefoot_campaign.command_line import folder_name, run_command
+from surefoot_log.cli import parser
 
 EPILOG = """Exit codes: 0 the report is written, 2 the log can't be read or the folder not be written.
 
@@ -28,4 +28,4 @@ def report(typed):
 
 
 if __name__ == "__main__":
-    sys.exit(guarded(report, sys.argv[1:]))
+    sys.exit(run_command(report, sys.argv[1:], "interrupted"))

@@ -10,15 +10,15 @@ MOST_ROWS = 4  # of a level
 
 
 def held_back(run):
-    """By level the rows of higher levels that held it back, dearest first: (level of the row, its name, ticks, sum of its costs, its largest, and
-    the time of that)."""
+    """By level the rows of higher levels that held it back, the most costly first: (level of the row, its name, ticks, sum of its costs, its
+    largest, and the time of that)."""
     rows, places, found = run.blocked, {}, {}
     costs = rows["cost"].astype(float)
     for place, key in enumerate(zip(rows["level"].tolist(), rows["by"].tolist(), rows["id"].tolist())):
         places.setdefault(key, []).append(place)
     for (level, by, _), same in sorted(places.items()):
-        dearest = same[int(np.argmax(costs[same]))]
-        row = (by, rows["row"][dearest], len(same), costs[same].sum(), costs[dearest], run.time[rows["tick"][dearest]])
+        worst = same[int(np.argmax(costs[same]))]
+        row = (by, rows["row"][worst], len(same), costs[same].sum(), costs[worst], run.time[rows["tick"][worst]])
         found.setdefault(level, []).append(row)
     return {level: sorted(of_level, key=lambda row: -row[3]) for level, of_level in found.items()}
 
@@ -42,7 +42,7 @@ def rows_of(run, level, rows):
 def note(run):
     known = 100.0 * run.explained.mean()
     share = f" Known at {decimal(known, 1)} % of the ticks, of which the shares are." if known < 100 else ""
-    return ('<p class="soft">Rows of higher levels that kept a level from what it asked for, dearest over the run first. The cost is what the level\'s '
+    return ('<p class="soft">Rows of higher levels that kept a level from what it asked for, the most costly of the run first. The cost is what the level\'s '
             "residual would fall by if that row alone gave way, as the control loop estimates it: mostly too much, and 0 where it can't say. "
             f"<code>surefoot explain</code> tells the exact ones of a recorded run's tick.{share}</p>\n")  # fmt: skip
 

@@ -4,11 +4,11 @@ import numpy as np
 
 from surefoot_report.run_data import matrices
 
-UPRIGHT = 1e-6  # of a normal's z: a face that stands so has no top
+UPRIGHT = 1e-6  # a face whose normal has a smaller z is vertical
 
 
 class Ground:
-    """Its highest piece at each place."""
+    """The highest piece of the terrain at each place."""
 
     FACES = 6  # of a piece at most
 
@@ -54,12 +54,12 @@ def on_box(piece, x, y):
     """The face that a ray from above enters through: the lowest top of its three slabs."""
     R = rotation(piece)
     face, top, slope = np.full(x.shape, -1), np.full(x.shape, np.inf), np.zeros((*x.shape, 2))
-    bottom, beside = np.full(x.shape, -np.inf), np.zeros(x.shape, bool)
+    bottom, outside = np.full(x.shape, -np.inf), np.zeros(x.shape, bool)
     for number in range(6):
         normal = (2 * (number % 2) - 1) * R[:, number // 2]
         point = np.array(piece["position"]) + 0.5 * piece["size"][number // 2] * normal
         if abs(normal[2]) < UPRIGHT:
-            beside |= normal[0] * (x - point[0]) + normal[1] * (y - point[1]) > normal[2] * point[2]
+            outside |= normal[0] * (x - point[0]) + normal[1] * (y - point[1]) > normal[2] * point[2]
             continue
         z, rise = plane_through(point, normal, x, y)
         if normal[2] < 0:
@@ -67,7 +67,7 @@ def on_box(piece, x, y):
             continue
         lower = z < top
         face[lower], top[lower], slope[lower] = number, z[lower], rise
-    face[beside | (bottom >= top)] = -1
+    face[outside | (bottom >= top)] = -1
     return face, top, slope
 
 

@@ -1,8 +1,9 @@
 """The beginning of the page: what was run, how it came out, and how to run it again."""
 
+from surefoot_campaign.text import escape
 from surefoot_report.numbers import name_of
 from surefoot_report.page import Cell, table
-from surefoot_report.words import counted, decimal, escape
+from surefoot_report.words import counted, decimal
 
 TROUBLES = [6, 7, 8, 9, 15]  # events: no ground, contact lost, lift-off aborted, collision, caught
 MOST_CHANGES = 24
@@ -40,7 +41,7 @@ def troubles(run):
 
 
 def from_outside(run):
-    """What pushed the robot, and what the operator did. By hand there can be many."""
+    """What pushed the robot, and what the operator did, which can be a lot."""
     found = [event for event in run.events if event["by"] in ("outside", "operator")]
     items = [f"{decimal(event['time'], 2)} s: {escape(event['text'])}" for event in found[:MOST_CHANGES]]
     return listed("pushes", items + [f"and {len(found) - MOST_CHANGES} more"] * (len(found) > MOST_CHANGES))
@@ -97,7 +98,7 @@ def verdict(run, outcome):
 
 
 def left_out(run, outcome):
-    """By the command alone another run is had."""
+    """What the command alone does not repeat."""
     out = ""
     if outcome.interrupted or not outcome.known:
         out += "<p>That run goes on where this log ends.</p>\n"

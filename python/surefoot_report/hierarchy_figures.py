@@ -5,11 +5,12 @@ from matplotlib.figure import Figure
 from matplotlib.patches import Patch
 from matplotlib.ticker import FixedLocator, FuncFormatter, MaxNLocator, NullLocator
 
+from surefoot_campaign.text import in_words
 from surefoot_log.frames import LEGS, visible_residuals
 from surefoot_report.motion_figures import calibration, times_of
 from surefoot_report.plotting import BLUE, BOUND, FLICKER, FOOT, HEAD, LEFT, ORANGE, RIGHT, SOFT, WIDTH, axes_at, legend_over, mark_calibration, thinned
 from surefoot_report.run_data import ROUNDING, STANCE, chosen
-from surefoot_report.words import decimal, in_words, two_digits, with_unit
+from surefoot_report.words import decimal, two_digits, with_unit
 
 LETTER = 0.058  # how wide one is, on average [in]
 GRAVITY = 9.81
@@ -28,7 +29,7 @@ def unit_of(run, level):
 
 
 def never_zero(run, level):
-    """It asks for no force or torque at all."""
+    """Whether the level asks for no force or torque at all."""
     return visible_residuals(run.header).get(run.levels[level], ROUNDING) is None
 
 
@@ -92,9 +93,9 @@ def leg_of(row):
     return next((k for k, leg in enumerate(LEGS) if row.startswith(leg)), len(LEGS))
 
 
-def speaking(run, rows):
-    """At lift-off and touchdown the force passes through zero, where all sides of the friction cone meet, and follows its ramp: that rows hold
-    there says nothing of the run."""
+def informative(run, rows):
+    """Which rows say something of the run. At lift-off and touchdown the force follows its ramp to zero, where all sides of the friction cone
+    meet: rows are active there in every run."""
     names = rows["row"]
     legs = np.array([leg_of(name) for name in names], int)
     is_force = np.array([name.endswith(" normal force") for name in names], bool)
@@ -121,7 +122,7 @@ def group_of(run, level, name):
 
 
 def active_rows_figure(run):
-    rows, groups, strips = chosen(run.active, speaking(run, run.active)), {}, []
+    rows, groups, strips = chosen(run.active, informative(run, run.active)), {}, []
     keys = list(zip(rows["level"].tolist(), rows["row"]))
     names = {key: group_of(run, *key) for key in set(keys)}
     for place, key in enumerate(keys):
@@ -144,11 +145,6 @@ def event_figure(run):
     return strips_figure(run, strips)
 
 
-def rank(values, share):
-    """The value that this share of them does not exceed."""
-    return np.sort(values)[max(int(np.ceil(share * len(values))), 1) - 1]
-
-
 def timing_figure(run):
     """Histogram of the time per tick."""
     totals, period = run.totals[run.totals > 0], 1e6 * run.period
@@ -165,7 +161,8 @@ def timing_figure(run):
     axes.xaxis.set_major_locator(FixedLocator([factor * 10.0**power for power in range(-2, 9) for factor in (1, 2, 5)]))
     axes.xaxis.set_minor_locator(NullLocator())
     axes.xaxis.set_major_formatter(FuncFormatter(lambda value, _: decimal(value, 2)))
-    marks = [("median", rank(totals, 0.5)), ("99 %", rank(totals, 0.99)), ("slowest", totals.max()), ("period", period)]
+    median, p99 = np.quantile(totals, [0.5, 0.99], method="inverted_cdf")
+    marks = [("median", median), ("99 %", p99), ("slowest", totals.max()), ("period", period)]
     for row, (name, value) in enumerate(marks):
         at_right_end = value > edges[0] * (edges[-1] / edges[0]) ** 0.8
         axes.axvline(value, color=BOUND, linewidth=0.8, dashes=(6, 2, 1.5, 2))

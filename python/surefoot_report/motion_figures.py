@@ -3,12 +3,12 @@
 import numpy as np
 
 from surefoot_log.frames import LEGS
-from surefoot_report.plotting import (AMBER, BLUE, GREEN, INK, LEG_COLOURS, ORANGE, PURPLE, STANCE, Curve, Panel, limits_of, time_figure)  # fmt: skip
+from surefoot_report.plotting import (AMBER, BLUE, GREEN, INK, LEG_COLOURS, ORANGE, PURPLE, STANCE, Panel, limits_of, time_figure)  # fmt: skip
 from surefoot_report.run_data import SEARCH, matrices, stretches, turns
 from surefoot_report.words import decimal
 
 JOINTS = ("HAA", "HFE", "KFE")
-SHADED, MARKED = 0.14, 0.35  # opacity of stance, and of what calls for attention
+SHADED, MARKED = 0.14, 0.35  # opacities of stance and of highlights
 
 
 def source(run):
@@ -24,7 +24,7 @@ def drawn(run, panels):
 
 
 def line(colour, y, label="", **style):
-    return Curve(y, {"color": colour, **style}, label)
+    return y, {"color": colour, "label": label, **style}
 
 
 def stance(run, leg):
@@ -60,7 +60,7 @@ def com_figure(run):
 
 
 def rotation_vectors(R):
-    """Of rotation matrices."""
+    """The rotation vectors of rotation matrices."""
     twice = np.stack([R[:, 2, 1] - R[:, 1, 2], R[:, 0, 2] - R[:, 2, 0], R[:, 1, 0] - R[:, 0, 1]], axis=1)
     sine = np.linalg.norm(twice, axis=1)
     angle = np.arctan2(sine, np.trace(R, axis1=1, axis2=2) - 1)

@@ -39,7 +39,7 @@ class Outcome:
 
     @property
     def interrupted(self):
-        """From outside, or begun again; nothing is judged."""
+        """Whether the run was interrupted or begun again, so that nothing is judged."""
         return self.reason in BROKEN_OFF
 
     def criterion(self, metric):
@@ -47,7 +47,7 @@ class Outcome:
 
 
 def asked(criteria):
-    """As the scenario gives them: `fell: false`, `speed_mps: {min: 0.18}`."""
+    """The criteria as the scenario gives them: `fell: false`, `speed_mps: {min: 0.18}`."""
     limits = {metric: {"equals": limit} if isinstance(limit, bool) else limit for metric, limit in criteria.items()}
     return [Requirement(metric, limit.get("min"), limit.get("max"), limit.get("equals")) for metric, limit in limits.items() if limit]
 

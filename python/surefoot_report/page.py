@@ -4,8 +4,8 @@ import base64
 import pathlib
 from dataclasses import dataclass, field
 
+from surefoot_campaign.text import escape
 from surefoot_report.plotting import STYLE
-from surefoot_report.words import escape
 
 
 def page(title, body):
@@ -14,7 +14,7 @@ def page(title, body):
 
 
 def figure(number, name, image, caption):
-    """With its caption and links to its files."""
+    """An image with its caption and links to its files."""
     links = " ".join(f'<a class="file" href="figures/{name}.{form}" download>Save as {form.upper()}</a>' for form in ("svg", "pdf"))
     return (f'<figure>\n<div class="scroll">{image}</div><figcaption><b>Figure {number}.</b> {escape(caption)} {links}</figcaption>\n'
             "</figure>\n")  # fmt: skip

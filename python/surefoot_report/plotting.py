@@ -12,7 +12,7 @@ from matplotlib.backends.backend_svg import FigureCanvasSVG
 from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator
 
-from surefoot_report.words import escape
+from surefoot_campaign.text import escape
 
 STYLE = (pathlib.Path(__file__).parent / "page.css").read_text()
 LIGHT = dict(re.findall(r"--(\w+): (#\w{6});", STYLE[: STYLE.index("@media")]))  # colours by the names of page.css, which has them for dark, too
@@ -24,8 +24,8 @@ TONES = [LIGHT[f"g{tone}"] for tone in range(5)]
 
 WIDTH = 7.2  # [in]
 LEFT, RIGHT, HEAD, GAP, FOOT = 0.62, 0.12, 0.24, 0.07, 0.40  # around the panels [in]
-COLUMNS = 900  # of an image, which can be told apart
-FLICKER = 1.0 / 600  # of the width: what is shorter is drawn so long
+COLUMNS = 900  # of an image: the eye sees no more
+FLICKER = 1.0 / 600  # of the width: shorter stretches are drawn so long
 
 matplotlib.rcParams.update({
     "font.family": ["DejaVu Sans", "sans-serif"], "font.size": 8, "axes.labelsize": 8,
@@ -38,19 +38,12 @@ matplotlib.rcParams.update({
 
 
 @dataclass
-class Curve:
-    y: np.ndarray
-    style: dict
-    label: str = ""
-
-
-@dataclass
 class Panel:
     """A plot over time."""
 
     title: str
     unit: str  # of its axis: "error [mm]"
-    curves: list
+    curves: list  # values, and how they are drawn
     spans: list = field(default_factory=list)  # (times, colour, opacity) of shaded stretches
     bounds: list = field(default_factory=list)  # (value, label)
     note: str = ""  # where a legend would stand
@@ -72,7 +65,7 @@ def limits_of(values, share=0.08):
 
 
 def thinned(x, y):
-    """As few points as show the same curve: of each column of the image the first, lowest and highest, and where it is interrupted."""
+    """The points that suffice to draw a curve: the first, lowest and highest of each column of the image, and the ends of gaps."""
     step = len(x) // COLUMNS
     if step < 4:
         return x, y
@@ -85,7 +78,7 @@ def thinned(x, y):
 
 
 def axes_at(figure, left, top, width, height):
-    """Placed in inches from the upper left corner."""
+    """Axes placed in inches from the upper left corner."""
     across, down = figure.get_size_inches()
     return figure.add_axes((left / across, 1 - (top + height) / down, width / across, height / down))
 
@@ -142,9 +135,9 @@ def draw_panel(axes, run, panel):
         axes.axhline(value, color=BOUND, linewidth=0.8, dashes=(6, 2, 1.5, 2))
         if label:
             axes.annotate(label, (1, value), (-4, -9), axes.get_yaxis_transform(), "offset points", ha="right", color=SOFT, fontsize=7)
-    for curve in panel.curves:
-        axes.plot(*thinned(run.time, curve.y), **curve.style, **({"label": curve.label} if curve.label else {}))
-    low, high = panel.y_range or limits_of([curve.y for curve in panel.curves] + [np.array([value for value, _ in panel.bounds])]
+    for y, style in panel.curves:
+        axes.plot(*thinned(run.time, y), **style)
+    low, high = panel.y_range or limits_of([y for y, _ in panel.curves] + [np.array([value for value, _ in panel.bounds])]
                                            + [np.zeros(1)] * panel.from_zero)  # fmt: skip
     axes.set(xlim=run.span, ylim=(0.0 if panel.from_zero else low, high), ylabel=panel.unit)
     axes.yaxis.set_major_locator(MaxNLocator(max(3, round(panel.height / 0.24)), steps=[1, 2, 5, 10]))
@@ -164,7 +157,7 @@ def saved(figure, name):
 
 
 def inline(svg, description):
-    """The same for the page: without a head of its own, and in the page's colours, light or dark."""
+    """An SVG for the page: without a head of its own, and in the page's colours, light or dark."""
     head, body = re.search(r"<svg[^>]*>", svg), svg[svg.index("<defs>") :]
     box = re.search(r'viewBox="[^"]*"', head.group()).group()
     for name, colour in LIGHT.items():

@@ -11,9 +11,9 @@ from tempfile import TemporaryDirectory
 
 from surefoot_campaign.errors import InputError
 from surefoot_campaign.outcome import last_line
-from surefoot_campaign.output_files import locked
+from surefoot_campaign.output_files import locked, make_folder, partial_name, written_whole
+from surefoot_campaign.text import in_words
 from surefoot_log.log_file import LogFile
-from surefoot_log.whole_file import partial_name, written_whole
 from surefoot_report import captions, hierarchy_figures, motion_figures, space_figure
 from surefoot_report.blockers import blocker_table
 from surefoot_report.head import provenance, title, verdict
@@ -22,7 +22,6 @@ from surefoot_report.outcome import read_outcome
 from surefoot_report.page import Pictures, figure, page, pictures_part
 from surefoot_report.plotting import inline, saved
 from surefoot_report.run_data import read_run
-from surefoot_report.words import in_words
 
 # Of each section the figures: name, what draws it, and its caption.
 MOTION = [("com_tracking", motion_figures.com_figure, captions.com), ("terrain_adaptation", motion_figures.adaptation_figure, captions.adaptation),
@@ -66,7 +65,7 @@ class Report:
         return page(self._title, self._above + pictures_part(pictures) + self._below)
 
     def write_figures(self, folder):
-        """Of an earlier run none is left beside them, also where this is ended half way: its page goes first."""
+        """None of an earlier run stay, even if this is ended half way: its page goes first."""
         place = folder / "figures"
         with fresh_folder(folder) as fresh:
             for name, data in self._files.items():
@@ -98,7 +97,7 @@ def write_page(folder, text):
 
 
 def make_pictures(log, folder):
-    """Strip and clip by a process of their own: whatever becomes of it, the report stands."""
+    """Makes strip and clip in a process of its own: the report stands whatever becomes of it."""
     command = [sys.executable, "-m", "surefoot_log", "report-pictures", str(log), str(folder)]
     done = subprocess.run(command, capture_output=True, text=True)
     try:
@@ -110,14 +109,11 @@ def make_pictures(log, folder):
 
 
 def write_report(log, folder, with_pictures=True, is_locked=False, is_there=lambda page: None):
-    """Gives the page's path. It is there before its pictures, which it says, and again with them; `is_there` gets its path then. `is_locked`: by
-    who calls this."""
+    """Returns the page's path. The page is written before its pictures, when `is_there` gets its path, and again with them. `is_locked`: the
+    caller has locked the folder."""
     log, folder = LogFile(log), Path(folder)
     report = Report(log)
-    try:
-        folder.mkdir(parents=True, exist_ok=True)
-    except OSError as error:
-        raise InputError(f"{folder}: this folder can't be made: {error.strerror}") from None
+    make_folder(folder)
     with nullcontext() if is_locked else locked(folder, folder), TemporaryDirectory(prefix="surefoot_") as scratch:
         report.write_figures(folder)
         path = write_page(folder, report.page(Pictures(are_coming=with_pictures)))
@@ -128,7 +124,7 @@ def write_report(log, folder, with_pictures=True, is_locked=False, is_there=lamb
 
 
 def add_pictures(report, folder, log, scratch):
-    """A page that finds no room for them stays without, and says why."""
+    """If the page with pictures can't be written, it stays without and says why."""
     try:
         write_page(folder, report.page(make_pictures(log, scratch)))
     except (InputError, KeyboardInterrupt) as error:

@@ -13,7 +13,7 @@ from surefoot_campaign.errors import InputError
 from surefoot_log.frames import ITERATION_CAP, LEGS
 from surefoot_log.log_file import SUMMARY
 
-STANCE, UNLOADING, SWING, SEARCH = range(4)
+STANCE, UNLOADING, _, SEARCH = range(4)
 PHASES = ["stance", "unloading", "swing", "search"]
 ROUNDING = 1e-6  # a residual or cost up to it is none
 PART = 1 << 20  # bytes that are decoded at once
@@ -104,12 +104,12 @@ def flags(table, path):
 
 
 def codes(column, names, other=-1):
-    """Of each text its place among the names."""
+    """The place of each text among the names."""
     return pc.fill_null(pc.index_in(column, value_set=pa.array(names, TEXT)), other).to_numpy(zero_copy_only=False).astype(int)
 
 
 def matrices(q):
-    """Of quaternions w, x, y, z."""
+    """Rotation matrices of quaternions w, x, y, z."""
     w, x, y, z = np.moveaxis(q, -1, 0)
     rows = [[1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
             [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
@@ -129,7 +129,7 @@ def chosen(rows, which):
 
 
 def stretches(inside, time, period):
-    """From and to of each time without a break in which something is so."""
+    """Begin and end of each stretch of time in which `inside` holds."""
     edges = np.diff(np.concatenate([[0], np.asarray(inside, int), [0]]))
     begins, ends = np.flatnonzero(edges == 1), np.flatnonzero(edges == -1)
     return [(float(time[begin]), float(time[end - 1] + period)) for begin, end in zip(begins, ends)]
@@ -146,14 +146,14 @@ def lists_of(table, path, levels, named):
 
 
 def event_times(plan, time):
-    """By the event's number, when it happened. Logs before 2.12 have one event a tick."""
+    """The times of each event, by its number. Logs before 2.12 have one event a tick."""
     rows, single = lists_of(plan, "events", [], set()), np.nan_to_num(numbers(plan, "event")).astype(int)
     ticks, events = np.concatenate([rows["tick"], np.flatnonzero(single)]), np.concatenate([rows["event"], single[single != 0]])
     return {int(event): time[ticks[events == event].astype(int)] for event in np.unique(events)}
 
 
 def residuals(table, levels):
-    """Of each tick and level; of a solve that was cut off the level that it ended in, and those behind it, have none."""
+    """The residual of each tick and level. If a solve was cut off, the level that it ended in and those behind it have none."""
     rows, failed = lists_of(table, "levels", levels, {"name"}), numbers(table, "failed_level")
     failed[(numbers(table, "status") != ITERATION_CAP) | ~(failed >= 0)] = np.inf
     place = np.arange(len(rows["tick"])) - np.searchsorted(rows["tick"], rows["tick"])
@@ -169,8 +169,8 @@ def level_names(header, table):
 
 
 def laid_by_feet(contact, believed, true):
-    """How the controller's W lies in the true one by the feet that stand, as model/belief_frame.hpp: rotations and positions; as at the tick
-    before where fewer than two stand, or their places are not known."""
+    """Rotations and positions of the controller's W in the true one, by the feet that stand (model/belief_frame.hpp). Where fewer than two stand,
+    or their places are not known, those of the tick before."""
     count = contact.sum(axis=1)
     known = (count >= 2) & np.isfinite(believed).all(axis=(1, 2)) & np.isfinite(true).all(axis=(1, 2))
     R, p = np.broadcast_to(np.eye(3), (len(known) + 1, 3, 3)).copy(), np.zeros((len(known) + 1, 3))  # the last: of ticks before all that are known
@@ -201,7 +201,7 @@ def of_ticks(log, tables):
     """The times [ns] of the ticks that are whole, and their tables."""
     times = reduce(np.intersect1d, [tables[name][0] for name in SCHEMAS.keys() - APART])
     if not len(times):
-        raise InputError(f"{log.path}: the log holds no tick, so there is nothing to report{'; ' + log.problem if log.problem else ''}")
+        raise log.no_tick("report")
     return times, {name: rows_at(*tables[name], times) for name in SCHEMAS.keys() - {"/timings"}}
 
 

@@ -13,12 +13,12 @@ from surefoot_report.plotting import (BASE, FOOT, GROUND, HEAD, INK, LEFT, LEG_C
                                       title_over)  # fmt: skip
 from surefoot_report.words import decimal
 
-HIGHEST = 4.25  # of the view from above [in]
-AROUND, AROUND_HEIGHTS = 0.08, 0.05  # beside what is shown [m]
+HIGHEST = 4.25  # height of the view from above [in]
+AROUND, AROUND_HEIGHTS = 0.08, 0.05  # around what is shown [m]
 CELLS = 220  # of the raster of the ground along x
-JUMP = 0.01  # an edge [m]
-CREASE = 0.02  # change of slope
-LEVEL = 1e-3  # slope of ground that is called level
+JUMP = 0.01  # a larger step is an edge [m]
+CREASE = 0.02  # a larger change of slope is a crease
+LEVEL = 1e-3  # ground with a smaller slope is level
 HALVINGS = 8
 SHORTEST = 0.1  # time for which three feet carry [s]
 ROUND = [LEGS.index(leg) for leg in ("LF", "RF", "RH", "LH")]  # the polygon of the feet
@@ -32,7 +32,7 @@ def footprints(run):
 
 
 def support_triangles(run):
-    """Of three feet that carry the robot without a change for a while."""
+    """Triangles of three feet that carry the robot for a while."""
     begins = np.flatnonzero(np.append(True, (np.diff(run.contact.astype(int), axis=0) != 0).any(axis=1)))
     ends = np.append(run.time[begins[1:]], run.time[-1])
     return [run.seen.p_WF[begin, [leg for leg in ROUND if run.contact[begin, leg]], :2] for begin, end in zip(begins, ends)
@@ -84,10 +84,10 @@ class Raster:
         return [segments[np.isfinite(at[..., 0]) & (kind == wanted)] for wanted in (IS_CREASE, IS_EDGE)]
 
     def smooth_heights(self):
-        """Without those next to a jump."""
+        """The heights without those next to a jump."""
         across, up = (np.abs(np.diff(self.z, axis=axis)) > JUMP for axis in (1, 0))
-        beside = np.pad(across, ((0, 0), (0, 1))) | np.pad(across, ((0, 0), (1, 0))) | np.pad(up, ((0, 1), (0, 0))) | np.pad(up, ((1, 0), (0, 0)))
-        return np.where(beside, np.nan, self.z)
+        at_jump = np.pad(across, ((0, 0), (0, 1))) | np.pad(across, ((0, 0), (1, 0))) | np.pad(up, ((0, 1), (0, 0))) | np.pad(up, ((1, 0), (0, 0)))
+        return np.where(at_jump, np.nan, self.z)
 
 
 def draw_ground(axes, ground, x, y):
@@ -107,7 +107,7 @@ def draw_ground(axes, ground, x, y):
 
 
 def label_level_ground(axes, raster):
-    """At the lower edge, where there is room for it."""
+    """Writes the height of level ground at the lower edge, where there is room."""
     row = 1
     begins = np.flatnonzero(np.append(True, np.diff(raster.face[row]) != 0))
     for begin, end in zip(begins, np.append(begins[1:], len(raster.x))):

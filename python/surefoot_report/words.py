@@ -1,14 +1,8 @@
-"""Numbers and names as the report writes them."""
+"""Numbers as the report writes them."""
 
-import html
 import math
 
 SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
-
-
-def escape(text):
-    """Text with <, >, & and quotes made harmless."""
-    return html.escape(str(text)).replace("&#x27;", "'")
 
 
 def decimal(value, decimals):
@@ -30,10 +24,6 @@ def two_digits(value):
 
 def with_unit(text, unit):
     return f"{text} {unit}" if unit else text
-
-
-def in_words(name):
-    return name.replace("_", " ")
 
 
 def counted(count, noun):

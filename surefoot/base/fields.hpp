@@ -116,6 +116,16 @@ struct Other {
   const char* schema;
 };
 
+/// How the number of an option goes with the size of the robot.
+enum class Sizing {
+  by_unit,      ///< as its unit says
+  none,         ///< of sensors, drives and clocks
+  half_length,  ///< with the distance of front and hind hips
+  half_width,   ///< with the distance of left and right feet
+  base_height,  ///< with the legs' length, less the hips' height over the base
+  stride,       ///< with speed, less where the hips are close to each other
+};
+
 /// An option, as files have it: where it is kept (with its default) and what is to be said of it.
 struct Field {
   using Value =
@@ -125,12 +135,13 @@ struct Field {
   Field(std::string its_key, Value its_value, std::string its_help)
       : key(std::move(its_key)), value(std::move(its_value)), help(std::move(its_help)) {}
   Field(std::string its_key, Value its_value, const NumberRange& its_range, std::string its_unit,
-        std::string its_help)
+        std::string its_help, Sizing its_sizing = Sizing::by_unit)
       : key(std::move(its_key)),
         value(std::move(its_value)),
         range(its_range),
         unit(std::move(its_unit)),
-        help(std::move(its_help)) {}
+        help(std::move(its_help)),
+        sizing(its_sizing) {}
   /// Must be there where its map is.
   [[nodiscard]] Field required() && {
     is_required = true;
@@ -143,6 +154,7 @@ struct Field {
   std::string unit{};
   std::string help;
   bool is_required = false;
+  Sizing sizing = Sizing::by_unit;
 };
 
 /// Entries of a type with `fields(T&)`. `finish(T&, const Given&)` gets each when it is read.

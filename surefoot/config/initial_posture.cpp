@@ -4,6 +4,7 @@
 #include "surefoot/base/formatted.hpp"
 #include "surefoot/gaits/parts/leg_limits.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -27,6 +28,25 @@ Vec3 knee_side(const model::RobotDescription& robot, Leg leg, gaits::KneeConfigu
   const Vec3 nominal = robot.q_nominal.segment<3>(first_joint(front));
   return {nominal.x(), std::copysign(kBentHip, side * nominal.y()),
           std::copysign(kBentKnee, side * nominal.z())};
+}
+
+gaits::KneeConfiguration knees_that_fit(const model::RobotDescription& robot,
+                                        gaits::KneeConfiguration wanted) {
+  constexpr double kLeastBend = 0.5;  // of a knee that is said to bend to this side [rad]
+  const auto fit = [&](gaits::KneeConfiguration knees) {
+    return std::ranges::all_of(kLegs, [&](Leg leg) {
+      const double side = knee_side(robot, leg, knees).z();
+      const Eigen::Index knee = first_joint(leg) + 2;
+      return side < 0.0 ? robot.q_min[knee] < -kLeastBend : robot.q_max[knee] > kLeastBend;
+    });
+  };
+  if (fit(wanted)) return wanted;
+  for (const gaits::KneeConfiguration other :
+       {gaits::KneeConfiguration::x, gaits::KneeConfiguration::backward,
+        gaits::KneeConfiguration::forward}) {
+    if (fit(other)) return other;
+  }
+  return wanted;
 }
 
 namespace {

@@ -19,6 +19,11 @@ inline constexpr std::array<std::pair<const char*, gaits::KneeConfiguration>, 3>
 [[nodiscard]] Vec3 knee_side(const model::RobotDescription& robot, Leg leg,
                              gaits::KneeConfiguration knees);
 
+/// The knees that are asked for where the robot's limits allow it, else others that they allow: x,
+/// all backward or all forward.
+[[nodiscard]] gaits::KneeConfiguration knees_that_fit(const model::RobotDescription& robot,
+                                                      gaits::KneeConfiguration wanted);
+
 /// Joint angles of the nominal stance: level torso, feet at ±half_length and ±half_width, the base
 /// `height` above the centres of the foot spheres. Throws Error if a leg can't reach, or only with
 /// a joint outside the robot's limits.

@@ -3,6 +3,7 @@
 #include "surefoot/config/criteria_section.hpp"
 #include "surefoot/config/option_list.hpp"
 #include "surefoot/config/robot_fields.hpp"
+#include "surefoot/config/scaling.hpp"
 #include "surefoot/config/scenario_fields.hpp"
 #include "surefoot/tasks/catalog.hpp"
 
@@ -16,6 +17,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 Json text() { return {{"type", "string"}}; }
+Json flag() { return {{"type", "boolean"}}; }
 Json or_null(const Json& schema) { return {{"anyOf", {schema, {{"type", "null"}}}}}; }
 Json list_of(const Json& items) { return {{"type", "array"}, {"items", items}, {"minItems", 1}}; }
 /// A map of these keys and no others.
@@ -48,7 +50,7 @@ struct Form {
   Json operator()(const double* /*value*/) const { return number(field.range); }
   Json operator()(const int* /*value*/) const { return number(field.range, "integer"); }
   Json operator()(const std::uint64_t* /*value*/) const { return number(kNotNegative, "integer"); }
-  Json operator()(const bool* /*value*/) const { return {{"type", "boolean"}}; }
+  Json operator()(const bool* /*value*/) const { return flag(); }
   Json operator()(const std::string* /*value*/) const { return text(); }
   Json operator()(const std::vector<double>* /*values*/) const {
     return {{"type", "array"}, {"items", number(field.range)}};
@@ -233,6 +235,7 @@ Json Form::operator()(const Other& other) const {
   if (form == "randomise") return or_null(ranges_by_path());
   if (form == "criteria") return limits_by_metric();
   if (form == "paper") return figures_by_metric();
+  if (form == "flag") return flag();
   return text();
 }
 
@@ -253,6 +256,7 @@ Json stack() {
                           {"name", "tasks"}));
   Json map = map_of({{"name", text()},
                      {"description", text()},
+                     {kScaled, flag()},
                      {"base", text()},
                      {"without", list_of(text())},
                      {"levels", list_of({{"anyOf", levels}})},
@@ -265,7 +269,11 @@ Json stack() {
 
 Json file_of(const std::string& kind) {
   if (kind == "stack") return stack();
-  if (kind == "randomisation") return ranges_by_path();
+  if (kind == "randomisation") {
+    Json ranges = ranges_by_path();
+    ranges["properties"][kScaled] = flag();
+    return ranges;
+  }
   RobotInFile robot;
   if (kind == "robot") return map_of(fields(robot), true);
   Scenario scenario;

@@ -4,6 +4,7 @@
 #include "surefoot/base/formatted.hpp"
 #include "surefoot/config/data_file.hpp"
 #include "surefoot/config/nearest_name.hpp"
+#include "surefoot/config/scaling.hpp"
 #include "surefoot/config/scenario_fields.hpp"
 #include "surefoot/config/section.hpp"
 #include "surefoot/math/random_bits.hpp"
@@ -150,15 +151,17 @@ fs::path find_ranges(const ConfigNode& name, const fs::path& folder) {
   }
 }
 
-void include(const ConfigNode& names, const fs::path& folder, ConfigNode& section,
-             std::vector<fs::path>& files);
+void include(const ConfigNode& names, const fs::path& folder, const Scale& scale,
+             ConfigNode& section, std::vector<fs::path>& files);
 
 /// Ranges of a file that the section does not speak of itself.
-void add_ranges(const fs::path& file, ConfigNode& section, std::vector<fs::path>& files) {
+void add_ranges(const fs::path& file, const Scale& scale, ConfigNode& section,
+                std::vector<fs::path>& files) {
   ConfigNode ranges = parse_yaml_file(file);
+  if (take_scaled(ranges)) scale_ranges(ranges, scale);
   for (auto& [key, range] : ranges.members) {
     if (key == kInclude) {
-      include(range, file.parent_path(), section, files);
+      include(range, file.parent_path(), scale, section, files);
       continue;
     }
     if (range.kind != ConfigNode::Kind::null) (void)read_range(range, key);
@@ -167,15 +170,15 @@ void add_ranges(const fs::path& file, ConfigNode& section, std::vector<fs::path>
 }
 
 /// One name or a list of them; a file that was included before adds nothing.
-void include(const ConfigNode& names, const fs::path& folder, ConfigNode& section,
-             std::vector<fs::path>& files) {
+void include(const ConfigNode& names, const fs::path& folder, const Scale& scale,
+             ConfigNode& section, std::vector<fs::path>& files) {
   if (names.kind == ConfigNode::Kind::null) return;
   const bool is_list = names.kind == ConfigNode::Kind::list;
   for (const ConfigNode& name : is_list ? names.items : std::vector<ConfigNode>{names}) {
     const fs::path file = find_ranges(name, folder);
     if (std::ranges::find(files, file) != files.end()) continue;
     files.push_back(file);
-    add_ranges(file, section, files);
+    add_ranges(file, scale, section, files);
   }
 }
 
@@ -198,13 +201,14 @@ double uniform_of(std::uint64_t seed, const std::string& name) {
   return static_cast<double>(named_bits(seed, name) >> 11U) * kScale;
 }
 
-std::vector<fs::path> include_ranges(ConfigNode& scenario, const fs::path& folder) {
+std::vector<fs::path> include_ranges(ConfigNode& scenario, const fs::path& folder,
+                                     const Scale& scale) {
   ConfigNode* section = scenario.find("randomise");
   if (section == nullptr || section->find(kInclude) == nullptr) return {};
   const ConfigNode names = *section->find(kInclude);
   std::erase_if(section->members, [](const auto& member) { return member.first == kInclude; });
   std::vector<fs::path> files;
-  include(names, folder, *section, files);
+  include(names, folder, scale, *section, files);
   return files;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "surefoot/base/scale.hpp"
 #include "surefoot/config/config_tree.hpp"
 
 #include <cstdint>
@@ -24,8 +25,10 @@ struct RandomDraw {
 /// others in the same way. An entry with nothing
 /// behind it takes an included range away. Returns the files. Throws Error, naming file, line and
 /// key, on files that do not exist or hold anything but ranges.
+/// Files that are `scaled` are fitted to the robot.
 std::vector<std::filesystem::path> include_ranges(ConfigNode& scenario,
-                                                  const std::filesystem::path& folder);
+                                                  const std::filesystem::path& folder,
+                                                  const Scale& scale = {});
 
 /// Assignments can take ranges away, `randomise.key=` with nothing behind it. Throws Error on one
 /// that is not there, in `scenario` as it is without such assignments, files included.

@@ -10,13 +10,13 @@ Field text(const char* key, std::string& value, const char* help) {
 }
 
 Group leg_fields(model::LegDescription& leg, std::vector<std::string>& joints) {
-  return {Field{"joints", Names{&joints, kJointsPerLeg, "is not a list of 3 joints: HAA, HFE, KFE"},
-                "of the URDF: HAA, HFE, KFE"}
-              .required(),
-          text("hip", leg.hip_frame, "frame at the HFE axis"),
-          text("thigh", leg.thigh_link, "link"),
-          text("shank", leg.shank_link, "link that carries the foot sphere"),
-          text("foot", leg.foot_frame, "frame that the sphere's centre is given in")};
+  return {
+      {"joints", Names{&joints, kJointsPerLeg, "is not a list of 3 joints: HAA, HFE, KFE"},
+       "HAA, HFE, KFE; without it those between base and foot"},
+      {"hip", &leg.hip_frame, "frame at the HFE axis; without it the thigh"},
+      {"thigh", &leg.thigh_link, "link; without it the one that HFE moves"},
+      {"shank", &leg.shank_link, "link with the foot sphere; without it the one that KFE moves"},
+      text("foot", leg.foot_frame, "frame that the sphere's centre is given in")};
 }
 
 Group all_legs(RobotInFile& o) {
@@ -29,36 +29,57 @@ Group all_legs(RobotInFile& o) {
   return legs;
 }
 
+const std::vector<std::string>& joint_names() {
+  static const std::vector<std::string> names{"HAA", "HFE", "KFE"};
+  return names;
+}
+
+Field of_joints(const char* key, LegJoints& value, const NumberRange& range, const char* unit,
+                const char* help) {
+  return {key, Numbers{value.data(), joint_names(), true}, range, unit, help};
+}
+
+/// All three of a key, or none.
+void require_all(const Given& given, const char* key, const LegJoints& value) {
+  if (value.array().isNaN().any() && !value.array().isNaN().all())
+    given.fail(key, "does not tell all of HAA, HFE and KFE");
+}
+
 Group limits(RobotInFile& o) {
-  const std::vector<std::string> joints{"HAA", "HFE", "KFE"};
-  return Group{Field{"torque", Numbers{o.torque.data(), joints, true}, kPositive, "N·m",
-                     "one for all joints, or of HAA, HFE and KFE"}
-                   .required(),
-               Field{"velocity", Numbers{o.velocity.data(), joints, true}, kPositive, "rad/s",
-                     "one for all joints, or of HAA, HFE and KFE"}
-                   .required(),
-               Field{"position_min", Numbers{o.position_min.data(), simulation::axis_elements()},
-                     kAnyNumber, "rad", "of HAA, HFE, KFE"}
-                   .required(),
-               Field{"position_max", Numbers{o.position_max.data(), simulation::axis_elements()},
-                     kAnyNumber, "rad", "of HAA, HFE, KFE"}
-                   .required()}
+  return Group{of_joints("torque", o.torque, kPositive, "N·m", "without it the URDF's effort"),
+               of_joints("velocity", o.velocity, kPositive, "rad/s", "without it the URDF's"),
+               of_joints("position_min", o.position_min, kAnyNumber, "rad",
+                         "without it the URDF's, joint by joint"),
+               of_joints("position_max", o.position_max, kAnyNumber, "rad",
+                         "without it the URDF's, joint by joint")}
       .with([&o](const Given& given) {
-        constexpr const char* kNotAll = "does not tell all of HAA, HFE and KFE";
-        if ((o.torque.array() <= 0.0).any()) given.fail("torque", kNotAll);
-        if ((o.velocity.array() <= 0.0).any()) given.fail("velocity", kNotAll);
+        require_all(given, "torque", o.torque);
+        require_all(given, "velocity", o.velocity);
+        require_all(given, "position_min", o.position_min);
+        require_all(given, "position_max", o.position_max);
         if ((o.position_min.array() >= o.position_max.array()).any())
           given.fail("position_max", "must be above position_min at every joint");
       });
 }
 
-Group posture(RobotInFile& o) {
-  return Group{Field{"nominal", Numbers{o.nominal.data(), simulation::axis_elements()}, kAnyNumber,
-                     "rad", "HAA, HFE, KFE of a front leg, its knee backward"}
-                   .required()}
+Group drives(RobotInFile& o) {
+  return Group{of_joints("stall_torque", o.stall_torque, kPositive, "N·m",
+                         "torque–speed line: at rest; without it limits.torque"),
+               of_joints("no_load_speed", o.no_load_speed, kPositive, "rad/s",
+                         "torque–speed line: no torque; without it limits.velocity")}
       .with([&o](const Given& given) {
-        if (o.nominal.y() * o.nominal.z() < 0.0) return;
-        given.fail("nominal", "HFE and KFE must bend the knee, one above 0 and the other below");
+        require_all(given, "stall_torque", o.stall_torque);
+        require_all(given, "no_load_speed", o.no_load_speed);
+      });
+}
+
+Group posture(RobotInFile& o) {
+  return Group{of_joints("nominal", o.nominal, kAnyNumber, "rad",
+                         "of a front leg, its knee backward; hind legs mirror HFE and KFE")}
+      .with([&o](const Given& given) {
+        require_all(given, "nominal", o.nominal);
+        if (o.nominal.y() * o.nominal.z() >= 0.0)
+          given.fail("nominal", "HFE and KFE must bend the knee, one above 0 and the other below");
       });
 }
 
@@ -69,7 +90,7 @@ Group fields(RobotInFile& o) {
   return {
       text("name", robot.name, "of the robot"),
       text("urdf", robot.urdf_path, "package:// name, or a file as seen from here"),
-      text("base", robot.base_link, "link"),
+      {"base", &robot.base_link, "link; without it the URDF's root"},
       Field{"legs", all_legs(o), "names of the URDF"}.required(),
       Field{"foot",
             Group{Field{"radius", &robot.foot_radius, kPositive, "m", "of the sphere"}.required(),
@@ -77,8 +98,9 @@ Group fields(RobotInFile& o) {
                    kAnyNumber, "m", "of the sphere in the foot frame"}},
             "sphere of each foot"}
           .required(),
-      Field{"limits", limits(o), "of the joints of each leg"}.required(),
-      Field{"posture", posture(o), "hind legs mirror HFE and KFE"}.required(),
+      {"limits", limits(o), "of the joints; one number for all, or HAA, HFE and KFE of each leg"},
+      {"drives", drives(o), "of the joints, as limits"},
+      {"posture", posture(o), "without it knees bent as the limits allow"},
       {"gains",
        Group{{"hold",
               Group{{"kp", &robot.hold_kp, kNotNegative, "N·m/rad", "stiffness"},

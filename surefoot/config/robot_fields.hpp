@@ -1,17 +1,21 @@
 #pragma once
 
 #include "surefoot/base/fields.hpp"
+#include "surefoot/math/numbers.hpp"
 #include "surefoot/model/description.hpp"
 
 namespace surefoot::config {
 
-/// What a robot file says, with the joints of all legs alike: HAA, HFE, KFE.
+/// HAA, HFE, KFE of all legs; NaN: not given.
+struct LegJoints : Vec3 {
+  LegJoints() : Vec3(Vec3::Constant(kNaN)) {}
+};
+
+/// What a robot file says; what it leaves out follows from the URDF.
 struct RobotInFile {
   model::RobotDescription robot;  ///< its URDF by name
   PerLeg<std::vector<std::string>> joints;
-  Vec3 torque = Vec3::Zero(), velocity = Vec3::Zero();
-  Vec3 position_min = Vec3::Zero(), position_max = Vec3::Zero();
-  Vec3 nominal = Vec3::Zero();
+  LegJoints torque, velocity, position_min, position_max, stall_torque, no_load_speed, nominal;
 };
 
 /// All keys of a robot file.

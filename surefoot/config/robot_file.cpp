@@ -6,8 +6,9 @@
 #include "surefoot/config/data_file.hpp"
 #include "surefoot/config/field_reader.hpp"
 #include "surefoot/config/nearest_name.hpp"
-#include "surefoot/config/robot_fields.hpp"
+#include "surefoot/config/robot_completion.hpp"
 #include "surefoot/model/mesh_files.hpp"
+#include "surefoot/model/proportions.hpp"
 #include "surefoot/model/robot_model.hpp"
 #include "surefoot/model/urdf.hpp"
 
@@ -27,37 +28,6 @@ std::string resolve_urdf(const Section& top, const std::string& urdf,
   const std::filesystem::path found = model::find_mesh(urdf, folders);
   if (found.empty()) top.fail("urdf", model::missing_text(urdf, folders));
   return found.string();
-}
-
-JointVector of_all_legs(const Vec3& joints) { return joints.replicate<kNumLegs, 1>(); }
-
-/// Is a leg's posture within the limits? `bad` gets the joint that is not.
-bool is_within_limits(const model::RobotDescription& robot, Leg leg, const Vec3& q,
-                      Eigen::Index& bad) {
-  const Eigen::Index first = first_joint(leg);
-  for (bad = 0; bad < kJointsPerLeg; ++bad) {
-    if (q[bad] < robot.q_min[first + bad] || q[bad] > robot.q_max[first + bad]) return false;
-  }
-  return true;
-}
-
-/// Hind legs mirror HFE and KFE of a front leg (X-configuration), but where their limits leave that
-/// out, they stand like the front ones.
-void set_posture(const Section& top, const Vec3& front, model::RobotDescription& robot) {
-  for (const Leg leg : kLegs) {
-    const Vec3 mirrored(front.x(), -front.y(), -front.z());
-    Eigen::Index bad = 0;
-    const bool mirror = !is_front(leg) && is_within_limits(robot, leg, mirrored, bad);
-    const Vec3 q = mirror ? mirrored : front;
-    robot.q_nominal.segment<3>(first_joint(leg)) = q;
-    if (is_within_limits(robot, leg, q, bad)) continue;
-    const Eigen::Index joint = first_joint(leg) + bad;
-    top.fail("posture.nominal",
-             std::string(kJointNames[static_cast<std::size_t>(bad)]) +
-                 formatted(" at %g rad lies outside limits.position_min and position_max, "
-                           "%g to %g rad",
-                           q[bad], robot.q_min[joint], robot.q_max[joint]));
-  }
 }
 
 /// Holds names against those of the URDF.
@@ -142,9 +112,10 @@ void check_quadrants(const ConfigNode& legs, const model::RobotModel& model) {
   }
 }
 
-/// What no key shows by itself: whether the parts make a robot.
-void check_robot(const Section& top, const ConfigNode& legs, const model::RobotDescription& robot) {
-  const auto model = [&] {
+/// What no key shows by itself: whether the parts make a robot, how it stands and how large it is.
+void complete_robot(const Section& top, const ConfigNode& legs, const Vec3& nominal,
+                    model::RobotDescription& robot) {
+  const auto model_of = [&] {
     try {
       return model::RobotModel(robot);
     } catch (const FileError& error) {
@@ -152,8 +123,12 @@ void check_robot(const Section& top, const ConfigNode& legs, const model::RobotD
     } catch (const Error& error) {
       top.fail("legs", error.what());
     }
-  }();
+  };
+  complete_posture(top, nominal, model_of(), robot);
+  const model::RobotModel model = model_of();
   check_quadrants(legs, model);
+  robot.scale = model::scale_of(model::proportions_of(model));
+  complete_gains(robot);
 }
 
 }  // namespace
@@ -164,26 +139,28 @@ model::RobotDescription load_robot(const std::string& name_or_path,
   const ConfigNode tree = parse_yaml_file(file);
   Section top(tree, "");
   RobotInFile given;
+  model::RobotDescription& robot = given.robot;
+  robot.hold_kp = robot.hold_kd = robot.damping_kd = kNaN;
   read(top, fields(given));
   top.finish();
 
-  model::RobotDescription& robot = given.robot;
-  for (const Leg leg : kLegs)
-    std::ranges::copy(given.joints[index(leg)], robot.legs[index(leg)].joints.begin());
-  robot.torque_limit = of_all_legs(given.torque);
-  robot.velocity_limit = of_all_legs(given.velocity);
-  robot.q_min = of_all_legs(given.position_min);
-  robot.q_max = of_all_legs(given.position_max);
   robot.urdf_path = resolve_urdf(top, robot.urdf_path, file);
   for (const std::filesystem::path& folder : package_directories())
     robot.package_folders.push_back(folder.string());
   const model::Urdf urdf = read_urdf_of(top, robot.urdf_path);
+  if (robot.base_link.empty()) robot.base_link = urdf.root;
   NameCheck names(top, urdf);
   names.frame("base", robot.base_link);
-  for (const Leg leg : kLegs)
-    names.leg("legs." + std::string(kLegNames[index(leg)]), robot.legs[index(leg)]);
-  set_posture(top, given.nominal, robot);
-  check_robot(top, *tree.find("legs"), robot);
+  for (const Leg leg : kLegs) {
+    const std::string key = "legs." + std::string(kLegNames[index(leg)]);
+    model::LegDescription& description = robot.legs[index(leg)];
+    std::ranges::copy(given.joints[index(leg)], description.joints.begin());
+    names.frame(key + ".foot", description.foot_frame);
+    complete_leg(top, urdf, robot.base_link, key, description);
+    names.leg(key, description);
+  }
+  complete_limits(top, urdf, given, robot);
+  complete_robot(top, *tree.find("legs"), given.nominal, robot);
   return robot;
 }
 

@@ -3,6 +3,7 @@
 #include "surefoot/base/error.hpp"
 #include "surefoot/base/formatted.hpp"
 #include "surefoot/base/names_of.hpp"
+#include "surefoot/config/scaling.hpp"
 #include "surefoot/config/terrain_fields.hpp"
 #include "surefoot/simulation/check_options.hpp"
 #include "surefoot/simulation/plant_elements.hpp"
@@ -133,7 +134,7 @@ Group plant_fields(simulation::PlantOptions& o) {
   const Entries lifts{{shape_of<simulation::Lift>(
       "", [&o](const auto& lift, const Given&) { o.disturbances.lifts.push_back(lift); })}};
   return {
-      {"timestep", &o.timestep, kTimestep, "s", "of the physics"},
+      {"timestep", &o.timestep, kTimestep, "s", "of the physics", Sizing::none},
       {"terrain", terrain_fields(o.terrain), "the ground"},
       {"foot_contact", fields(o.contact).with([&o](const Given& given) {
          if (o.contact.solref_time < 2.0 * o.timestep)
@@ -179,6 +180,7 @@ Group named_fields(Scenario& scenario) {
           "", [&switches](const auto& change, const Given&) { switches.push_back(change); })},
       "must be a list of switches, each with its time"};
   return {{"base", Other{"text"}, "scenario that this one is laid over"},
+          {kScaled, Other{"flag"}, "numbers are for ANYmal B; another robot gets its own by size"},
           {"robot", Other{"text"}, "name or file"},
           {"stack", Other{"text"}, "name or file"},
           {"tasks", Other{"tasks"}, "changes to the stack's tasks"},
@@ -243,7 +245,7 @@ Group fields(TimedCommand& o) {
   return {Field{"time", &o.time, kNotNegative, "s", "from which on it holds"}.required(),
           {"walk", &o.user.walk, "or else stand"},
           {"velocity", Numbers{o.user.velocity.data(), {"x", "y"}}, kAnyNumber, "m/s",
-           "forward and to the left"},
+           "forward and to the left", Sizing::stride},
           {"yaw_rate", &o.user.yaw_rate, kAnyNumber, "rad/s", "to the left"},
           {"height", &o.user.height, kHeight, "m", "over the stance's height"},
           {"calibrate", &o.user.calibrate, "stand, begin the estimate anew, calibrate, go on"}};

@@ -9,6 +9,7 @@
 #include "surefoot/config/initial_posture.hpp"
 #include "surefoot/config/nearest_name.hpp"
 #include "surefoot/config/robot_file.hpp"
+#include "surefoot/config/scaling.hpp"
 #include "surefoot/config/scenario_fields.hpp"
 #include "surefoot/config/scenario_notes.hpp"
 #include "surefoot/config/section.hpp"
@@ -24,6 +25,7 @@
 #include <charconv>
 #include <cmath>
 #include <fstream>
+#include <optional>
 #include <sstream>
 
 namespace surefoot::config {
@@ -37,17 +39,20 @@ constexpr std::size_t kMaxFiles = 4;
 constexpr std::array<std::string_view, 4> kOfOneFile{"description", "criteria", "success_rate",
                                                      "paper"};
 
-/// The file laid over its `base:`, which may have one too. `files` gets all of them.
-ConfigNode read_with_base(const fs::path& file, std::vector<fs::path>& files) {
+/// The file laid over its `base:`, which may have one too, each fitted to the robot if it is
+/// `scaled`. `files` gets all of them.
+ConfigNode read_with_base(const fs::path& file, const model::RobotDescription* robot,
+                          std::vector<fs::path>& files) {
   ConfigNode tree = parse_yaml_file(file);
   files.push_back(file);
+  if (take_scaled(tree) && robot != nullptr) fit_scenario(tree, *robot);
   const ConfigNode* base = tree.find("base");
   if (base == nullptr) return tree;
   if (files.size() > kMaxFiles)
     fail_at(*base, "base", "the files lead to each other, or through too many");
   try {
     ConfigNode below = read_with_base(
-        find_data_file("scenarios", read_text(*base, "base"), file.parent_path()), files);
+        find_data_file("scenarios", read_text(*base, "base"), file.parent_path()), robot, files);
     std::erase_if(below.members, [](const ConfigNode::Member& member) {
       return std::ranges::find(kOfOneFile, member.first) != kOfOneFile.end();
     });
@@ -56,6 +61,23 @@ ConfigNode read_with_base(const fs::path& file, std::vector<fs::path>& files) {
   } catch (const UnknownNameError& error) {
     fail_at(*base, "base", error.what());
   }
+}
+
+/// The robot that is asked for; none where it can't be loaded, which is told when it is read.
+std::optional<model::RobotDescription> robot_of(const fs::path& file,
+                                                const std::vector<std::string>& assignments) {
+  try {
+    std::vector<fs::path> files;
+    ConfigNode tree = read_with_base(file, nullptr, files);
+    for (const std::string& assignment : assignments) {
+      if (assigned_path(assignment) == "robot") apply_assignment(tree, assignment);
+    }
+    const ConfigNode* robot = tree.find("robot");
+    if (robot != nullptr) return load_robot(robot->text, file.parent_path());
+  } catch (const Error&) {
+    return std::nullopt;
+  }
+  return std::nullopt;
 }
 
 /// What the paper says of a scenario it does not say of one that --set turned into another.
@@ -130,7 +152,8 @@ void read_paper(Section& section, std::vector<PaperFigure>& paper) {
   }
 }
 
-void read_body(Section& top, Scenario& scenario) {
+/// `robot`: whose size and drives the defaults are; null: those of ANYmal B.
+void read_body(Section& top, const model::RobotDescription* robot, Scenario& scenario) {
   const ConfigNode* actuators = top.node("actuators");
   if (actuators != nullptr && actuators->kind == ConfigNode::Kind::scalar) {
     top.fail("actuators", "\"" + actuators->text +
@@ -138,7 +161,9 @@ void read_body(Section& top, Scenario& scenario) {
                               "\"actuators.model\": sea or ideal");
   }
   scenario.commands = {TimedCommand{}};
-  read(top, scenario_fields(scenario));
+  const Group options = scenario_fields(scenario);
+  if (robot != nullptr) fit_defaults(options, *robot, scenario);
+  read(top, options);
   const bool has_goal = std::isfinite(scenario.goal.feet_beyond_x);
   top.section("criteria", [&](Section& s) { read_criteria(s, has_goal, scenario.criteria); });
   top.section("paper", [&](Section& s) { read_paper(s, scenario.paper); });
@@ -168,7 +193,7 @@ void read_robot_and_stack(Section& top, const fs::path& file, Scenario& scenario
     return load_robot(name, folder);
   });
   scenario.controller.stack = load_named(top, "stack", [&](const std::string& name) {
-    control::StackOptions stack = load_stack(name, folder);
+    control::StackOptions stack = load_stack(name, folder, scenario.robot.scale);
     keep_sources(scenario, "stack", "stack_base", stack_files(name, folder));
     return stack;
   });
@@ -266,10 +291,10 @@ void check_strength(const ConfigNode& tree, model::RobotModel& model, const Join
 /// Reading both holds the ranges against the keys' limits, whatever the seed; no run is of it.
 class EndOfRanges {
  public:
-  explicit EndOfRanges(ConfigNode tree) : tree_(std::move(tree)) {
+  EndOfRanges(ConfigNode tree, const model::RobotDescription* robot) : tree_(std::move(tree)) {
     Section top(tree_, "");
     Scenario scenario;
-    read_body(top, scenario);
+    read_body(top, robot, scenario);
     controller_ = std::move(scenario.controller);
   }
 
@@ -287,10 +312,10 @@ class EndOfRanges {
   control::ControllerOptions controller_;
 };
 
-std::vector<EndOfRanges> read_ends(const ConfigNode& tree,
-                                   const std::vector<std::string>& assigned) {
+std::vector<EndOfRanges> read_ends(const ConfigNode& tree, const std::vector<std::string>& assigned,
+                                   const model::RobotDescription* robot) {
   std::vector<EndOfRanges> ends;
-  for (ConfigNode& end : ends_of_ranges(tree, assigned)) ends.emplace_back(std::move(end));
+  for (ConfigNode& end : ends_of_ranges(tree, assigned)) ends.emplace_back(std::move(end), robot);
   return ends;
 }
 
@@ -312,8 +337,10 @@ std::uint64_t parse_seed(const std::string& number) {
 
 Scenario load_scenario(const ScenarioRequest& request) {
   const fs::path file = find_data_file("scenarios", request.name_or_path);
+  const std::optional<model::RobotDescription> fitted = robot_of(file, request.assignments);
+  const model::RobotDescription* const robot = fitted ? &*fitted : nullptr;
   std::vector<fs::path> files;
-  ConfigNode tree = read_with_base(file, files);
+  ConfigNode tree = read_with_base(file, robot, files);
   drop_paper_of_another(tree, request.assignments);
   check_taken_ranges(tree, file.parent_path(), request.assignments);
   for (const std::string& assignment : request.assignments) apply_assignment(tree, assignment);
@@ -324,9 +351,10 @@ Scenario load_scenario(const ScenarioRequest& request) {
   scenario.assignments = request.assignments;
   scenario.name = file.stem().string();
   scenario.seed = parse_seed(std::to_string(request.seed));
-  const std::vector<fs::path> ranges = include_ranges(tree, file.parent_path());
+  const std::vector<fs::path> ranges =
+      include_ranges(tree, file.parent_path(), fitted ? fitted->scale : Scale{});
   const std::vector<std::string> assigned = assigned_paths(request);
-  std::vector<EndOfRanges> ends = read_ends(tree, assigned);
+  std::vector<EndOfRanges> ends = read_ends(tree, assigned, robot);
   scenario.drawn = randomise(tree, request.seed, assigned);
   scenario.options_json = to_json(tree);
   keep_sources(scenario, "scenario", "base", files);
@@ -334,7 +362,7 @@ Scenario load_scenario(const ScenarioRequest& request) {
     keep_source(scenario, "randomise" + std::to_string(i + 1) + ".yaml", ranges[i]);
   }
   Section top(tree, "");
-  read_body(top, scenario);
+  read_body(top, robot, scenario);
   read_robot_and_stack(top, file, scenario);
   scenario.sources_hash = hash_of_sources(scenario);
 

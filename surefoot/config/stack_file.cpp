@@ -3,6 +3,7 @@
 #include "surefoot/base/error.hpp"
 #include "surefoot/config/data_file.hpp"
 #include "surefoot/config/nearest_name.hpp"
+#include "surefoot/config/scaling.hpp"
 #include "surefoot/config/section.hpp"
 #include "surefoot/tasks/catalog.hpp"
 
@@ -136,15 +137,27 @@ control::LevelSpec take_level(const ConfigNode& name, const std::string& path,
                             : "; " + valid_names(name.text, names_of(base))));
 }
 
+/// How a file's numbers go with the robot.
+struct Fit {
+  const Scale& scale;
+  bool is_scaled;  ///< or else its defaults alone
+};
+
+control::LevelSpec read_level(const ConfigNode& node, const std::string& path, const Fit& fit) {
+  control::LevelSpec level = read_level(node, path);
+  scale_level(level, fit.scale, !fit.is_scaled);
+  return level;
+}
+
 /// Levels of the file's own, and those of the base that are named among them.
 void read_levels(const ConfigNode& levels, const std::vector<control::LevelSpec>& base,
-                 control::StackOptions& stack) {
+                 const Fit& fit, control::StackOptions& stack) {
   if (levels.items.empty()) fail_at(levels, "levels", "must be a list of at least one level");
   for (std::size_t i = 0; i < levels.items.size(); ++i) {
     const ConfigNode& level = levels.items[i];
     const std::string path = "levels." + std::to_string(i);
     stack.levels.push_back(level.kind == ConfigNode::Kind::scalar ? take_level(level, path, base)
-                                                                  : read_level(level, path));
+                                                                  : read_level(level, path, fit));
   }
 }
 
@@ -191,16 +204,18 @@ control::StackOptions merge(const ConfigNode& name, const control::StackOptions&
 
 /// The levels of another stack.
 std::vector<control::LevelSpec> read_base(const Section& top, const ConfigNode& base,
-                                          const std::filesystem::path& folder) {
+                                          const std::filesystem::path& folder, const Scale& scale) {
   try {
-    return load_stack(read_text(base, "base"), folder).levels;
+    return load_stack(read_text(base, "base"), folder, scale).levels;
   } catch (const UnknownNameError& error) {
     top.fail("base", error.what());
   }
 }
 
 /// `folder`: where the base may stand.
-control::StackOptions read_stack(const ConfigNode& tree, const std::filesystem::path& folder) {
+control::StackOptions read_stack(ConfigNode tree, const std::filesystem::path& folder,
+                                 const Scale& scale) {
+  const bool is_scaled = take_scaled(tree);
   Section top(tree, "");
   control::StackOptions stack;
   std::string description;
@@ -219,9 +234,9 @@ control::StackOptions read_stack(const ConfigNode& tree, const std::filesystem::
   if (without != nullptr && levels != nullptr)
     top.fail("without", "there are levels, too: what they don't name is left out already");
   std::vector<control::LevelSpec> below;
-  if (base != nullptr) below = read_base(top, *base, folder);
+  if (base != nullptr) below = read_base(top, *base, folder, scale);
   if (levels != nullptr) {
-    read_levels(*levels, below, stack);
+    read_levels(*levels, below, {scale, is_scaled}, stack);
   } else {
     stack.levels = std::move(below);
   }
@@ -233,13 +248,14 @@ control::StackOptions read_stack(const ConfigNode& tree, const std::filesystem::
 }  // namespace
 
 control::StackOptions load_stack(const std::string& name_or_path,
-                                 const std::filesystem::path& beside) {
+                                 const std::filesystem::path& beside, const Scale& scale) {
   const std::filesystem::path file = find_data_file("stacks", name_or_path, beside);
-  return read_stack(parse_yaml_file(file), file.parent_path());
+  return read_stack(parse_yaml_file(file), file.parent_path(), scale);
 }
 
-control::StackOptions parse_stack(const std::string& text, const std::string& name) {
-  return read_stack(parse_yaml_map(text, name), {});
+control::StackOptions parse_stack(const std::string& text, const std::string& name,
+                                  const Scale& scale) {
+  return read_stack(parse_yaml_map(text, name), {}, scale);
 }
 
 std::vector<std::filesystem::path> stack_files(const std::string& name_or_path,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "surefoot/base/scale.hpp"
 #include "surefoot/config/config_tree.hpp"
 #include "surefoot/control/stack_options.hpp"
 
@@ -40,12 +41,15 @@ namespace surefoot::config {
 ///     weights: {com_xy: 100, swing_foot: 30}      # 1 where none is given
 ///     weighted_from: com_xy
 ///
-/// Unknown tasks and parameters are errors. Throws Error.
+/// Numbers of a file that is `scaled: true`, and all defaults, go with the robot's size. Unknown
+/// tasks and parameters are errors. Throws Error.
 [[nodiscard]] control::StackOptions load_stack(const std::string& name_or_path,
-                                               const std::filesystem::path& beside = {});
+                                               const std::filesystem::path& beside = {},
+                                               const Scale& scale = {});
 
 /// The same of a stack file's text; `name` stands for the file in errors. Throws Error.
-[[nodiscard]] control::StackOptions parse_stack(const std::string& text, const std::string& name);
+[[nodiscard]] control::StackOptions parse_stack(const std::string& text, const std::string& name,
+                                                const Scale& scale = {});
 
 /// The files that a stack is read from: its own, then that of its base, that one's base, …
 /// Throws Error.

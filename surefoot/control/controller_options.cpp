@@ -29,7 +29,8 @@ Group fields(SafetyOptions& o) {
            "of joint hold before the robot is damped, latched"},
           {"max_tilt", &o.max_tilt, kPositive, "rad", "of the torso, damped beyond, latched"},
           {"bridge_time", &o.bridge_time, kNotNegative, "s",
-           "without a good sample of a sensor before the robot sits down; at most guard.patience"},
+           "without a good sample of a sensor before the robot sits down; at most guard.patience",
+           Sizing::none},
           {"sit_duration", &o.sit_duration, kPositive, "s",
            "of the way down; torques fade in the last 0.4 s"},
           {"sit_height", &o.sit_height, kPositive, "m", "of the hips above the feet when down"},
@@ -62,19 +63,20 @@ Group fields(LevelSwitch& o) {
 }
 
 Group fields(ControllerOptions& o) {
-  return Group{{"period", &o.period, kPeriod, "s", "of the control loop, whole timesteps"},
-               {"planner", fields(o.planner), "gait, footholds and reactions"},
-               {"guard",
-                fields(o.guard).and_also(
-                    {{"consistency", fields(o.consistency), "sensors that contradict each other"}}),
-                "what a sensor can truly give"},
-               {"slip", fields(o.slip), "when a standing foot counts as sliding"},
-               {"contact_force", fields(o.contact_force), "contact detection"},
-               {"link_masses", Group{{"enabled", &o.link_masses.enabled, "weigh swing legs"}},
-                "masses of the legs' links"},
-               {"external_force", fields(o.external_force), "what counts as push or load"},
-               {"solver", fields(o.solver), "method and budget of a tick"},
-               {"safety", fields(o.safety), "when the controller stops, and how it sits down"}}
+  return Group{
+      {"period", &o.period, kPeriod, "s", "of the control loop, whole timesteps", Sizing::none},
+      {"planner", fields(o.planner), "gait, footholds and reactions"},
+      {"guard",
+       fields(o.guard).and_also(
+           {{"consistency", fields(o.consistency), "sensors that contradict each other"}}),
+       "what a sensor can truly give"},
+      {"slip", fields(o.slip), "when a standing foot counts as sliding"},
+      {"contact_force", fields(o.contact_force), "contact detection"},
+      {"link_masses", Group{{"enabled", &o.link_masses.enabled, "weigh swing legs"}},
+       "masses of the legs' links"},
+      {"external_force", fields(o.external_force), "what counts as push or load"},
+      {"solver", fields(o.solver), "method and budget of a tick"},
+      {"safety", fields(o.safety), "when the controller stops, and how it sits down"}}
       .with([&o](const Given& given) { check_bridge(o, given); });
 }
 

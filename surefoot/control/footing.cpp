@@ -34,7 +34,7 @@ void Footing::look_at_start(const model::RobotModel& model, const JointVector& q
     height -= model.foot_in_base(leg, q_leg).z() / kNumLegs;
   }
   if (!(height < kLow * stance_.height)) return;
-  go(State::folds, q, posture_at(model, std::max(height, kFolded * stance_.height)), kLeastWay);
+  go(State::folds, q, posture_at(model, std::max(height, kFolded * stance_.height)));
 }
 
 PlanEvent Footing::update(const model::RobotModel& model, const RobotState& state,
@@ -64,17 +64,17 @@ PlanEvent Footing::update(const model::RobotModel& model, const RobotState& stat
 PlanEvent Footing::update_rise(const model::RobotModel& model, const RobotState& state,
                                const estimation::LiftDetector& lift) {
   if (lift.is_down()) stood_for_ += period_;
-  const bool has_arrived = time_ > duration_ + kSettle;
+  const bool has_arrived = time_ > duration_ + scale_.time() * kSettle;
   if (lift.is_lifted() && (stood_for_ > 0.0 || has_arrived)) return hang(model, state.q);
   has_failed_ = state.R_WB()(2, 2) < std::cos(kTips);
   if (!has_arrived) return PlanEvent::none;
   const bool is_there = (state.q - to_).cwiseAbs().maxCoeff() < kThere;
-  const bool is_at_rest = state.qd.cwiseAbs().maxCoeff() < kAtRest;
+  const bool is_at_rest = state.qd.cwiseAbs().maxCoeff() < scale_.rate() * kAtRest;
   if (is_there && is_at_rest && lift.is_down() && !has_failed_) {
     state_ = State::stands;
     restarts_ = true;
   } else {
-    has_failed_ = has_failed_ || time_ > duration_ + kPatience;
+    has_failed_ = has_failed_ || time_ > duration_ + scale_.time() * kPatience;
   }
   return PlanEvent::none;
 }
@@ -90,22 +90,23 @@ bool Footing::lies(const model::RobotModel& model, const RobotState& state) cons
 }
 
 PlanEvent Footing::hang(const model::RobotModel& model, const JointVector& q) {
-  go(State::hangs, q, posture_at(model, stance_.height), kLeastWay);
+  go(State::hangs, q, posture_at(model, stance_.height));
   return PlanEvent::lifted;
 }
 
 void Footing::rise(const model::RobotModel& model, const JointVector& q, double borne) {
-  go(State::rises, q, posture_at(model, stance_.height), kLeastWay);
+  go(State::rises, q, posture_at(model, stance_.height));
   borne_ = borne;
   stood_for_ = 0.0;
 }
 
-void Footing::go(State state, const JointVector& q, const JointVector& to, double at_least) {
+void Footing::go(State state, const JointVector& q, const JointVector& to) {
   state_ = state;
   from_ = q;
   to_ = to;
   time_ = 0.0;
-  duration_ = std::max(at_least, (to - q).cwiseAbs().maxCoeff() / kSpeed);
+  const double speed = scale_.rate() * kSpeed;
+  duration_ = std::max(scale_.time() * kLeastWay, (to - q).cwiseAbs().maxCoeff() / speed);
 }
 
 JointVector Footing::posture_at(const model::RobotModel& model, double height) const {
@@ -131,8 +132,8 @@ LegPosture Footing::posture(const estimation::LiftDetector& lift) const {
     result.stands[index(leg)] = state_ != State::folds && lift.bears(leg);
   }
   if (state_ == State::rises) {
-    result.bears = std::max(borne_, ease(std::min(1.0, time_ / kToBear)));
-    result.softness = 1.0 - std::min(1.0, stood_for_ / kToHarden);
+    result.bears = std::max(borne_, ease(std::min(1.0, time_ / (scale_.time() * kToBear))));
+    result.softness = 1.0 - std::min(1.0, stood_for_ / (scale_.time() * kToHarden));
   }
   return result;
 }

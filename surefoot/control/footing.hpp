@@ -1,5 +1,6 @@
 #pragma once
 
+#include "surefoot/base/scale.hpp"
 #include "surefoot/control/leg_posture.hpp"
 #include "surefoot/estimation/lift_detector.hpp"
 #include "surefoot/gaits/planner_options.hpp"
@@ -22,8 +23,9 @@ namespace surefoot::control {
 /// `has_fallen`. Does not allocate.
 class Footing {
  public:
-  /// `period` of the control loop [s].
-  Footing(const gaits::StanceOptions& stance, double period) : stance_(stance), period_(period) {}
+  /// `period` of the control loop [s], `scale` of the robot.
+  Footing(const gaits::StanceOptions& stance, double period, const Scale& scale = {})
+      : stance_(stance), period_(period), scale_(scale) {}
 
   /// Before a robot stands for the first time: where are its knees, and does it lie? Nothing
   /// happens where q [rad] is not known.
@@ -47,7 +49,7 @@ class Footing {
   enum class State { stands, hangs, folds, rises };
 
   /// From where the joints are to another posture, at rest at both ends.
-  void go(State state, const JointVector& q, const JointVector& to, double at_least);
+  void go(State state, const JointVector& q, const JointVector& to);
   void rise(const model::RobotModel& model, const JointVector& q, double borne);
   PlanEvent update_rise(const model::RobotModel& model, const RobotState& state,
                         const estimation::LiftDetector& lift);
@@ -59,6 +61,7 @@ class Footing {
 
   gaits::StanceOptions stance_;
   double period_;
+  Scale scale_;
   State state_ = State::stands;
   PerLeg<double> knees_{1.0, 1.0, 1.0, 1.0};  // sides on which they were at the start: ±1
   JointVector from_ = JointVector::Zero(), to_ = JointVector::Zero();

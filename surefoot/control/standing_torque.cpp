@@ -52,8 +52,8 @@ Vec3 borne_force(model::RobotModel& model, const JointVector& q,
   const JointVector by_ground = dynamics.h.tail<kNumJoints>() - torque;
   Vec3 force = Vec3::Zero();
   for (const Leg leg : kLegs) {
-    const Mat3 inverse =
-        model::damped_inverse(model::leg_jacobian(dynamics.contact[index(leg)], leg));
+    const Mat3 inverse = model::damped_inverse(
+        model::leg_jacobian(dynamics.contact[index(leg)], leg), dynamics.scale);
     force += inverse.transpose() * by_ground.segment<kJointsPerLeg>(first_joint(leg));
   }
   return force;

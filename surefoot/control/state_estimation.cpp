@@ -50,11 +50,12 @@ StateEstimation::StateEstimation(const ControllerOptions& options,
     : estimator_(&estimator),
       model_(&model),
       bridge_time_(options.safety.bridge_time),
-      rest_check_(options.period),
-      contact_force_(options.contact_force, options.period),
+      rest_check_(options.period, model.description().scale),
+      contact_force_(options.contact_force, options.period, model.description().scale),
       slip_(options.slip, options.period),
       external_force_(options.external_force),
-      consistency_(options.consistency, options.period),
+      consistency_(options.consistency, options.period,
+                   {.min = model.description().q_min, .max = model.description().q_max}),
       lift_(options.period) {}
 
 bool StateEstimation::has_begun() const { return std::isfinite(time_); }

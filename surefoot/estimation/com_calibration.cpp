@@ -26,10 +26,10 @@ Vec3 com_in_base(const model::Dynamics& dynamics) {
   return dynamics.base_rotation.R.transpose() * (dynamics.com.p - dynamics.base.p);
 }
 
-Vec3 believable(const Vec3& offset) {
+Vec3 believable(const Vec3& offset, const Scale& scale) {
+  const double most = scale.length * kMaxComOffset;
   Vec3 result;
-  result << clip_norm<2>(offset.head<2>(), kMaxComOffset),
-      std::clamp(offset.z(), -kMaxComOffset, kMaxComOffset);
+  result << clip_norm<2>(offset.head<2>(), most), std::clamp(offset.z(), -most, most);
   return result;
 }
 
@@ -78,9 +78,9 @@ void ComCalibration::end_weighing(const model::Dynamics& dynamics) {
     const Vec3 up = dynamics.base_rotation.R.row(2);
     const double felt = now.mass + mean_mass_;
     const Vec3 found = mean_offset_ + (higher.value_or(0.0) - mean_offset_.z()) / up.z() * up;
-    Vec3 offset = believable(com - bare_com + found);
-    const bool carries =
-        std::abs(felt) > kMinCertainLoad * bare_mass || std::abs(offset.z()) > kMinCertainHeight;
+    Vec3 offset = believable(com - bare_com + found, dynamics.scale);
+    const bool carries = std::abs(felt) > kMinCertainLoad * bare_mass ||
+                         std::abs(offset.z()) > dynamics.scale.length * kMinCertainHeight;
     double mass = now.mass;
     if (higher && carries) {
       mass = std::clamp(felt, kMinLoadShare * base_mass_, kMaxLoadShare * base_mass_);
@@ -104,8 +104,8 @@ ComCalibration::Slope ComCalibration::slope(const model::Dynamics& dynamics) con
   Slope result;
   for (const Leg leg : kLegs) {
     const model::PointKinematics& contact = dynamics.contact[index(leg)];
-    const Mat3 forces = -model::damped_inverse(model::leg_jacobian(contact, leg)).transpose() *
-                        dynamics.links[index(leg)].free_rate;
+    const Mat3 inverse = model::damped_inverse(model::leg_jacobian(contact, leg), dynamics.scale);
+    const Mat3 forces = -inverse.transpose() * dynamics.links[index(leg)].free_rate;
     for (int l = 0; l < kJointsPerLeg; ++l) {
       const Vec3 f = forces.col(l);
       const Vec3 moved = (contact.p - centre_).cross(f) / F_.z();

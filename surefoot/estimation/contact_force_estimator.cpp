@@ -18,14 +18,14 @@ int leg_rows(Leg leg) { return 6 + first_joint(leg); }
 
 }  // namespace
 
-ContactForceEstimator::ContactForceEstimator(const ContactForceOptions& options, double period)
+ContactForceEstimator::ContactForceEstimator(const ContactForceOptions& options, double period,
+                                             const Scale& scale)
     : options_(options),
       period_(period),
       force_observer_(2.0 * kPi * options.bandwidth_hz, period),
       velocity_observer_(force_observer_),
-      tare_(options.tare, 2.0 * kPi * options.bandwidth_hz, period),
-      foot_sensors_{FootSensorTrust(period), FootSensorTrust(period), FootSensorTrust(period),
-                    FootSensorTrust(period)} {}
+      tare_(options.tare, 2.0 * kPi * options.bandwidth_hz, period, scale),
+      foot_sensors_(per_leg(FootSensorTrust(period, scale))) {}
 
 // Whole periods, so that a rounded clock changes nothing; 1 if a time is NaN.
 int ContactForceEstimator::periods_until(double time) const {
@@ -84,7 +84,7 @@ const JointVector& ContactForceEstimator::observe(const SensorReading& reading,
 void ContactForceEstimator::update(const model::Dynamics& dynamics, const PerLeg<bool>& stands,
                                    const Vec3& terrain_normal_W, const SensorReading& reading,
                                    RobotState& state) noexcept {
-  update_base_acceleration(dynamics.u);
+  update_base_acceleration(dynamics);
   const JointVector& torque = torques_.ago(-torque_lag_);
   JointVector free, constrained;
   for (const Leg leg : kLegs) {
@@ -104,7 +104,8 @@ void ContactForceEstimator::update(const model::Dynamics& dynamics, const PerLeg
   for (const Leg leg : kLegs) {
     const std::size_t k = index(leg);
     Vec3& force = state.foot_force[k];
-    force = model::damped_inverse(model::leg_jacobian(dynamics.contact[k], leg)).transpose() *
+    force = model::damped_inverse(model::leg_jacobian(dynamics.contact[k], leg), dynamics.scale)
+                .transpose() *
             by_ground.segment<3>(first_joint(leg));
     if (!options_.use_foot_sensor) continue;
     const double by_joints = terrain_normal_W.dot(force);
@@ -113,11 +114,12 @@ void ContactForceEstimator::update(const model::Dynamics& dynamics, const PerLeg
   }
 }
 
-void ContactForceEstimator::update_base_acceleration(const GeneralizedVector& u) {
-  const BaseVector velocity = u.head<6>();
+void ContactForceEstimator::update_base_acceleration(const model::Dynamics& dynamics) {
+  const BaseVector velocity = dynamics.u.head<6>();
+  const double cutoff = dynamics.scale.rate() * kBaseCutoffHz;
   const double dt = periods_of_base_ * period_;
   periods_of_base_ = 0.0;
-  const double gain = begins_ ? 0.0 : 1.0 - std::exp(-2.0 * kPi * kBaseCutoffHz * dt);
+  const double gain = begins_ ? 0.0 : 1.0 - std::exp(-2.0 * kPi * cutoff * dt);
   base_acceleration_ += gain * ((velocity - base_velocity_) / dt - base_acceleration_);
   base_velocity_ = velocity;
 }
@@ -133,7 +135,7 @@ Vec3 ContactForceEstimator::free_acceleration(const model::Dynamics& dynamics, L
 Vec3 ContactForceEstimator::stance_acceleration(const model::Dynamics& dynamics, Leg leg) const {
   const model::PointKinematics& contact = dynamics.contact[index(leg)];
   const Vec3 rest = contact.J.leftCols<6>() * base_acceleration_ + contact.Jdot_u;
-  return -model::damped_inverse(model::leg_jacobian(contact, leg)) * rest;
+  return -model::damped_inverse(model::leg_jacobian(contact, leg), dynamics.scale) * rest;
 }
 
 JointVector ContactForceEstimator::missing_torque(const model::Dynamics& dynamics) const {

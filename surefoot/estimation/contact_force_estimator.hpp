@@ -4,6 +4,7 @@
 #include "surefoot/estimation/joint_observer.hpp"
 #include "surefoot/estimation/swing_tare.hpp"
 #include "surefoot/model/dynamics.hpp"
+#include "surefoot/signals/per_leg.hpp"
 #include "surefoot/signals/robot_state.hpp"
 #include "surefoot/signals/sensor_reading.hpp"
 
@@ -43,7 +44,8 @@ struct JointDelays {
 /// of the ground on the foot [N]. Does not allocate.
 class ContactForceEstimator {
  public:
-  ContactForceEstimator(const ContactForceOptions& options, double period);
+  /// `period` of the control loop [s], `scale` of the robot.
+  ContactForceEstimator(const ContactForceOptions& options, double period, const Scale& scale = {});
 
   /// First in a tick: takes encoders and joint torques, returns joint velocities [rad/s]. Forces
   /// belong to the later of the two samples. `delays` are the samples' usual ages.
@@ -71,7 +73,7 @@ class ContactForceEstimator {
   /// In whole ticks, limited to the recent ones.
   [[nodiscard]] int ticks_in(double delay) const;
   void follow(const JointDelays& delays);
-  void update_base_acceleration(const GeneralizedVector& u);
+  void update_base_acceleration(const model::Dynamics& dynamics);
   /// Accelerations of a leg's joints, in the air under the measured torques and with a fixed foot.
   [[nodiscard]] Vec3 free_acceleration(const model::Dynamics& dynamics, Leg leg,
                                        const JointVector& torque) const;

@@ -24,17 +24,20 @@ double FootSensorTrust::force(double sensed, double by_joints) noexcept {
     fits_for_ = 0.0;
     return by_joints;
   }
+  const double max_deficit = scale_.force() * kMaxDeficit;
+  const double max_excess = scale_.force() * kMaxExcess;
+  const double touch = scale_.force() * kTouchForce, load = scale_.force() * kLoadForce;
   const double error = sensed - by_joints;
   const double share = kShare * std::abs(by_joints);
-  const double more = std::min(kMaxExcess, kTouchForce + std::max(0.0, by_joints));
-  const bool fits = -kMaxDeficit - share <= error && error <= more + share;
+  const double more = std::min(max_excess, touch + std::max(0.0, by_joints));
+  const bool fits = -max_deficit - share <= error && error <= more + share;
   off_for_ = fits ? 0.0 : off_for_ + period_;
   fits_for_ = fits ? fits_for_ + period_ : 0.0;
   if (off_for_ > kPatience + kTimeRounding) is_trusted_ = false;
   if (fits_for_ > kProofTime) is_trusted_ = true;
   if (!is_trusted_ || (!fits && error < 0.0)) return by_joints;
-  const double weight = std::clamp((kLoadForce - by_joints) / (kLoadForce - kTouchForce), 0.0, 1.0);
-  return by_joints + weight * std::min(error, kMaxExcess + share);
+  const double weight = std::clamp((load - by_joints) / (load - touch), 0.0, 1.0);
+  return by_joints + weight * std::min(error, max_excess + share);
 }
 
 }  // namespace surefoot::estimation

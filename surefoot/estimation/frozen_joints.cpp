@@ -18,7 +18,8 @@ Vec3 asked_velocity(const model::Dynamics& dynamics, bool stands, const Vec3& v_
   const model::PointKinematics& point = stands ? dynamics.contact[k] : dynamics.foot[k];
   const Vec3 target = stands ? Vec3(Vec3::Zero()) : v_WF;
   const Vec3 by_base = point.J.leftCols<6>() * dynamics.u.head<6>();
-  return model::damped_inverse(model::leg_jacobian(point, leg)) * (target - by_base);
+  return model::damped_inverse(model::leg_jacobian(point, leg), dynamics.scale) *
+         (target - by_base);
 }
 
 }  // namespace
@@ -42,7 +43,8 @@ void FrozenJoints::look_at_angles(const SensorReading& reading, const JointVecto
   const double kept = 1.0 - period_ / kMotionMemory;
   for (int i = 0; i < kNumJoints; ++i) {
     int& same = same_angle_[static_cast<std::size_t>(i)];
-    const bool moves = reading.q[i] != q_[i] || !std::isfinite(motion[i]);
+    const bool moves =
+        reading.q[i] != q_[i] || !std::isfinite(motion[i]) || stops_.holds(i, reading.q[i]);
     same = moves ? 0 : same + 1;
     unseen_[i] = moves ? 0.0 : kept * unseen_[i] + motion[i];
   }

@@ -8,12 +8,23 @@
 
 namespace surefoot::estimation {
 
+/// Mechanical limits of the joints [rad].
+struct JointStops {
+  JointVector min = JointVector::Constant(-kInfinity), max = JointVector::Constant(kInfinity);
+
+  /// Within a hundredth of a radian of a stop, or beyond.
+  [[nodiscard]] bool holds(Eigen::Index joint, double q) const {
+    constexpr double kNear = 0.01;
+    return q < min[joint] + kNear || q > max[joint] - kNear;
+  }
+};
+
 /// Finds frozen encoders and joint torque sensors: bit-identical values in new samples, though the
 /// joint should move or its command changes.
 ///
 /// A leg's joints must move by q̇ = J⁺ (v_F − J_b u_b), with v_F = 0 of a stance foot's contact
 /// point and the planned velocity of a swing foot. A joint at rest may repeat its value; one that
-/// should have turned by `motion` can't. Does not allocate.
+/// should have turned by `motion` can't, unless it stands at its stop. Does not allocate.
 class FrozenJoints {
  public:
   struct Frozen {
@@ -22,8 +33,8 @@ class FrozenJoints {
     double age = 0.0;  ///< since the value of any of them last changed [s]
   };
 
-  FrozenJoints(const FrozenJointOptions& options, double period)
-      : options_(options), period_(period) {}
+  FrozenJoints(const FrozenJointOptions& options, double period, const JointStops& stops = {})
+      : options_(options), period_(period), stops_(stops) {}
 
   /// One tick. `stands`: the feet planned to carry load; `v_WF`: planned velocity of swing feet
   /// [m/s]; `command`: torques [N·m]; all of the tick before.
@@ -32,7 +43,7 @@ class FrozenJoints {
               const JointVector& command) noexcept;
 
   /// Discards the past.
-  void forget() noexcept { *this = FrozenJoints(options_, period_); }
+  void forget() noexcept { *this = FrozenJoints(options_, period_, stops_); }
 
   /// The frozen sensors. Next to a frozen encoder, another that has not moved for a quarter of the
   /// motion counts, too.
@@ -46,6 +57,7 @@ class FrozenJoints {
 
   FrozenJointOptions options_;
   double period_;
+  JointStops stops_;
   JointVector q_ = JointVector::Constant(kNaN);
   JointVector unseen_ = JointVector::Zero();  // expected motion since the value last changed [rad]
   JointVector measured_ = JointVector::Constant(kNaN), command_ = JointVector::Zero();

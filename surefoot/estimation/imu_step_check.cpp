@@ -46,9 +46,10 @@ void ImuStepCheck::begin(const SensorReading& reading, const RobotState& state,
   has_begun_ = true;
   offered_ = {.R = state.R_WB(), .p = dynamics.base.p, .v = state.v_WB, .gyro = reading.gyro};
   held_ = offered_;
+  const double least = dynamics.scale.force() * kMinForce;
   for (std::size_t k = 0; k < kNumLegs; ++k) {
     p_WF_[k] = dynamics.foot[k].p;
-    is_witness_[k] = stands[k] && normal_W.dot(state.foot_force[k]) >= kMinForce;  // not if NaN
+    is_witness_[k] = stands[k] && normal_W.dot(state.foot_force[k]) >= least;  // not if NaN
   }
 }
 
@@ -64,6 +65,7 @@ void ImuStepCheck::carry(Way& way, const SensorReading& reading) const {
 
 void ImuStepCheck::judge(const model::Dynamics& dynamics, const PerLeg<bool>& stands) {
   const Mat3 R_BW = dynamics.base_rotation.R.transpose();
+  const double least = dynamics.scale.length * kMinDifference;
   int witnesses = 0, against = 0, in_favour = 0;
   for (std::size_t k = 0; k < kNumLegs; ++k) {
     is_witness_[k] = is_witness_[k] && stands[k];
@@ -72,8 +74,8 @@ void ImuStepCheck::judge(const model::Dynamics& dynamics, const PerLeg<bool>& st
     const auto moved = [&](const Way& way) { return (way.p + way.R * h_B - p_WF_[k]).norm(); };
     const double more = moved(offered_) - moved(held_);
     ++witnesses;
-    against += more > kMinDifference ? 1 : 0;
-    in_favour += more < -kMinDifference ? 1 : 0;
+    against += more > least ? 1 : 0;
+    in_favour += more < -least ? 1 : 0;
   }
   verdict_ = ImuStep::undecided;
   if (witnesses < kMinWitnesses)

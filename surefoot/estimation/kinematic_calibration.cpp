@@ -32,7 +32,8 @@ constexpr double kMaxAngle = 0.02;            // limit of an angle error [rad]
 KinematicCalibration::KinematicCalibration(const model::RobotDescription& robot, double period)
     : period_(period),
       ticks_per_sample_(std::max(1, static_cast<int>(std::lround(kSampleInterval / period)))),
-      foot_radius_(robot.foot_radius) {
+      foot_radius_(robot.foot_radius),
+      length_(robot.scale.length) {
   const model::BodyTree tree = model::make_body_tree(robot, model::read_urdf(robot.urdf_path));
   for (const Leg leg : kLegs) chains_[index(leg)] = tree.legs[index(leg)].chain;
 }
@@ -122,20 +123,21 @@ void KinematicCalibration::add_sample(const model::Dynamics& dynamics) noexcept 
   sum_HWy_.noalias() += H.transpose() * (W_ * y);
 }
 
-KinematicCalibration::Weights KinematicCalibration::weights(const Coordinates& y) {
+KinematicCalibration::Weights KinematicCalibration::weights(const Coordinates& y) const {
+  const double creep = length_ * kCreep, sinking = length_ * kSinking;
   Eigen::Matrix<double, kNumCoordinates, 3> B;
   Coordinates variance;
   for (int k = 0; k < kNumLegs; ++k) {
     B.middleRows<3>(3 * k) = kTurnError * skew(y.segment<3>(3 * k));
-    variance.segment<3>(3 * k) << kCreep * kCreep, kCreep * kCreep, kSinking * kSinking;
+    variance.segment<3>(3 * k) << creep * creep, creep * creep, sinking * sinking;
   }
   return (Weights(variance.asDiagonal()) + B * B.transpose()).inverse();
 }
 
-double KinematicCalibration::prior(int error) {
+double KinematicCalibration::prior(int error) const {
   if (error == kDelay) return kDelayPrior;
   if (error >= kBias) return kBiasPrior;
-  return is_length(error) ? kLengthPrior : kZeroPrior;
+  return is_length(error) ? length_ * kLengthPrior : kZeroPrior;
 }
 
 void KinematicCalibration::finish() noexcept {
@@ -147,7 +149,7 @@ void KinematicCalibration::finish() noexcept {
   before_ = after_;
   share_ = 0.0;
   for (int i = 0; i < kBias; ++i) {
-    const double most = is_length(i) ? kMaxLength : kMaxAngle;
+    const double most = is_length(i) ? length_ * kMaxLength : kMaxAngle;
     after_[i] = std::clamp(before_[i] + found[i], -most, most);
   }
 }

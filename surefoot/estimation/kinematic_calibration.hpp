@@ -66,12 +66,12 @@ class KinematicCalibration {
   /// Whole periods, at least 1.
   [[nodiscard]] double periods_until(double time) const;
   void add_sample(const model::Dynamics& dynamics) noexcept;
-  [[nodiscard]] static Weights weights(const Coordinates& y);
+  [[nodiscard]] Weights weights(const Coordinates& y) const;
   [[nodiscard]] static bool is_length(int error) {
     return error < kImu && error % kErrorsPerLeg < 2;
   }
   /// Prior standard deviation of an error.
-  [[nodiscard]] static double prior(int error);
+  [[nodiscard]] double prior(int error) const;
   void finish() noexcept;
   void fade() noexcept;
 
@@ -79,6 +79,7 @@ class KinematicCalibration {
   double time_ = kNaN;  // of the last update [s]
   int ticks_per_sample_;
   double foot_radius_;
+  double length_;  // that its lengths go with, as a ratio
   PerLeg<model::LegChain> chains_;
   PerLeg<Vec3> rolled_ = per_leg<Vec3>(Vec3::Zero());
   Mat3 R_start_ = Mat3::Identity();

@@ -24,7 +24,7 @@ LegInertialEstimator::LegInertialEstimator(const model::RobotDescription& robot,
       period_(period),
       foot_radius_(robot.foot_radius),
       filter_(options.filter),
-      standing_start_(period) {
+      standing_start_(period, robot.scale) {
   const model::BodyTree tree = model::make_body_tree(robot, model::read_urdf(robot.urdf_path));
   for (const Leg leg : kLegs) described_[index(leg)] = tree.legs[index(leg)].chain;
   chains_ = described_;
@@ -242,11 +242,14 @@ void LegInertialEstimator::predict(const TickContext& context) {
 Group fields(LegInertialOptions& o) {
   InvariantFilterOptions& filter = o.filter;
   return {
-      {"gyro_noise", &filter.gyro_noise, kPositive, "rad/s/√Hz", "standard deviation"},
-      {"accelerometer_noise", &filter.accelerometer_noise, kPositive, "m/s²/√Hz", "deviation"},
-      {"gyro_bias_walk", &filter.gyro_bias_walk, kNotNegative, "rad/s²/√Hz", "of the bias"},
+      {"gyro_noise", &filter.gyro_noise, kPositive, "rad/s/√Hz", "standard deviation",
+       Sizing::none},
+      {"accelerometer_noise", &filter.accelerometer_noise, kPositive, "m/s²/√Hz", "deviation",
+       Sizing::none},
+      {"gyro_bias_walk", &filter.gyro_bias_walk, kNotNegative, "rad/s²/√Hz", "of the bias",
+       Sizing::none},
       {"accelerometer_bias_walk", &filter.accelerometer_bias_walk, kNotNegative, "m/s³/√Hz",
-       "of the bias"},
+       "of the bias", Sizing::none},
       {"encoder_noise", &filter.encoder_noise, kPositive, "rad", "standard deviation"},
       {"foot_position_noise", &filter.foot_position_noise, kPositive, "m",
        "of the leg's kinematics, each axis: wrong joint zeros and lengths, IMU out of step"},
@@ -261,7 +264,7 @@ Group fields(LegInertialOptions& o) {
       {"start",
        Group{{"tilt", &filter.initial_tilt, kPositive, "rad", ""},
              {"velocity", &filter.initial_velocity, kPositive, "m/s", ""},
-             {"gyro_bias", &filter.initial_gyro_bias, kPositive, "rad/s", ""},
+             {"gyro_bias", &filter.initial_gyro_bias, kPositive, "rad/s", "", Sizing::none},
              {"accelerometer_bias", &filter.initial_accelerometer_bias, kPositive, "m/s²", ""}},
        "standard deviations at the start"}};
 }

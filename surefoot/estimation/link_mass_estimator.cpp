@@ -9,18 +9,25 @@ namespace {
 
 constexpr double kMaxShare = 0.5;  // of a link's modelled mass
 
+LinkMassOptions scaled(LinkMassOptions options, const Scale& scale) {
+  for (double* time : {&options.begin, &options.duration, &options.wait}) *time *= scale.time();
+  options.noise *= scale.torque();
+  return options;
+}
+
 }  // namespace
 
-LinkMassEstimator::LinkMassEstimator(const LinkMassOptions& options, double period)
-    : options_(options), period_(period) {
+LinkMassEstimator::LinkMassEstimator(const LinkMassOptions& options, double period,
+                                     const Scale& scale)
+    : options_(scaled(options, scale)), period_(period) {
   const auto ticks = [period](double duration) {
     return static_cast<int>(std::lround(duration / period));
   };
-  begin_ = ticks(options.begin);
-  end_ = begin_ + ticks(options.duration);
-  known_ = end_ + ticks(options.wait);
-  Unknowns usual = Unknowns::Constant(options.usual_share);
-  usual[kNumLinks] = options.usual_delay;
+  begin_ = ticks(options_.begin);
+  end_ = begin_ + ticks(options_.duration);
+  known_ = end_ + ticks(options_.wait);
+  Unknowns usual = Unknowns::Constant(options_.usual_share);
+  usual[kNumLinks] = options_.usual_delay;
   covariance_ = usual.cwiseAbs2().asDiagonal();
 }
 

@@ -7,7 +7,8 @@
 
 namespace surefoot::estimation {
 
-/// When a swing leg is measured, and how much is believed.
+/// When a swing leg of the reference robot is measured, and how much is believed; others' go with
+/// their `Scale`.
 struct LinkMassOptions {
   bool enabled = true;
   double begin = 0.04;          ///< of the window, after lift-off: before, the foot may touch [s]
@@ -35,7 +36,8 @@ class LinkMassEstimator {
   static constexpr int kNumLinks = kNumLegs * kJointsPerLeg;
   using Shares = Eigen::Matrix<double, kNumLinks, 1>;
 
-  LinkMassEstimator(const LinkMassOptions& options, double period);
+  /// `period` of the control loop [s], `scale` of the robot.
+  LinkMassEstimator(const LinkMassOptions& options, double period, const Scale& scale = {});
 
   /// A tick at `time` [s]: `stands`: the feet in contact; `torque`: measured [N·m]. A swing with a
   /// missed tick is ignored.
@@ -68,7 +70,7 @@ class LinkMassEstimator {
   void add(Swing& swing, const model::LegLinks& links, const Vec3& torque) const;
   void learn(Leg leg, const Swing& swing);
 
-  LinkMassOptions options_;
+  LinkMassOptions options_;  // of this robot
   double period_;
   int begin_, end_, known_;  // the window, and when it counts [ticks after lift-off]
   double time_ = kNaN;       // of the last tick [s]

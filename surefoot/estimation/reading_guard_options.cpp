@@ -59,10 +59,14 @@ Group fields(SensorConsistencyOptions& o) {
 
 Group fields(ReadingGuardOptions& o) {
   return {
-      {"patience", &o.patience, kPatienceRange, "s", "oldest sample that is made up for"},
-      {"max_encoder_delay", &o.max_encoder_delay, kNotNegative, "s", "samples may be so late"},
-      {"max_torque_delay", &o.max_torque_delay, kNotNegative, "s", "samples may be so late"},
-      {"max_imu_delay", &o.max_imu_delay, kNotNegative, "s", "samples may be so late"},
+      {"patience", &o.patience, kPatienceRange, "s", "oldest sample that is made up for",
+       Sizing::none},
+      {"max_encoder_delay", &o.max_encoder_delay, kNotNegative, "s", "samples may be so late",
+       Sizing::none},
+      {"max_torque_delay", &o.max_torque_delay, kNotNegative, "s", "samples may be so late",
+       Sizing::none},
+      {"max_imu_delay", &o.max_imu_delay, kNotNegative, "s", "samples may be so late",
+       Sizing::none},
       {"max_angle", &o.max_angle, kPositive, "rad", "no joint turns further"},
       {"angle_margin", &o.angle_margin, kPositive, "rad",
        "from where the joint's velocity led, beside what its velocity limit allows"},
@@ -76,7 +80,8 @@ Group fields(ReadingGuardOptions& o) {
       {"max_torque_step", &o.max_torque_step, kPositive, "", "of the joint's limit, in a tick"},
       {"sure_torque_step", &o.sure_torque_step, kPositive, "",
        "of the limit; a larger one with the next sample"},
-      {"max_gyro", &o.max_gyro, kPositive, "rad/s", "range of common gyroscopes, 2000 °/s"},
+      {"max_gyro", &o.max_gyro, kPositive, "rad/s", "range of common gyroscopes, 2000 °/s",
+       Sizing::none},
       {"max_gyro_step", &o.max_gyro_step, kPositive, "rad/s", "in a tick"},
       {"sure_gyro_step", &o.sure_gyro_step, kPositive, "rad/s",
        "a larger step is believed with the next sample and a step of the accelerometer"},

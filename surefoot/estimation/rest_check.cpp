@@ -16,7 +16,7 @@ constexpr double kLastingDifference = 0.4;  // … for an IMU that was faulty be
 void RestCheck::update(const SensorReading& reading, const JointVector& joint_velocity,
                        const Vec3& force, double mass) noexcept {
   const double weight = mass * kGravity;
-  const bool stands = joint_velocity.cwiseAbs().maxCoeff() < kStandingSpeed &&
+  const bool stands = joint_velocity.cwiseAbs().maxCoeff() < scale_.rate() * kStandingSpeed &&
                       force.norm() > kMinLoad * weight;  // not if it is NaN
   if (!stands) return;
   const double off = (mass * reading.accelerometer - force).norm();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "surefoot/base/scale.hpp"
 #include "surefoot/signals/sensor_reading.hpp"
 
 namespace surefoot::estimation {
@@ -17,7 +18,7 @@ namespace surefoot::estimation {
 class RestCheck {
  public:
   /// `period` of the control loop [s].
-  explicit RestCheck(double period) : period_(period) {}
+  explicit RestCheck(double period, const Scale& scale = {}) : period_(period), scale_(scale) {}
 
   /// One tick. `force`: of the ground on all feet, by the joint torques, in B [N]; `mass` [kg].
   /// Ignores values that are not finite.
@@ -31,6 +32,7 @@ class RestCheck {
 
  private:
   double period_;
+  Scale scale_;
   double wrong_for_ = 0.0;
   bool torques_pull_ = false;
 };

@@ -24,11 +24,12 @@ struct ConsistencyInputs {
 /// construction.
 class SensorConsistency {
  public:
-  SensorConsistency(const SensorConsistencyOptions& options, double period)
+  SensorConsistency(const SensorConsistencyOptions& options, double period,
+                    const JointStops& stops = {})
       : enabled_(options.enabled),
         imu_(options.imu, period),
         imu_step_(period),
-        frozen_(options.frozen, period),
+        frozen_(options.frozen, period, stops),
         torques_(options.torques, period) {}
 
   /// One tick, with the reading as repaired by `ReadingGuard`, and with the `offered` raw samples

@@ -23,7 +23,7 @@ bool StandingStart::stands(const SensorReading& reading, const JointVector& join
   const bool is_complete =
       reading.q.allFinite() && reading.gyro.allFinite() && reading.accelerometer.allFinite();
   const bool is_slow = is_complete && reading.gyro.norm() < kMaxTurn &&
-                       joint_velocity.cwiseAbs().maxCoeff() < kMaxJointSpeed &&
+                       joint_velocity.cwiseAbs().maxCoeff() < scale_.rate() * kMaxJointSpeed &&
                        std::abs(reading.accelerometer.norm() - kGravity) < kMaxAcceleration;
   const bool has_gap = reading.time - time_ > 1.5 * period_;
   time_ = reading.time;

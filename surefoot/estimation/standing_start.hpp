@@ -1,5 +1,6 @@
 #pragma once
 
+#include "surefoot/base/scale.hpp"
 #include "surefoot/estimation/base_motion.hpp"
 #include "surefoot/math/line_fit.hpp"
 #include "surefoot/signals/sensor_reading.hpp"
@@ -22,8 +23,8 @@ class StandingStart {
     double doubt = 1.0;                  ///< factor of the uncertainty against a robot at rest
   };
 
-  /// `period` of the control loop [s].
-  explicit StandingStart(double period) : period_(period) {}
+  /// `period` of the control loop [s], `scale` of the robot.
+  explicit StandingStart(double period, const Scale& scale = {}) : period_(period), scale_(scale) {}
 
   /// One tick before the start: does the robot stand? `p_BC` and `v_BC` as in `base_motion`. False
   /// while numbers are missing, or legs and gyroscope disagree, as with a foot in the air.
@@ -43,6 +44,7 @@ class StandingStart {
   };
 
   double period_;
+  Scale scale_;
   double time_ = kNaN;
   bool has_waited_ = false;
   Window window_;

@@ -13,14 +13,30 @@ namespace {
 /// Usual size of θ: [N·m], 1, [N·m·s/rad], [N·m·s²/rad].
 const Eigen::Vector4d kUsual(0.5, 0.1, 0.2, 0.02);
 
+SwingTareOptions scaled(SwingTareOptions options, const Scale& scale) {
+  for (double* time : {&options.begin, &options.end, &options.wait, &options.memory})
+    *time *= scale.time();
+  options.most *= scale.torque();
+  options.noise *= scale.torque();
+  return options;
+}
+
+Eigen::Vector4d usual_sizes(const Scale& scale) {
+  const double torque = scale.torque(), time = scale.time();
+  return kUsual.cwiseProduct(Eigen::Vector4d(torque, 1.0, torque * time, torque * time * time));
+}
+
 }  // namespace
 
-SwingTare::SwingTare(const SwingTareOptions& options, double bandwidth, double period)
-    : options_(options),
+SwingTare::SwingTare(const SwingTareOptions& options, double bandwidth, double period,
+                     const Scale& scale)
+    : options_(scaled(options, scale)),
+      usual_(usual_sizes(scale)),
       period_(period),
-      forgetting_(std::exp(-period / options.memory)),
+      forgetting_(std::exp(-period / options_.memory)),
       follows_(1.0 - std::exp(-bandwidth * period)),
-      wait_(std::min(kMaxWaiting - 1, static_cast<std::size_t>(std::ceil(options.wait / period)))) {
+      wait_(
+          std::min(kMaxWaiting - 1, static_cast<std::size_t>(std::ceil(options_.wait / period)))) {
   stages_.fill(Signals::Constant(kNaN));
 }
 
@@ -71,7 +87,7 @@ const SwingTare::Signals& SwingTare::lagged(const Signals& now) noexcept {
 
 void SwingTare::fit(Joint& joint) const {
   Moments pulled = joint.moments;
-  pulled.diagonal() += (options_.noise / kUsual.array()).square().matrix();
+  pulled.diagonal() += (options_.noise / usual_.array()).square().matrix();
   joint.theta = pulled.llt().solve(joint.products);
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "surefoot/base/scale.hpp"
 #include "surefoot/signals/leg.hpp"
 
 #include <Eigen/Core>
@@ -8,7 +9,7 @@
 
 namespace surefoot::estimation {
 
-/// When a swing leg is measured.
+/// When a swing leg of the reference robot is measured; others' go with their `Scale`.
 struct SwingTareOptions {
   bool enabled = true;
   double begin = 0.04;  ///< after lift-off; the foot may touch before [s]
@@ -32,8 +33,10 @@ struct SwingTareOptions {
 /// low-passes delay τ, q̇ and q̈ alike. Ours (decision 0016). Does not allocate.
 class SwingTare {
  public:
-  /// `bandwidth` ω of the observer [rad/s]; `period` of the control loop [s].
-  SwingTare(const SwingTareOptions& options, double bandwidth, double period);
+  /// `bandwidth` ω of the observer [rad/s]; `period` of the control loop [s],
+  /// `scale` of the robot.
+  SwingTare(const SwingTareOptions& options, double bandwidth, double period,
+            const Scale& scale = {});
 
   /// A tick: the model's torque error r [N·m], with the measured torques [N·m], velocities [rad/s]
   /// and accelerations [rad/s²]. `stands`: the feet in contact.
@@ -74,7 +77,8 @@ class SwingTare {
   void weigh(LegTare& leg, const Sample& sample);
   void learn(LegTare& leg, const Sample& sample) const;
 
-  SwingTareOptions options_;
+  SwingTareOptions options_;  // of this robot
+  Eigen::Vector4d usual_;     // size of θ, as `kUsual`
   double period_;
   double forgetting_;
   double follows_;                         // a low-pass's share of what is new, in a tick

@@ -11,7 +11,8 @@ constexpr double kMinSpread = 0.02;  // [m]
 
 }  // namespace
 
-TerrainPlane fit_terrain_plane(const PerLeg<Vec3>& footholds, double max_tilt) {
+TerrainPlane fit_terrain_plane(const PerLeg<Vec3>& footholds, double max_tilt, const Scale& scale) {
+  const double min_spread = scale.length * kMinSpread;
   TerrainPlane plane;
   for (const Vec3& p : footholds) plane.point += p / kNumLegs;
   Mat2 moment = Mat2::Zero();
@@ -25,7 +26,7 @@ TerrainPlane fit_terrain_plane(const PerLeg<Vec3>& footholds, double max_tilt) {
   axes.computeDirect(moment);
   Vec2 slope = Vec2::Zero();
   for (int i = 0; i < 2; ++i) {
-    if (axes.eigenvalues()[i] < kMinSpread * kMinSpread) continue;
+    if (axes.eigenvalues()[i] < min_spread * min_spread) continue;
     const Vec2 axis = axes.eigenvectors().col(i);
     slope += axis * (axis.dot(product) / axes.eigenvalues()[i]);
   }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "surefoot/base/scale.hpp"
 #include "surefoot/signals/leg.hpp"
 
 namespace surefoot::estimation {
@@ -18,9 +19,11 @@ struct TerrainPlane {
   }
 };
 
-/// Fits the plane. A direction in which the feet nearly coincide (second moment below (2 cm)²)
-/// counts as level, and `max_tilt` [rad] limits the tilt, so that the normal always exists.
-[[nodiscard]] TerrainPlane fit_terrain_plane(const PerLeg<Vec3>& footholds, double max_tilt);
+/// Fits the plane. A direction in which the feet nearly coincide (second moment below (2 cm)²,
+/// of the reference robot) counts as level, and `max_tilt` [rad] limits the tilt, so that the
+/// normal always exists.
+[[nodiscard]] TerrainPlane fit_terrain_plane(const PerLeg<Vec3>& footholds, double max_tilt,
+                                             const Scale& scale = {});
 
 /// Rotation R_WC of the control frame: z along the normal, x the heading projected onto the plane.
 [[nodiscard]] Mat3 control_frame(const Vec3& normal, double yaw);

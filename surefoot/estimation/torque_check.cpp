@@ -57,8 +57,8 @@ TorqueCheck::Wrench TorqueCheck::claimed_by_errors(const model::Dynamics& dynami
   for (const Leg leg : kLegs) {
     const model::PointKinematics& contact = dynamics.contact[index(leg)];
     if (!stands[index(leg)]) continue;
-    const Vec3 force = model::damped_inverse(model::leg_jacobian(contact, leg)).transpose() *
-                       error_.segment<kJointsPerLeg>(first_joint(leg));
+    const Mat3 inverse = model::damped_inverse(model::leg_jacobian(contact, leg), dynamics.scale);
+    const Vec3 force = inverse.transpose() * error_.segment<kJointsPerLeg>(first_joint(leg));
     result.force += force;
     result.moment += (contact.p - dynamics.com.p).cross(force);
   }

@@ -182,9 +182,10 @@ void Evaluator::add_stance(Foot& foot, const simulation::TrueContact& contact) {
   raise(metrics_.foot_slip_max_m, foot.slip);
   const double normal_force = contact.normal.dot(contact.force);
   add_friction(contact, normal_force);
-  if (normal_force < kLandingForce || foot.landing_seen || !options_.terrain_height) return;
+  const double landed = options_.scale.force() * kLandingForce;
+  if (normal_force < landed || foot.landing_seen || !options_.terrain_height) return;
   foot.landing_seen = true;
-  if (is_edge_landing(options_.terrain_height, contact.point, contact.normal))
+  if (is_edge_landing(options_.terrain_height, contact.point, contact.normal, options_.scale))
     ++metrics_.edge_landings;
 }
 
@@ -220,11 +221,11 @@ void Evaluator::check_fall(const simulation::GroundTruth& truth, bool may_lie, b
   metrics_.base_height_end_m = height;
   if (metrics_.fell) return;
   std::array<char, 96> text{};
-  const bool lands_softly = may_lie && truth.v_WB.z() > -kMaxSitSpeed;
+  const bool lands_softly = may_lie && truth.v_WB.z() > -(options_.scale.speed() * kMaxSitSpeed);
   if (truth.torso_contact && !lands_softly) {
     std::snprintf(text.data(), text.size(), "fell at %.4f s: the torso touched the ground",
                   truth.time);
-  } else if (height < kMinBaseHeight && !may_lie && !hangs) {
+  } else if (height < options_.scale.length * kMinBaseHeight && !may_lie && !hangs) {
     std::snprintf(text.data(), text.size(),
                   "fell at %.4f s: the base came down to %.2f m above the feet", truth.time,
                   height);

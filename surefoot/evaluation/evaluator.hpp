@@ -1,5 +1,6 @@
 #pragma once
 
+#include "surefoot/base/scale.hpp"
 #include "surefoot/evaluation/contact_loss_judge.hpp"
 #include "surefoot/evaluation/estimate_judge.hpp"
 #include "surefoot/evaluation/landing.hpp"
@@ -21,6 +22,7 @@ namespace surefoot::evaluation {
 struct EvaluatorOptions {
   double control_period = 0.0025;  ///< [s]
   double mass = kNaN;              ///< of the robot [kg]; NaN: no friction margin
+  Scale scale{};                   ///< of the robot
   TerrainHeight terrain_height;    ///< empty: edge landings are not counted
   /// Hip H in B at joint angles (HAA, HFE, KFE) of a leg; empty: no limb extension.
   std::function<Vec3(Leg, const Vec3&)> hip_in_base;
@@ -40,7 +42,7 @@ class Evaluator {
  public:
   explicit Evaluator(EvaluatorOptions options)
       : options_(std::move(options)),
-        slips_(options_.control_period),
+        slips_(options_.control_period, options_.scale),
         path_(options_.control_period) {}
 
   /// Truth and tick must be of the same time.

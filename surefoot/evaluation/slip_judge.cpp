@@ -21,15 +21,16 @@ void SlipJudge::add(const simulation::GroundTruth& truth, const TickRecord& tick
     const simulation::TrueContact& contact = truth.feet[k];
     const bool stands = tick.plan.contact(leg) && contact.touching;
     const double speed = stands ? contact.slip_velocity.norm() : 0.0;
-    follow(foot, truth.time, speed, contact.normal.dot(contact.force) > kMinLoad);
+    const double load = contact.normal.dot(contact.force);
+    follow(foot, truth.time, speed, load > scale_.force() * kMinLoad);
     notice(foot, truth.time, tick.state.slips[k]);
     if (foot.is_slip && !(truth.time - foot.last_at <= kRestTime)) close(foot);
   }
 }
 
 void SlipJudge::follow(Foot& foot, double time, double speed, bool loaded) const {
-  if (speed > kCreepSpeed) foot.crept_at = time;
-  if (!(speed > kSlipSpeed && loaded)) {
+  if (speed > scale_.speed() * kCreepSpeed) foot.crept_at = time;
+  if (!(speed > scale_.speed() * kSlipSpeed && loaded)) {
     foot.slides_for = 0.0;
     return;
   }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "surefoot/base/scale.hpp"
 #include "surefoot/evaluation/metrics.hpp"
 #include "surefoot/signals/tick_record.hpp"
 #include "surefoot/simulation/ground_truth.hpp"
@@ -13,9 +14,11 @@ namespace surefoot::evaluation {
 /// than 0.05 m/s; for at least 10 ms this is a slip, until the foot has rested for 50 ms. A slip is
 /// detected if the estimate shows it until then, otherwise missed; its latency runs from its start.
 /// A detection is false if no foot slid within 50 ms before, not even more slowly or shortly.
+/// Force and speeds are the reference robot's: `Scale`.
 class SlipJudge {
  public:
-  explicit SlipJudge(double period) : period_(period) {}
+  /// `period` of the control loop [s], `scale` of the robot.
+  explicit SlipJudge(double period, const Scale& scale = {}) : period_(period), scale_(scale) {}
 
   void add(const simulation::GroundTruth& truth, const TickRecord& tick);
   void write(Metrics& metrics) const;
@@ -35,6 +38,7 @@ class SlipJudge {
   void close(Foot& foot);
 
   double period_;
+  Scale scale_;
   PerLeg<Foot> feet_{};
   std::vector<double> latencies_;  // [s]
   int detected_ = 0, missed_ = 0, false_ = 0;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "surefoot/base/scale.hpp"
 #include "surefoot/estimation/terrain_plane.hpp"
 #include "surefoot/gaits/parts/com_planner.hpp"
 #include "surefoot/gaits/parts/foothold_planner.hpp"
@@ -29,19 +30,20 @@ struct SwingMemory {
 
 /// What every gait stands and walks with: the gait that has the legs changes it, reactions read it.
 struct Body {
-  /// `control_period` [s].
-  Body(const PlannerOptions& given, double control_period)
+  /// `control_period` [s], `robot` is its scale.
+  Body(const PlannerOptions& given, double control_period, const Scale& robot)
       : options(given),
         period(control_period),
-        legs(given, control_period),
-        footholds(given.stance, given.foothold),
-        grip(given.grip, given.force.friction, control_period),
+        scale(robot),
+        legs(given, control_period, robot),
+        footholds(given.stance, given.foothold, robot),
+        grip(given.grip, given.force.friction, control_period, robot),
         balance(given.push, control_period),
-        com(given.com, given.force) {}
+        com(given.com, given.force, robot) {}
 
   /// The terrain plane through the footholds.
   void fit_plane() {
-    plane = estimation::fit_terrain_plane(legs.footholds(), options.torso.max_tilt);
+    plane = estimation::fit_terrain_plane(legs.footholds(), options.torso.max_tilt, scale);
   }
   /// Nothing but the present footholds is known of the ground.
   void learn_ground() {
@@ -56,11 +58,12 @@ struct Body {
   [[nodiscard]] double com_height(const model::Dynamics& dynamics) const {
     constexpr double kLeast = 0.1;  // [m]
     const Vec3& p = dynamics.com.p;
-    return std::max(kLeast, p.z() - plane.height(p.head<2>()));
+    return std::max(scale.length * kLeast, p.z() - plane.height(p.head<2>()));
   }
 
   PlannerOptions options;
   double period;
+  Scale scale;
   Legs legs;
   FootholdPlanner footholds;
   estimation::TerrainPlane plane;

@@ -59,7 +59,7 @@ void ComHorizon::plan(Body& body, const Vec2& end_velocity) {
 }
 
 void ComHorizon::come_to_rest(Body& body, double duration, bool must_rest) {
-  add(duration, must_rest);
+  add(body.scale.time() * duration, must_rest);
   problem_.comes_to_rest = true;
   plan(body, Vec2::Zero());
 }

@@ -23,7 +23,7 @@ class ComHorizon {
 
   /// Plans the COM to a velocity at the end, x and y in W [m/s] …
   void plan(Body& body, const Vec2& end_velocity);
-  /// … or over the centre of the feet, to rest there.
+  /// … or over the centre of the feet, to rest there. `duration` is that of the reference robot.
   void come_to_rest(Body& body, double duration = 1.0, bool must_rest = false);
 
  private:

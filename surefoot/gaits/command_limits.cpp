@@ -19,6 +19,14 @@ Vec3 velocities(const UserCommand& user) {
 
 }  // namespace
 
+CommandLimits::CommandLimits(const PlannerOptions& options, double period, const Scale& scale)
+    : strides_(options, scale),
+      most_change_(kMostChange.cwiseProduct(Vec3(scale.speed(), scale.speed(), scale.rate()))),
+      height_rate_(scale.speed() * kHeightRate),
+      lowest_(scale.length * kLowest),
+      stance_height_(options.stance.height),
+      period_(period) {}
+
 // The COM's way to the next lift-off is planned when a foot comes down, and with it the foothold
 // behind it: a velocity that changed in between would send foot and torso to different places.
 // Accelerations fall with the length of the strides, so caution divides them.
@@ -36,7 +44,7 @@ UserCommand CommandLimits::update(const UserCommand& command, const CommandRoom&
   cautious.velocity /= room.caution;
   cautious.yaw_rate /= room.caution;
   UserCommand result = within_height(cautious, room);
-  const double most = period_ * kHeightRate;
+  const double most = period_ * height_rate_;
   height_ = std::isnan(height_) ? result.height
                                 : height_ + std::clamp(result.height - height_, -most, most);
   result.height = height_;
@@ -48,9 +56,9 @@ UserCommand CommandLimits::update(const UserCommand& command, const CommandRoom&
 void CommandLimits::take_up(const CommandRoom& room) {
   const Vec3 asked = velocities(commanded_), now = velocities(walked_);
   Vec3 next = asked;
-  if (((asked - now).cwiseAbs().array() > kMostChange.array()).any()) {
+  if (((asked - now).cwiseAbs().array() > most_change_.array()).any()) {
     const Vec3 missing = feasible_share(commanded_, room, room.cycle_duration) * asked - now;
-    const double steps = missing.cwiseQuotient(kMostChange).cwiseAbs().maxCoeff();
+    const double steps = missing.cwiseQuotient(most_change_).cwiseAbs().maxCoeff();
     next = now + missing / std::max(1.0, steps);
   }
   velocity_ = next.head<2>();
@@ -82,7 +90,7 @@ UserCommand CommandLimits::within_strides(const UserCommand& command, const Comm
 // Strides come before height.
 UserCommand CommandLimits::within_height(const UserCommand& command, const CommandRoom& room) {
   UserCommand result = command;
-  if (command.walk) result.height = std::max(command.height, kLowest);
+  if (command.walk) result.height = std::max(command.height, lowest_);
   raises_.holds = result.height > command.height;
   if (!(command.height > 0.0)) {
     lowers_.holds = false;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "surefoot/base/scale.hpp"
 #include "surefoot/gaits/parts/strides.hpp"
 #include "surefoot/signals/event_list.hpp"
 #include "surefoot/signals/sensor_reading.hpp"
@@ -20,9 +21,8 @@ struct CommandRoom {
 /// and leave strides within reach, and a height that strides and sway leave to the legs.
 class CommandLimits {
  public:
-  /// `period` of the control loop [s].
-  CommandLimits(const PlannerOptions& options, double period)
-      : strides_(options), stance_height_(options.stance.height), period_(period) {}
+  /// `period` of the control loop [s], `scale` of the robot.
+  CommandLimits(const PlannerOptions& options, double period, const Scale& scale);
 
   /// One tick.
   [[nodiscard]] UserCommand update(const UserCommand& command, const CommandRoom& room);
@@ -45,6 +45,8 @@ class CommandLimits {
   [[nodiscard]] UserCommand within_height(const UserCommand& command, const CommandRoom& room);
 
   Strides strides_;
+  Vec3 most_change_;                  // from step to step, as `kMostChange`
+  double height_rate_, lowest_;       // as `kHeightRate`, `kLowest`
   double stance_height_, period_;     // [m], [s]
   UserCommand commanded_, walked_;    // as asked for, and with strides that legs can make
   Vec2 velocity_{0.0, 0.0};           // that this step is planned with [m/s]

@@ -14,7 +14,7 @@ LegEvent look_at(Leg k, const Situation& now, Body& body) {
   const Vec3& normal = body.plane.normal;
   // |n · (Jᵀ)⁻¹|: of the normal force by the leg's torques.
   const double force_per_torque =
-      (model::damped_inverse(model::leg_jacobian(foot, k)) * normal).norm();
+      (model::damped_inverse(model::leg_jacobian(foot, k), body.scale) * normal).norm();
   return body.legs[k].observe(now.time, {now.dynamics.hip[index(k)], foot,
                                          now.state.foot_force[index(k)], normal, force_per_torque});
 }
@@ -84,7 +84,8 @@ void Gait::act(const Action& action, Situation& now, Body& body) {
 
 bool Gait::wants_plan(const Situation& now) {
   const PushBalance& balance = now.body.balance;
-  const bool off = (now.dynamics.com.p.head<2>() - now.before.com.p).norm() > kOffPlan;
+  const double far = now.body.scale.length * kOffPlan;
+  const bool off = (now.dynamics.com.p.head<2>() - now.before.com.p).norm() > far;
   return balance.wants_plan(now.time) || (off && balance.may_plan(now.time));
 }
 

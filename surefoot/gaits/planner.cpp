@@ -10,13 +10,14 @@
 
 namespace surefoot::gaits {
 
-Planner::Planner(const PlannerOptions& options, double period)
-    : body_(options, period),
+Planner::Planner(const PlannerOptions& options, double period, const Scale& scale)
+    : body_(options, period, scale),
       crawl_(options),
-      limits_(options, period),
+      limits_(options, period, scale),
       torso_(options.torso, period),
       friction_frame_(options.friction_frame, period),
-      calibration_(options.calibration) {}
+      calibration_(options.calibration),
+      rest_(scale) {}
 
 void Planner::begin_anew(const Planner& fresh) {
   const int steps_taken = body_.steps_taken;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "surefoot/base/scale.hpp"
 #include "surefoot/gaits/body.hpp"
 #include "surefoot/gaits/command_limits.hpp"
 #include "surefoot/gaits/crawl/crawl.hpp"
@@ -15,8 +16,9 @@ namespace surefoot::gaits {
 /// relative to the footholds; nothing depends on where the world's origin lies.
 class Planner {
  public:
-  /// `period` of the control loop [s]. Throws Error unless the gait's order has each leg once.
-  Planner(const PlannerOptions& options, double period);
+  /// `period` of the control loop [s], `scale` of the robot. Throws Error unless the gait's order
+  /// has each leg once.
+  Planner(const PlannerOptions& options, double period, const Scale& scale = {});
 
   /// One tick. Allocates nothing, throws nothing.
   const MotionPlan& update(const UserCommand& command, const RobotState& state,

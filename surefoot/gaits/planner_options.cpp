@@ -29,13 +29,15 @@ Order order_of(PerLeg<Leg>& order) {
 }
 
 Group fields(StanceOptions& o) {
-  return {
-      {"half_length", &o.half_length, kPositive, "m", "x of the front feet, −x of the hind feet"},
-      {"half_width", &o.half_width, kPositive, "m", "y of the left feet, −y of the right feet"},
-      {"height", &o.height, kPositive, "m", "base above the sphere centres of the feet"},
-      {"knees", choice(o.knees, {"x", "forward", "backward"}),
-       "where the knees point: x is front backward and hind forward, forward is for the way "
-       "downstairs, backward for the way upstairs"}};
+  return {{"half_length", &o.half_length, kPositive, "m",
+           "x of the front feet, −x of the hind feet", Sizing::half_length},
+          {"half_width", &o.half_width, kPositive, "m", "y of the left feet, −y of the right feet",
+           Sizing::half_width},
+          {"height", &o.height, kPositive, "m", "base above the sphere centres of the feet",
+           Sizing::base_height},
+          {"knees", choice(o.knees, {"x", "forward", "backward"}),
+           "where the knees point: x is front backward and hind forward, forward is for the way "
+           "downstairs, backward for the way upstairs"}};
 }
 
 Group fields(GaitOptions& o) {

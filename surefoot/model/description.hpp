@@ -1,5 +1,6 @@
 #pragma once
 
+#include "surefoot/base/scale.hpp"
 #include "surefoot/signals/leg.hpp"
 
 #include <string>
@@ -23,12 +24,15 @@ struct RobotDescription {
   std::vector<std::string> package_folders;  ///< searched for package:// names
   std::string base_link;
   PerLeg<LegDescription> legs;
+  Scale scale;  ///< multiplies every constant and default that has a length, a mass or a time
   double foot_radius = 0.0;         ///< [m]
   Vec3 foot_center = Vec3::Zero();  ///< centre of the foot sphere in the foot frame [m]
   JointVector torque_limit = JointVector::Zero();    ///< |τ| ≤ limit [N·m]
   JointVector velocity_limit = JointVector::Zero();  ///< [rad/s]
-  JointVector q_min = JointVector::Zero();           ///< [rad]
-  JointVector q_max = JointVector::Zero();           ///< [rad]
+  /// Torque–speed line of the drives: at rest [N·m], and where no torque is left [rad/s].
+  JointVector stall_torque = JointVector::Zero(), no_load_speed = JointVector::Zero();
+  JointVector q_min = JointVector::Zero();  ///< [rad]
+  JointVector q_max = JointVector::Zero();  ///< [rad]
   /// Nominal standing posture, X-configuration: front knees backward, hind knees forward [rad].
   JointVector q_nominal = JointVector::Zero();
   double hold_kp = 0.0;     ///< joint hold of the safety ladder [N·m/rad]

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "surefoot/base/scale.hpp"
 #include "surefoot/signals/leg.hpp"
 
 namespace surefoot::model {
@@ -47,6 +48,7 @@ struct Dynamics {
   PointKinematics base;              ///< origin of B
   PointKinematics com;               ///< whole-body centre of mass
   double mass = 0.0;                 ///< [kg]
+  Scale scale;                       ///< of the robot as described
   PerLeg<PointKinematics> hip;       ///< hip H, on the HFE axis
   PerLeg<PointKinematics> foot;      ///< centre of the foot sphere F
   PerLeg<RotationKinematics> shank;  ///< the body that carries the foot sphere

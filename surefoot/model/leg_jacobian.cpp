@@ -13,8 +13,9 @@ Mat3 leg_jacobian(const PointKinematics& point, Leg leg) {
   return point.J.middleCols<kJointsPerLeg>(6 + first_joint(leg));
 }
 
-Mat3 damped_inverse(const Mat3& J) {
-  const Mat3 squared = J * J.transpose() + kDamping * kDamping * Mat3::Identity();
+Mat3 damped_inverse(const Mat3& J, const Scale& scale) {
+  const double damping = scale.length * kDamping;
+  const Mat3 squared = J * J.transpose() + damping * damping * Mat3::Identity();
   return J.transpose() * squared.inverse();
 }
 

@@ -71,6 +71,7 @@ struct RobotModel::Implementation {
         q(Eigen::VectorXd::Zero(model.nq)),
         u(Eigen::VectorXd::Zero(model.nv)),
         zero(Eigen::VectorXd::Zero(model.nv)) {
+    dynamics.scale = description.scale;
     // These blocks stay constant; update() writes the others.
     dynamics.base.J.leftCols<3>().setIdentity();
     for (const Leg leg : kLegs) {

@@ -5,6 +5,7 @@
 #include <tinyxml2.h>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 #include <string_view>
 
@@ -35,6 +36,7 @@ class Reader : public UrdfReader {
     result.child = end(element, "child", result.name);
     read_origin(element, result.R, result.p);
     if (result.type != "fixed" && result.type != "floating") read_axis(element, result);
+    if (result.type != "fixed") read_limits(element, result);
     if (const XMLElement* mimic = element.FirstChildElement("mimic")) {
       const char* followed = mimic->Attribute("joint");
       result.mimics = followed == nullptr ? "another joint" : followed;
@@ -43,6 +45,18 @@ class Reader : public UrdfReader {
   }
 
  private:
+  void read_limits(const XMLElement& element, UrdfJoint& joint) const {
+    const XMLElement* limit = element.FirstChildElement("limit");
+    if (limit == nullptr) return;
+    for (const auto& [name, value] :
+         {std::pair{"lower", &joint.lower}, std::pair{"upper", &joint.upper},
+          std::pair{"effort", &joint.effort}, std::pair{"velocity", &joint.velocity}}) {
+      if (limit->QueryDoubleAttribute(name, value) != tinyxml2::XML_SUCCESS ||
+          !std::isfinite(*value))
+        *value = kNaN;
+    }
+  }
+
   void read_axis(const XMLElement& element, UrdfJoint& joint) const {
     const XMLElement* axis = element.FirstChildElement("axis");
     if (axis == nullptr) return;

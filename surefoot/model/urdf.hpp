@@ -1,5 +1,6 @@
 #pragma once
 
+#include "surefoot/math/numbers.hpp"
 #include "surefoot/model/inertia.hpp"
 
 #include <map>
@@ -24,7 +25,9 @@ struct UrdfJoint {
   Vec3 axis =
       Vec3::UnitX();   ///< unit vector in the child's frame; a fixed joint keeps this default
   std::string mimics;  ///< the joint that it follows; empty: none
-  int line = 0;        ///< in the file
+  /// Of its position [rad] or [m], effort and velocity; NaN: no finite number is given.
+  double lower = kNaN, upper = kNaN, effort = kNaN, velocity = kNaN;
+  int line = 0;  ///< in the file
 };
 
 /// Kinematics and inertias of a URDF file, as written.

@@ -13,7 +13,8 @@ Actuators::Actuators(const ActuatorOptions& options, const JointVector& torque_l
       lag_(-std::expm1(-2.0 * kPi * options.bandwidth_hz * timestep)),
       delayed_(static_cast<std::size_t>(options.delay_ticks), JointVector::Zero()) {
   if (options.model == ActuatorModel::sea && options.level == 2) {
-    drives_.assign(kNumJoints, SeriesElasticDrive(options, timestep));
+    for (Eigen::Index joint = 0; joint < kNumJoints; ++joint)
+      drives_.emplace_back(options, timestep, joint);
   }
 }
 
@@ -47,7 +48,8 @@ JointVector Actuators::torque(const JointVector& q, const JointVector& qd) const
       result[i] = drives_[static_cast<std::size_t>(i)].torque(q[i]);
       continue;
     }
-    const double limited = limited_by_speed(motor_[i], qd[i], options_);
+    const double limited =
+        limited_by_speed(motor_[i], qd[i], options_.stall_torque[i], options_.no_load_speed[i]);
     result[i] = quantised(limited, options_.quantisation, limit_[i]);
   }
   return result;

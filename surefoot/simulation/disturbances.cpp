@@ -125,9 +125,11 @@ Vec3 Hand::force(double time, const Vec3& p_W, const Vec3& v_W) noexcept {
   const double t = time - lift_.time;
   if (t < 0.0 || t > 2.0 * lift_.duration + lift_.hold) return Vec3::Zero();
   if (!begin_.allFinite()) begin_ = p_W;
-  const double pull = kHandStiffness * (begin_.z() + height(t) - p_W.z());
+  const double stiffness = scale_.force() / scale_.length * kHandStiffness;
+  const double damping = scale_.force() / scale_.speed() * kHandDamping;
+  const double pull = stiffness * (begin_.z() + height(t) - p_W.z());
   if (!(pull > 0.0)) return Vec3::Zero();
-  Vec3 force = pull * Vec3::UnitZ() - kHandDamping * v_W;
+  Vec3 force = pull * Vec3::UnitZ() - damping * v_W;
   force.z() = std::max(0.0, force.z());
   return force;
 }
@@ -135,16 +137,14 @@ Vec3 Hand::force(double time, const Vec3& p_W, const Vec3& v_W) noexcept {
 double Hand::height(double time) const {
   const double down = time - lift_.duration - lift_.hold;
   if (down < 0.0) return lift_.height * smoothstep(std::min(1.0, time / lift_.duration));
-  const double lowest = -kReleaseDepth;
+  const double lowest = -(scale_.length * kReleaseDepth);
   return lift_.height + (lowest - lift_.height) * smoothstep(down / lift_.duration);
 }
 
 Pushes::Pushes(const DisturbanceOptions& disturbances, const mjModel& model,
-               const std::string& base_link)
-    : model_(model),
-      base_link_(base_link),
-      hands_(disturbances.lifts.begin(), disturbances.lifts.end()),
-      base_(id_of(model, mjOBJ_BODY, base_link)) {
+               const std::string& base_link, const Scale& scale)
+    : model_(model), base_link_(base_link), base_(id_of(model, mjOBJ_BODY, base_link)) {
+  for (const Lift& lift : disturbances.lifts) hands_.emplace_back(lift, scale);
   const std::vector<Push>& pushes = disturbances.pushes;
   for (std::size_t i = 0; i < pushes.size(); ++i) {
     const std::string key = text("disturbances.pushes[", i, "].body");

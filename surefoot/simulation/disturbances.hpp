@@ -18,7 +18,8 @@ void disturb_masses(mjsBody& base, const model::RobotDescription& description,
 /// it, so that it carries nothing when it lets go.
 class Hand {
  public:
-  explicit Hand(const Lift& lift) : lift_(lift) {}
+  /// `scale` of the robot.
+  Hand(const Lift& lift, const Scale& scale) : lift_(lift), scale_(scale) {}
 
   /// Its force [N] on the point at p_W [m], which moves at v_W [m/s], at a time [s].
   [[nodiscard]] Vec3 force(double time, const Vec3& p_W, const Vec3& v_W) noexcept;
@@ -28,6 +29,7 @@ class Hand {
   [[nodiscard]] double height(double time) const;
 
   Lift lift_;
+  Scale scale_;
   Vec3 begin_ = Vec3::Constant(kNaN);  // start position [m]
 };
 
@@ -35,9 +37,9 @@ class Hand {
 /// base link whose own inertia was ignored.
 class Pushes {
  public:
-  /// Throws UnknownNameError, listing the robot's links, for an unknown body.
-  Pushes(const DisturbanceOptions& disturbances, const mjModel& model,
-         const std::string& base_link);
+  /// `scale` of the robot. Throws UnknownNameError, listing the robot's links, for an unknown body.
+  Pushes(const DisturbanceOptions& disturbances, const mjModel& model, const std::string& base_link,
+         const Scale& scale);
 
   /// Adds a push, and discards those that ended long before `time` [s], which is now. Throws as the
   /// constructor.

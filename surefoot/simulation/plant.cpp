@@ -35,14 +35,14 @@ struct Plant::Implementation {
         data_handle(mj_makeData(built.model.get())),
         data(*data_handle),
         parts(find_parts(model, description)),
-        pushes(options.disturbances, model, description.base_link),
+        pushes(options.disturbances, model, description.base_link, description.scale),
         actuators(options.actuators, description.torque_limit, options.timestep),
         sensors(options.sensors, options.control_period, options.seed),
         link(options.sensors, options.control_period) {
     place(description);
     mj_step1(&model, &data);
     check_starting_posture(model, data, parts, description.urdf_path);
-    settle(description.torque_limit);
+    settle(description);
     observe();
     catcher.reset();
   }
@@ -53,7 +53,7 @@ struct Plant::Implementation {
   }
 
   void place(const model::RobotDescription& description);
-  void settle(const JointVector& torque_limit);
+  void settle(const model::RobotDescription& description);
   void set_joints(const JointVector& q);
   double touching_height(const model::RobotDescription& description) const;
   void raise_out_of_terrain();
@@ -106,12 +106,12 @@ void Plant::Implementation::place(const model::RobotDescription& description) {
   if (initial.is_given && !is_placed) raise_out_of_terrain();
 }
 
-void Plant::Implementation::settle(const JointVector& torque_limit) {
+void Plant::Implementation::settle(const model::RobotDescription& description) {
   const InitialState& initial = options.initial;
   if (initial.settle <= 0.0) return;
-  const JointVector torque =
-      stand_up(model, data, parts,
-               {initial.q, torque_limit, initial.settle, options.timestep, initial.limp});
+  const JointVector torque = stand_up(model, data, parts,
+                                      {initial.q, description.torque_limit, initial.settle,
+                                       options.timestep, initial.limp, description.scale});
   actuators.rest_at(joint_positions(data, parts), torque);
 }
 

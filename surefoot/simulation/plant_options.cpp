@@ -26,6 +26,7 @@ constexpr NumberRange kDuration{.min = 0.0,
 Numbers axes(Vec3& value) { return {value.data(), axis_elements()}; }
 Numbers angles(Vec3& value) { return {value.data(), angle_elements()}; }
 Numbers joints(JointVector& value) { return {value.data(), joint_elements()}; }
+Numbers one_or_joints(JointVector& value) { return {value.data(), joint_elements(), true}; }
 Numbers legs(PerLeg<double>& value) { return {value.data(), leg_elements()}; }
 
 Field place_of(Vec3& position, const char* help) {
@@ -39,7 +40,8 @@ Field friction_of(double& friction) {
 }
 Field size_of(const char* key, double& size) { return {key, &size, kPositive, "m", "extent"}; }
 Field rate_of(double& rate) {
-  return {"rate_hz", &rate, kPositive, "Hz", "of the samples, at most the control rate"};
+  return {"rate_hz",   &rate, kPositive, "Hz", "of the samples, at most the control rate",
+          Sizing::none};
 }
 Field delay_of(int& ticks) {
   return {"delay_ticks", &ticks, kDelay, "ticks", "on the way to the controller"};
@@ -60,18 +62,18 @@ Group fields(JointTorqueSensorOptions& o) {
 }
 
 Group fields(ImuOptions& o) {
-  return {
-      {"gyro_noise", &o.gyro_noise, kNotNegative, "rad/s", "white"},
-      {"gyro_bias", &o.gyro_bias, kNotNegative, "rad/s", "constant"},
-      {"gyro_drift", &o.gyro_drift, kNotNegative, "rad/s", "in the long run"},
-      {"gyro_drift_time", &o.gyro_drift_time, kPositive, "s", "correlation time"},
-      {"accelerometer_noise", &o.accelerometer_noise, kNotNegative, "m/s²", "white"},
-      {"accelerometer_bias", &o.accelerometer_bias, kNotNegative, "m/s²", "constant"},
-      {"accelerometer_drift", &o.accelerometer_drift, kNotNegative, "m/s²", "in the long run"},
-      {"accelerometer_drift_time", &o.accelerometer_drift_time, kPositive, "s", "correlation time"},
-      {"tilt", angles(o.tilt), kAnyNumber, "rad", "of the IMU in B, which counts as B itself"},
-      rate_of(o.rate_hz),
-      delay_of(o.delay_ticks)};
+  return {{"gyro_noise", &o.gyro_noise, kNotNegative, "rad/s", "white", Sizing::none},
+          {"gyro_bias", &o.gyro_bias, kNotNegative, "rad/s", "constant", Sizing::none},
+          {"gyro_drift", &o.gyro_drift, kNotNegative, "rad/s", "in the long run", Sizing::none},
+          {"gyro_drift_time", &o.gyro_drift_time, kPositive, "s", "correlation time", Sizing::none},
+          {"accelerometer_noise", &o.accelerometer_noise, kNotNegative, "m/s²", "white"},
+          {"accelerometer_bias", &o.accelerometer_bias, kNotNegative, "m/s²", "constant"},
+          {"accelerometer_drift", &o.accelerometer_drift, kNotNegative, "m/s²", "in the long run"},
+          {"accelerometer_drift_time", &o.accelerometer_drift_time, kPositive, "s",
+           "correlation time", Sizing::none},
+          {"tilt", angles(o.tilt), kAnyNumber, "rad", "of the IMU in B, which counts as B itself"},
+          rate_of(o.rate_hz),
+          delay_of(o.delay_ticks)};
 }
 
 Group fields(FootForceSensorOptions& o) {
@@ -148,10 +150,13 @@ Group fields(ActuatorOptions& o) {
        "of sea; 1: delay and lag, 2: motor, spring and torque loop"},
       {"delay_ticks", &o.delay_ticks, kDelay, "ticks", "between command and motor"},
       {"bandwidth_hz", &o.bandwidth_hz, kPositive, "Hz",
-       "of the lag, at level 2 of the torque loop"},
-      {"stall_torque", &o.stall_torque, kPositive, "N·m", "torque–speed line: at rest"},
-      {"no_load_speed", &o.no_load_speed, kPositive, "rad/s",
-       "torque–speed line: no torque; at level 2 the rotor's speed over the gear ratio"},
+       "of the lag, at level 2 of the torque loop", Sizing::none},
+      {"stall_torque", one_or_joints(o.stall_torque), kPositive, "N·m",
+       "torque–speed line: at rest; without it the robot's", Sizing::none},
+      {"no_load_speed", one_or_joints(o.no_load_speed), kPositive, "rad/s",
+       "torque–speed line: no torque, at level 2 the rotor's speed over the gear ratio; without it "
+       "the robot's",
+       Sizing::none},
       {"quantisation", &o.quantisation, kNotNegative, "N·m",
        "of the torque, at level 2 as measured"},
       {"torque_gain", &o.torque_gain, kPositive, "", "true torque per commanded, of all joints"},

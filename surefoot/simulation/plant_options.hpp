@@ -93,7 +93,9 @@ struct ActuatorOptions {
   ActuatorModel model = ActuatorModel::ideal;  ///< of a scenario that names none: sea
   int level = 1, delay_ticks = 1;
   double bandwidth_hz = 70.0;
-  double stall_torque = 40.0, no_load_speed = 12.0;
+  /// Of a scenario that does not give them, those of its robot.
+  JointVector stall_torque = JointVector::Constant(40.0),
+              no_load_speed = JointVector::Constant(12.0);
   double quantisation = 0.2, torque_gain = 1.0;
   JointVector joint_torque_gain = JointVector::Ones();
   SpringOptions spring;

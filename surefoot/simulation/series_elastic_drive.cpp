@@ -6,10 +6,10 @@
 
 namespace surefoot::simulation {
 
-double limited_by_speed(double torque, double speed, const ActuatorOptions& options) {
-  const double share = speed / options.no_load_speed;
-  const double highest = options.stall_torque * std::clamp(1.0 - share, 0.0, 1.0);
-  const double lowest = -options.stall_torque * std::clamp(1.0 + share, 0.0, 1.0);
+double limited_by_speed(double torque, double speed, double stall, double no_load) {
+  const double share = speed / no_load;
+  const double highest = stall * std::clamp(1.0 - share, 0.0, 1.0);
+  const double lowest = -stall * std::clamp(1.0 + share, 0.0, 1.0);
   return std::clamp(torque, lowest, highest);
 }
 
@@ -20,11 +20,14 @@ double quantised(double torque, double quantum, double limit) {
   return quantum * std::clamp(std::round(torque / quantum), -most, most);
 }
 
-SeriesElasticDrive::SeriesElasticDrive(const ActuatorOptions& options, double timestep)
+SeriesElasticDrive::SeriesElasticDrive(const ActuatorOptions& options, double timestep,
+                                       Eigen::Index joint)
     : options_(options),
       timestep_(timestep),
       stiffness_(options.spring.stiffness),
-      inertia_(options.rotor.gear_ratio * options.rotor.gear_ratio * options.rotor.inertia) {
+      inertia_(options.rotor.gear_ratio * options.rotor.gear_ratio * options.rotor.inertia),
+      stall_torque_(options.stall_torque[joint]),
+      no_load_speed_(options.no_load_speed[joint]) {
   const double bandwidth = 2.0 * kPi * options.bandwidth_hz;
   kp_ = std::max(0.0, inertia_ * bandwidth * bandwidth / stiffness_ - 1.0);
   kd_ = std::max(0.0,
@@ -44,7 +47,7 @@ double SeriesElasticDrive::controlled(double reference) noexcept {
   const double error = reference - measured;
   const double grown = integral_ + kp_ * error * timestep_ / options_.torque_loop.integral_time;
   const double wanted = reference + kp_ * error + grown - kd_ * (speed_ - joint_speed_);
-  const double given = limited_by_speed(wanted, speed_, options_);
+  const double given = limited_by_speed(wanted, speed_, stall_torque_, no_load_speed_);
   if (given == wanted) integral_ = grown;
   return given;
 }

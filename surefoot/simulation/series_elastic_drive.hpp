@@ -7,7 +7,7 @@ namespace surefoot::simulation {
 /// Limits a motor's torque by its speed:
 ///
 ///     τ ≤ stall · clip(1 − ω/no_load, 0, 1),   τ ≥ −stall · clip(1 + ω/no_load, 0, 1)
-[[nodiscard]] double limited_by_speed(double torque, double speed, const ActuatorOptions& options);
+[[nodiscard]] double limited_by_speed(double torque, double speed, double stall, double no_load);
 
 /// The nearest multiple of the quantum inside ± limit.
 [[nodiscard]] double quantised(double torque, double quantum, double limit);
@@ -32,7 +32,7 @@ namespace surefoot::simulation {
 /// artificial energy.
 class SeriesElasticDrive {
  public:
-  SeriesElasticDrive(const ActuatorOptions& options, double timestep);
+  SeriesElasticDrive(const ActuatorOptions& options, double timestep, Eigen::Index joint = 0);
 
   /// At rest under a torque [N·m], the joint at `q` [rad].
   void rest_at(double q, double torque = 0.0) noexcept;
@@ -47,6 +47,7 @@ class SeriesElasticDrive {
 
   ActuatorOptions options_;
   double timestep_, stiffness_, inertia_;
+  double stall_torque_, no_load_speed_;
   double kp_, kd_;
   double angle_ = 0.0, speed_ = 0.0;              // of the rotor
   double joint_angle_ = 0.0, joint_speed_ = 0.0;  // at the end of the last step

@@ -33,9 +33,9 @@ bool touches(const mjData& data, int geom) {
   return false;
 }
 
-bool at_rest(const mjData& data, const RobotParts& parts) {
-  return base_velocity(data, parts).norm() < kRestSpeed &&
-         joint_velocities(data, parts).cwiseAbs().maxCoeff() < kRestRate;
+bool at_rest(const mjData& data, const RobotParts& parts, const Scale& scale) {
+  return base_velocity(data, parts).norm() < scale.speed() * kRestSpeed &&
+         joint_velocities(data, parts).cwiseAbs().maxCoeff() < scale.rate() * kRestRate;
 }
 
 /// Jacobian of the foot for its own joints, in W.
@@ -59,24 +59,28 @@ Mat3 foot_jacobian(const mjModel& model, const mjData& data, const RobotParts& p
 
 JointVector stand_up(const mjModel& model, mjData& data, const RobotParts& parts,
                      const StandUpOptions& options) {
-  const double stiffness = options.limp ? 0.0 : kStiffness;
+  const Scale& scale = options.scale;
+  const double stiffness = options.limp ? 0.0 : scale.torque() * kStiffness;
+  const double damping = scale.torque() * scale.time() * kDamping;
   JointVector held = options.q, torque = JointVector::Zero();
   PerLeg<Foot> feet{};
   const auto least = std::lround(options.at_least / options.timestep);
-  const auto most = std::lround(kMaxDuration / options.timestep);
-  for (long step = 0; step < least || (step < most && !at_rest(data, parts)); ++step) {
+  const auto most = std::lround(scale.time() * kMaxDuration / options.timestep);
+  for (long step = 0; step < least || (step < most && !at_rest(data, parts, scale)); ++step) {
     for (const Leg leg : kLegs) {
       Foot& foot = feet[index(leg)];
       foot.in_the_air =
           touches(data, parts.foot_geom[index(leg)]) ? 0.0 : foot.in_the_air + options.timestep;
-      if (foot.in_the_air < kMaxAirTime || foot.lowered > kMaxLowering) continue;
-      const double down = kLoweringSpeed * options.timestep;
+      if (foot.in_the_air < scale.time() * kMaxAirTime) continue;
+      if (foot.lowered > scale.length * kMaxLowering) continue;
+      const double down = scale.speed() * kLoweringSpeed * options.timestep;
       foot.lowered += down;
       held.segment<3>(first_joint(leg)) +=
-          model::damped_inverse(foot_jacobian(model, data, parts, leg)) * Vec3(0.0, 0.0, -down);
+          model::damped_inverse(foot_jacobian(model, data, parts, leg), scale) *
+          Vec3(0.0, 0.0, -down);
     }
-    torque = stiffness * (held - joint_positions(data, parts)) -
-             kDamping * joint_velocities(data, parts);
+    torque =
+        stiffness * (held - joint_positions(data, parts)) - damping * joint_velocities(data, parts);
     torque = torque.cwiseMin(options.torque_limit).cwiseMax(-options.torque_limit);
     for (std::size_t i = 0; i < kNumJoints; ++i) {
       data.ctrl[parts.actuator[i]] = torque[static_cast<Eigen::Index>(i)];

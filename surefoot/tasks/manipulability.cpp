@@ -25,7 +25,9 @@ LegManipulability leg_manipulability(const model::Dynamics& dynamics, Leg leg) n
       result.gradient[l] += sign * cofactors.col(i).dot(axis.cross(column));
     }
   }
-  const double divisor = sign * std::max(result.m, kSmallestDeterminant);
+  const double length = dynamics.scale.length;
+  const double smallest = length * length * length * kSmallestDeterminant;
+  const double divisor = sign * std::max(result.m, smallest);
   result.height_gradient = -result.gradient.dot(cofactors.row(2)) / divisor;
   return result;
 }

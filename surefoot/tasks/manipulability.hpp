@@ -13,7 +13,8 @@ struct LegManipulability {
 };
 
 /// Exact, from the joint axes a_i: ∂j_i/∂q_l = a_min(i,l) × j_max(i,l), and ∂q/∂z_B = −J⁻¹ e_z with
-/// the foot fixed. Near a singular posture J⁻¹ uses |det J| = 1e-4 m³.
+/// the foot fixed. Near a singular posture J⁻¹ uses |det J| = 1e-4 m³, times
+/// `scale.length`³.
 [[nodiscard]] LegManipulability leg_manipulability(const model::Dynamics& dynamics,
                                                    Leg leg) noexcept;
 

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "server/frame_block.hpp"
 #include "server/log_content.hpp"
 #include "surefoot/logging/mcap_chunks.hpp"
 #include "surefoot/logging/mcap_writer.hpp"
@@ -8,6 +7,7 @@
 #include "surefoot/logging/recorder.hpp"
 #include "tests/logging/synthetic_run.hpp"
 #include "tests/logging/temporary_folder.hpp"
+#include "tests/server/read_block.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

@@ -179,6 +179,62 @@ TEST_F(RobotFile, may_lie_in_a_package_of_ones_own) {
   EXPECT_EQ(robot.urdf_path, folder_ / "mine/robots/robot.urdf");
 }
 
+/// A file that says only what no URDF can tell.
+class ShortRobotFile : public RobotFile {
+ protected:
+  ShortRobotFile() {
+    text_ =
+        "name: r\nurdf: robot.urdf\nlegs: {LF: {foot: LF_FOOT}, RF: {foot: RF_FOOT}, LH: {foot: "
+        "LH_FOOT}, RH: {foot: RH_FOOT}}\nfoot: {radius: 0.031, center: [0, 0, 0.02325]}\n";
+  }
+  model::RobotDescription loaded() {
+    test::write_file(folder_ / "robot.yaml", text_);
+    test::write_file(folder_ / "robot.urdf", urdf_);
+    return load_robot(folder_ / "robot.yaml");
+  }
+};
+
+TEST_F(ShortRobotFile, takes_legs_limits_and_gains_from_the_urdf) {
+  const model::RobotDescription robot = loaded(), full = load_robot("anymal_b");
+  EXPECT_EQ(robot.base_link, "base");
+  for (const Leg leg : kLegs) {
+    EXPECT_EQ(robot.legs[index(leg)].joints, full.legs[index(leg)].joints);
+    EXPECT_EQ(robot.legs[index(leg)].hip_frame, full.legs[index(leg)].hip_frame);
+    EXPECT_EQ(robot.legs[index(leg)].shank_link, full.legs[index(leg)].shank_link);
+  }
+  EXPECT_EQ(robot.torque_limit, JointVector::Constant(80.0));
+  EXPECT_EQ(robot.stall_torque, robot.torque_limit);
+  EXPECT_EQ(robot.q_nominal, full.q_nominal);
+  EXPECT_EQ(robot.hold_kp, 80.0);
+}
+
+TEST_F(ShortRobotFile, has_limits_of_each_joint_alone) {
+  const std::size_t limit = urdf_.find("<limit", urdf_.find("<joint name=\"RH_KFE\""));
+  urdf_.replace(limit, urdf_.find("/>", limit) - limit,
+                R"(<limit effort="33" velocity="9" lower="0.2" upper="2.5")");
+  const model::RobotDescription robot = loaded();
+  EXPECT_EQ(robot.torque_limit[11], 33.0);
+  EXPECT_EQ(robot.velocity_limit[11], 9.0);
+  EXPECT_EQ(robot.q_min[11], 0.2);
+  EXPECT_EQ(robot.q_max[11], 2.5);
+  EXPECT_EQ(robot.torque_limit[8], 80.0);
+}
+
+TEST_F(ShortRobotFile, says_which_joint_has_no_limit) {
+  const std::size_t limit = urdf_.find("<limit", urdf_.find("<joint name=\"RH_KFE\""));
+  urdf_.replace(limit, urdf_.find("/>", limit) - limit, R"(<limit effort="0")");
+  EXPECT_TRUE(holds(complaint(),
+                    "limits.torque: this key is missing, and the URDF does not limit joint "
+                    "\"RH_KFE\""));
+}
+
+TEST_F(ShortRobotFile, says_how_many_joints_it_found) {
+  change(text_, "LF: {foot: LF_FOOT}", "LF: {foot: LF_THIGH}");
+  EXPECT_TRUE(holds(complaint(),
+                    "legs.LF: between the base and \"LF_THIGH\" there are 2 joints that move: "
+                    "LF_HAA LF_HFE; a leg has three"));
+}
+
 TEST_F(RobotFile, that_does_not_exist_lists_those_that_do) {
   EXPECT_TRUE(holds(message_of([] { (void)load_robot("anymal_x"); }),
                     "unknown robot \"anymal_x\"; did you mean \"anymal_b\"?"));

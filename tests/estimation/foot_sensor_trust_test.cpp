@@ -79,5 +79,16 @@ TEST(FootSensorTrust, WhatIsNoForceIsNoProof) {
   for (int i = 0; i < 190; ++i) EXPECT_EQ(trust.force(8.0, 3.0), 3.0) << i;
 }
 
+TEST(FootSensorTrust, GoesWithTheRobotsMass) {
+  FootSensorTrust reference(kPeriod);
+  FootSensorTrust heavy(kPeriod, {.mass = 4.0});
+  for (double sensed = -50.0; sensed < 150.0; sensed += 7.0) {
+    for (double by_joints = -5.0; by_joints < 60.0; by_joints += 2.5) {
+      const double expected = 4.0 * reference.force(sensed, by_joints);
+      EXPECT_EQ(heavy.force(4.0 * sensed, 4.0 * by_joints), expected) << sensed << ' ' << by_joints;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace surefoot::estimation

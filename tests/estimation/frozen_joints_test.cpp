@@ -111,6 +111,20 @@ TEST(FrozenJoints, OfSeveralThatAreFrozenNoneIsTheOnlyOne) {
   EXPECT_EQ(watch.encoders().joint, -1);
 }
 
+TEST(FrozenJoints, AJointAtItsStopIsNotFrozen) {
+  for (const bool is_at_stop : {false, true}) {
+    Standing robot;
+    robot.state.v_WB = {0.1, 0.1, 0.0};
+    robot.run(0.1);
+    robot.frozen_encoder = 5;
+    JointStops stops;
+    if (is_at_stop) stops.max[5] = robot.reading.q[5] + 0.005;
+    robot.watch = FrozenJoints(FrozenJointOptions{}, kPeriod, stops);
+    robot.run(2.0);
+    EXPECT_EQ(robot.watch.encoders().joint, is_at_stop ? -1 : 5);
+  }
+}
+
 TEST(FrozenJoints, AnEncoderThatMovesIsNotFrozenHoweverSlowly) {
   Standing robot;
   robot.state.v_WB = {0.002, 0.001, -0.001};

@@ -17,6 +17,7 @@ constexpr PerLeg<bool> kSwingLF{false, true, true, true};
 constexpr int kSwing = 160;  // ticks
 /// The model explains the bench's leg completely.
 constexpr SwingTareOptions kClear{.noise = 0.5};  // [N·m]
+constexpr Scale kOneSize{};
 
 /// A robot whose swinging leg LF lacks bias + gain τ + friction q̇ + inertia q̈ in its joints.
 struct Bench {
@@ -53,7 +54,7 @@ struct Bench {
     return most;
   }
 
-  SwingTare tare{kClear, kNoLag, kPeriod};
+  SwingTare tare{kClear, kNoLag, kPeriod, kOneSize};
   double time = 0.0;
   double lag = kNoLag;  // of the three poles that the lacking torques come by [rad/s]
   std::array<JointVector, 3> stages{JointVector::Zero(), JointVector::Zero(), JointVector::Zero()};

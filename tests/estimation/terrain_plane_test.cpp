@@ -141,5 +141,16 @@ TEST(ControlFrame, OnLevelGroundIsATurnAboutTheVertical) {
   EXPECT_LT((control_frame(Vec3::UnitZ(), 0.7) - rotation_about_z(0.7)).norm(), 1e-15);
 }
 
+TEST(TerrainPlane, OfASmallRobotsFeetHasASlopeWhereALargeOnesNearlyCoincide) {
+  PerLeg<Vec3> feet;
+  for (const Leg leg : kLegs) {
+    const double x = is_front(leg) ? 0.006 : -0.006;
+    feet[index(leg)] = Vec3(x, is_left(leg) ? 0.22 : -0.22, 0.2 * x);
+  }
+  EXPECT_NEAR(fit_terrain_plane(feet, kMaxTilt).normal.x(), 0.0, 1e-12);
+  const Vec3 normal = fit_terrain_plane(feet, kMaxTilt, {.length = 0.5}).normal;
+  EXPECT_NEAR(normal.x() / normal.z(), -0.2, 1e-9);
+}
+
 }  // namespace
 }  // namespace surefoot::estimation

@@ -86,5 +86,13 @@ TEST(EdgeLanding, IsOnTopOfAPole) {
   EXPECT_TRUE(is_edge_landing(terrain, {0.002, 0.0, 0.1}, Vec3::UnitZ()));
 }
 
+TEST(EdgeLanding, IsWithinACentimetreOfAStepForARobotHalfAsLarge) {
+  const auto lands_on_edge = [](double x) {
+    return is_edge_landing(step, {x, 0.3, step(x, 0.3)}, Vec3::UnitZ(), {.length = 0.5});
+  };
+  EXPECT_TRUE(lands_on_edge(1.008));
+  EXPECT_FALSE(lands_on_edge(1.012));
+}
+
 }  // namespace
 }  // namespace surefoot::evaluation

@@ -83,5 +83,14 @@ TEST(SlipJudge, ASlideThatGoesOnToTheEndCountsToo) {
   EXPECT_EQ(noticed.metrics().slips_missed, 0);
 }
 
+TEST(SlipJudge, SlowerSlidesOfLighterFeetCountForASmallRobot) {
+  Slide slide;
+  slide.judge = SlipJudge(kPeriod, {.length = 0.25, .mass = 0.1});
+  slide.truth.feet[2].force.z() = 10.0;
+  slide.ticks(20, 0.04, false);
+  slide.ticks(40, 0.0, false);
+  EXPECT_EQ(slide.metrics().slips_missed, 1);
+}
+
 }  // namespace
 }  // namespace surefoot::evaluation

@@ -20,6 +20,14 @@ draw:
 set:
   gait: walk
 """
+CASES = """\
+scenario: [fake, other]
+seeds: {first: 1, count: 8}
+cases:
+  as it is: {}
+  heavy: {mass: 8, gait: walk}
+  one crashes: {mode: crash, broken_seed: 3}
+"""
 
 
 def is_running(pid):

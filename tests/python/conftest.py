@@ -7,7 +7,7 @@ import sys
 import pytest
 
 from browser import Browser
-from live_page import LONG, Served
+from live_page import LONG, WALK, Served
 from log_tools import exported
 from program import PROGRAM
 
@@ -79,6 +79,16 @@ def steps_down(tmp_path_factory):
     return record(tmp_path_factory.mktemp("log") / "step.mcap", scenario="step_down", duration=15)
 
 
+# So hard that the controller takes its sensors for faulty.
+HIT = ["--set", "disturbances.pushes.lateral.time=0.5", "--set", "disturbances.pushes.lateral.force.y=400"]
+
+
+@pytest.fixture(scope="session")
+def stopped(tmp_path_factory):
+    """A recorded run whose controller stopped for safety."""
+    return record(tmp_path_factory.mktemp("log") / "stopped.mcap", *HIT, scenario="push", duration=6)
+
+
 @pytest.fixture(scope="session")
 def table(log, tmp_path_factory):
     """The log as a table."""
@@ -87,6 +97,13 @@ def table(log, tmp_path_factory):
     file = tmp_path_factory.mktemp("export") / "run.parquet"
     exported(log, "--parquet", file)
     return pyarrow.parquet.read_table(file)
+
+
+@pytest.fixture(scope="module")
+def live():
+    """A walk that goes on, for pages in a browser."""
+    with Served(*WALK) as served:
+        yield served
 
 
 @pytest.fixture(scope="module")

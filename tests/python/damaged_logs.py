@@ -3,6 +3,7 @@
 import io
 import json
 import struct
+from operator import attrgetter
 
 from mcap.data_stream import ReadDataStream
 from mcap.opcode import Opcode
@@ -10,7 +11,7 @@ from mcap.reader import make_reader
 from mcap.records import Channel
 from mcap.writer import Writer
 
-from log_file import attachment
+from log_file import attachment, summary_of
 
 MAGIC = b"\x89MCAP0\r\n"
 HEAD = struct.Struct("<BQ")
@@ -26,33 +27,9 @@ def written(path, attachments):
     return path
 
 
-def in_other_chunks(log, folder, by_time=True, channels_first=False, **options):
-    """The same messages in the chunks of another writer, by their times or in their order; channels before all of them, or each before its
-    first message."""
-    path = folder / "in_other_chunks.mcap"
-    with open(log, "rb") as file, open(path, "wb") as copy:
-        reader, writer = make_reader(file), Writer(copy, **options)
-        writer.start()
-        for one in reader.iter_attachments():
-            writer.add_attachment(one.create_time, one.log_time, one.name, one.media_type, one.data)
-        for one in reader.iter_metadata():
-            writer.add_metadata(one.name, one.metadata)
-        ids = {}
-
-        def describe(schema, channel):
-            made = writer.register_schema(schema.name, schema.encoding, schema.data)
-            ids[channel.id] = writer.register_channel(channel.topic, channel.message_encoding, made, channel.metadata)
-
-        if channels_first:
-            summary = reader.get_summary()
-            for channel in summary.channels.values():
-                describe(summary.schemas[channel.schema_id], channel)
-        for schema, channel, message in reader.iter_messages(log_time_order=by_time):
-            if channel.id not in ids:
-                describe(schema, channel)
-            writer.add_message(ids[channel.id], message.log_time, message.data, message.publish_time, message.sequence)
-        writer.finish()
-    return path
+def in_other_chunks(log, folder, by_time=True, **options):
+    """The same messages in the chunks of another writer."""
+    return rewritten(log, folder / "in_other_chunks.mcap", by_time=by_time, **options)
 
 
 def foreign(folder):
@@ -84,8 +61,7 @@ def cut_at(log, folder, length):
 
 def attachment_place(log, name):
     """Where the record of an attachment begins."""
-    with open(log, "rb") as file:
-        return next(index.offset for index in make_reader(file).get_summary().attachment_indexes if index.name == name)
+    return next(index.offset for index in summary_of(log).attachment_indexes if index.name == name)
 
 
 def damaged(log, folder, share):
@@ -95,17 +71,15 @@ def damaged(log, folder, share):
 
 def tick_chunks(log):
     """The chunks that hold ticks, in their order: those before the time goes back."""
-    with open(log, "rb") as file:
-        chunks = sorted(make_reader(file).get_summary().chunk_indexes, key=lambda chunk: chunk.chunk_start_offset)
+    chunks = sorted(summary_of(log).chunk_indexes, key=attrgetter("chunk_start_offset"))
     return [chunk for i, chunk in enumerate(chunks) if all(chunk.message_start_time >= other.message_start_time for other in chunks[:i])]
 
 
 def timings_chunk(log):
     """A place in the first chunk of timings, which stand behind all ticks."""
     last = tick_chunks(log)[-1].chunk_start_offset
-    with open(log, "rb") as file:
-        behind = [chunk for chunk in make_reader(file).get_summary().chunk_indexes if chunk.chunk_start_offset > last]
-    chunk = min(behind, key=lambda chunk: chunk.chunk_start_offset)
+    behind = [chunk for chunk in summary_of(log).chunk_indexes if chunk.chunk_start_offset > last]
+    chunk = min(behind, key=attrgetter("chunk_start_offset"))
     return chunk.chunk_start_offset + chunk.chunk_length // 2
 
 
@@ -187,28 +161,35 @@ def steered(log, folder, changes):
     return rewritten(log, folder / "steered.mcap", changes=[unknown | change for change in changes])
 
 
-def rewritten(log, path, data_of=lambda channel, number, data: data, changes=(), attachments=None):
-    """The same messages in the same order, with other data (None: without this one); a change before the tick of its time. `attachments`:
-    data of those that are others."""
+def rewritten(log, path, data_of=lambda channel, number, data: data, changes=(), attachments=None, by_time=False, channels_first=False, **options):
+    """The same messages, in the order of the file or of their times, with other data (None: without this one); a change before the tick of its
+    time. `attachments`: data of those that are others. `channels_first`: all before the first message. `options`: of the writer."""
     with open(log, "rb") as source, open(path, "wb") as target:
-        writer = Writer(target)
+        reader, writer = make_reader(source), Writer(target, **options)
         writer.start()
-        reader, channels, seen, waiting = make_reader(source), {}, {}, list(changes)
-        for item in reader.iter_attachments():
-            writer.add_attachment(0, 0, item.name, item.media_type, (attachments or {}).get(item.name, item.data))
-        own = writer.register_channel("/changes", "json", writer.register_schema("surefoot.Change", "jsonschema", b"{}")) if changes else None
-        # In the order of the file, which is that of the ticks.
-        for schema, channel, message in reader.iter_messages(log_time_order=False):
+        summary, channels, seen, waiting = reader.get_summary(), {}, {}, list(changes)
+        for one in reader.iter_attachments():
+            writer.add_attachment(one.create_time, one.log_time, one.name, one.media_type, (attachments or {}).get(one.name, one.data))
+        for one in reader.iter_metadata():
+            writer.add_metadata(one.name, one.metadata)
+
+        def channel_of(schema, channel):
             if channel.id not in channels:
                 schema_id = writer.register_schema(schema.name, schema.encoding, schema.data)
-                channels[channel.id] = writer.register_channel(channel.topic, channel.message_encoding, schema_id)
+                channels[channel.id] = writer.register_channel(channel.topic, channel.message_encoding, schema_id, channel.metadata)
+            return channels[channel.id]
+
+        for channel in summary.channels.values() if channels_first else ():
+            channel_of(summary.schemas[channel.schema_id], channel)
+        own = writer.register_channel("/changes", "json", writer.register_schema("surefoot.Change", "jsonschema", b"{}")) if changes else None
+        for schema, channel, message in reader.iter_messages(log_time_order=by_time):
+            place = channel_of(schema, channel)
             while waiting and channel.topic == "/readings" and 1e-9 * message.log_time > waiting[0]["time"] - 1e-6:
                 change = waiting.pop(0)
                 writer.add_message(own, message.log_time, json.dumps(change).encode(), message.publish_time)
             number = seen[channel.topic] = seen.get(channel.topic, -1) + 1
             data = data_of(channel, number, message.data)
-            if data is None:
-                continue
-            writer.add_message(channels[channel.id], message.log_time, data, message.publish_time)
+            if data is not None:
+                writer.add_message(place, message.log_time, data, message.publish_time, message.sequence)
         writer.finish()
     return path

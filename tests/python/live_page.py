@@ -1,29 +1,31 @@
 """A page without a browser: what the viewer's page says and hears (docs/view_protocol.md)."""
 
-import base64
 import contextlib
 import http.client
 import json
-import os
 import re
 import signal
-import socket
 import struct
 import subprocess
 import threading
 import time
 
+from websockets.exceptions import ConnectionClosed, InvalidStatus
+from websockets.sync.client import connect
+
 from program import served
 
 # A run that does not end by itself, with many levels.
 LONG = ["--set", "duration=1000", "--set", "stack=terrain_adaptation"]
+# A call of one.
+WALK = ["run", "walk_flat_ideal", "--view", "--set", "duration=600", "--set", "stack=terrain_adaptation"]
 
 
 class Served:
     """The program while it serves a page on this machine."""
 
-    def __init__(self, *arguments, waits=False):
-        self.process = subprocess.Popen(served(arguments, waits), stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    def __init__(self, *arguments, port=0, waits=False):
+        self.process = subprocess.Popen(served(arguments, waits, port), stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
         self.errors = ""
         for line in self.process.stderr:
             self.errors += line
@@ -31,7 +33,7 @@ class Served:
                 break
         else:
             raise AssertionError(f"no link: {self.errors}")
-        self.host, self.port, self.token = link[1], int(link[2]), link[3]
+        self.link, self.host, self.port, self.token = link[0], link[1], int(link[2]), link[3]
         # What else it writes must not fill the pipe.
         self.readers = [threading.Thread(target=self._read, args=(name,)) for name in ("stdout", "stderr")]
         self.output = ""
@@ -45,6 +47,11 @@ class Served:
             else:
                 self.errors += line
 
+    @property
+    def address(self):
+        """The link without its token."""
+        return f"http://{self.host}:{self.port}/"
+
     def get(self, path, headers=(), method="GET"):
         """Status, headers and body of an answer."""
         connection = http.client.HTTPConnection(self.host, self.port, timeout=30)
@@ -53,8 +60,20 @@ class Served:
             answer = connection.getresponse()
             return answer.status, dict(answer.getheaders()), answer.read()
 
-    def session(self):
-        return json.loads(self.get("/api/session")[2])
+    def session(self, is_it=lambda session: True, seconds=60):
+        """As soon as it is the one."""
+        end = time.monotonic() + seconds
+        while not is_it(session := json.loads(self.get("/api/session")[2])):
+            assert time.monotonic() < end, session
+            time.sleep(0.05)
+        return session
+
+    def summarised(self):
+        """The session of a log once all of it was read."""
+        return self.session(lambda session: session["summarised"] == session["ticks"])
+
+    def frames(self, query):
+        return Frames(self.session(), [self.get(f"/api/frames?{query}")[2]])
 
     def page(self, **options):
         return Page(self, **options)
@@ -72,8 +91,8 @@ class Served:
 
     def __exit__(self, *_):
         if self.process.poll() is None:
-            self.process.kill()
-            self.process.wait()
+            self.process.terminate()
+            self.process.wait(timeout=60)
         for reader in self.readers:
             reader.join()
 
@@ -89,72 +108,35 @@ class Closed(ConnectionError):
 class Page:
     """A WebSocket to a served run."""
 
-    def __init__(self, served, token=None, origin=None, host=None):
+    def __init__(self, served, token=None, origin=None):
         self.token = served.token if token is None else token
-        self.socket = socket.create_connection((served.host, served.port), timeout=20)
         name = f"{served.host}:{served.port}"
-        self.socket.sendall(
-            f"GET /api/live HTTP/1.1\r\nHost: {host or name}\r\nUpgrade: websocket\r\nConnection: Upgrade\r\n"
-            f"Origin: {origin or 'http://' + name}\r\nSec-WebSocket-Version: 13\r\n"
-            f"Sec-WebSocket-Key: {base64.b64encode(os.urandom(16)).decode()}\r\n\r\n".encode()
-        )
-        self.bytes = b""
-        while b"\r\n\r\n" not in self.bytes:
-            self.bytes += self._some()
-        head, _, self.bytes = self.bytes.partition(b"\r\n\r\n")
-        status = int(head.split()[1])
-        if status != 101:
-            raise Refused(status)
-        self.id = 0
-        self.blocks, self.texts = [], []
-
-    def _some(self):
-        some = self.socket.recv(1 << 16)
-        if not some:
-            raise ConnectionError("the program closed the connection")
-        return some
-
-    def _take(self, count):
-        while len(self.bytes) < count:
-            self.bytes += self._some()
-        taken, self.bytes = self.bytes[:count], self.bytes[count:]
-        return taken
+        options = {"compression": None, "max_size": None, "ping_interval": None, "proxy": None, "close_timeout": 1}
+        try:
+            self.open_things = contextlib.ExitStack()
+            self.socket = self.open_things.enter_context(connect(f"ws://{name}/api/live", origin=origin or f"http://{name}", **options))
+        except InvalidStatus as refused:
+            raise Refused(refused.response.status_code) from None
+        self.id, self.blocks, self.texts = 0, [], []
 
     def hear(self):
         """The next message, which is also kept: a dict, or the bytes of a block."""
-        while True:
-            first, length = self._take(2)
-            if length == 126:
-                (length,) = struct.unpack(">H", self._take(2))
-            elif length == 127:
-                (length,) = struct.unpack(">Q", self._take(8))
-            content = self._take(length)
-            kind = first & 15
-            if kind == 8:
-                raise Closed(content[2:].decode())
-            if kind == 9:
-                self.send_bytes(10, content)
-            if kind == 1:
-                self.texts.append(json.loads(content))
-                return self.texts[-1]
-            if kind == 2:
-                self.blocks.append(content)
-                return content
+        try:
+            content = self.socket.recv(timeout=20)
+        except ConnectionClosed as closed:
+            raise Closed(closed.rcvd.reason if closed.rcvd else "without a reason") from None
+        kept = self.blocks if isinstance(content, bytes) else self.texts
+        kept.append(content if isinstance(content, bytes) else json.loads(content))
+        return kept[-1]
 
-    def send_bytes(self, kind, content):
-        mask = os.urandom(4)
-        head = bytes([128 | kind])
-        if len(content) < 126:
-            head += bytes([128 | len(content)])
-        elif len(content) < 1 << 16:
-            head += bytes([128 | 126]) + struct.pack(">H", len(content))
-        else:
-            head += bytes([128 | 127]) + struct.pack(">Q", len(content))
-        self.socket.sendall(head + mask + bytes(byte ^ mask[i % 4] for i, byte in enumerate(content)))
+    def hear_for(self, seconds):
+        end = time.monotonic() + seconds
+        while time.monotonic() < end:
+            self.hear()
 
     def drawn(self):
         """As a page says that has drawn the robot."""
-        self.send_bytes(1, json.dumps({"type": "drawn"}).encode())
+        self.socket.send(json.dumps({"type": "drawn"}))
 
     def ask(self, type, **members):
         """Sends a command; the reply."""
@@ -162,7 +144,7 @@ class Page:
         message = {"type": type, "id": self.id, **members}
         if self.token:
             message["token"] = self.token
-        self.send_bytes(1, json.dumps(message).encode())
+        self.socket.send(json.dumps(message))
         return self.wait(lambda heard: heard.get("type") == "reply" and heard["id"] == self.id)
 
     def do(self, type, **members):
@@ -186,14 +168,11 @@ class Page:
     def status(self, is_it=lambda status: True, seconds=30):
         return self.wait(lambda heard: heard["type"] == "status" and is_it(heard), seconds)
 
-    def close(self):
-        self.socket.close()
-
     def __enter__(self):
         return self
 
     def __exit__(self, *_):
-        self.close()
+        self.open_things.close()
 
 
 class Frames:

@@ -1,5 +1,6 @@
 """What any program can do with a log: the official reader and a JSON parser, nothing of ours."""
 
+import csv
 import json
 
 from mcap.reader import make_reader
@@ -10,6 +11,18 @@ def messages(path, topic):
     with open(path, "rb") as file:
         reader = make_reader(file, validate_crcs=True)
         return [json.loads(message.data) for _, _, message in reader.iter_messages(topics=[topic])]
+
+
+def summary_of(path):
+    """What its index tells."""
+    with open(path, "rb") as file:
+        return make_reader(file, validate_crcs=True).get_summary()
+
+
+def rows_of(path):
+    """Of a CSV file, by the names of its columns."""
+    with open(path, newline="", encoding="utf-8") as file:
+        return list(csv.DictReader(file))
 
 
 def attachment(path, name):

@@ -16,8 +16,13 @@ def served(arguments, waits, port=0):
     return [PROGRAM, *map(str, arguments), *at_once, "--port", str(port)]
 
 
-def surefoot(*arguments, cwd=None):
-    return subprocess.run([PROGRAM, *map(str, arguments)], capture_output=True, text=True, cwd=cwd, timeout=120)
+def surefoot(*arguments, timeout=300, **options):
+    return subprocess.run([PROGRAM, *map(str, arguments)], capture_output=True, text=True, timeout=timeout, **options)
+
+
+def run_result(*arguments, **options):
+    """The JSON of a run, however it came out."""
+    return json.loads(surefoot("run", *arguments, "--json", **options).stdout)
 
 
 def answer(*arguments, status=0):
@@ -33,9 +38,9 @@ def of_json(*arguments, status=0):
     return json.loads(answer(*arguments, "--json", status=status))
 
 
-def complaint(*arguments, cwd=None):
+def complaint(*arguments, **options):
     """The one line on stderr of a call whose input is wrong."""
-    result = surefoot(*arguments, cwd=cwd)
+    result = surefoot(*arguments, **options)
     assert result.returncode == 2, result
     assert result.stdout == ""
     lines = result.stderr.strip().splitlines()

@@ -9,8 +9,7 @@ import re
 import numpy as np
 import pytest
 import surefoot
-from program import ROOT, answer, complaint
-from program import surefoot as run_program
+from program import ROOT, answer, complaint, run_result
 
 
 @pytest.fixture(scope="module")
@@ -53,7 +52,7 @@ def test_the_readmes_run_as_they_stand_and_the_loop_has_ten_lines(capsys):
 
 
 def test_the_loop_is_bit_for_bit_that_of_the_program():
-    program = json.loads(run_program("run", "walk_flat_sea", "--seed", 3, "--set", "duration=1.5", "--json").stdout)
+    program = run_result("walk_flat_sea", "--seed", 3, "--set", "duration=1.5")
     scenario = surefoot.load_scenario("walk_flat_sea", seed=3, set=["duration=1.5"])
     plant = surefoot.Plant(scenario)
     controller = surefoot.Controller(scenario, plant)
@@ -134,8 +133,12 @@ LEVELS = [
 ]
 REFERENCES = [([1, 2], "x_ref has 2 elements; expected 1, one for each unknown"), ([np.nan], r"x_ref\[0\] is nan; expected a finite"),
               ([1e120], r"x_ref\[0\] is 1e[+]120, too large"), ("near", "x_ref: .*near")]  # fmt: skip
+METHODS = [({"method": "simplex"}, "there are: lexicographic, cascade"), ({"method": "cascade", "budget": 1e3}, "the cascade has no budget")]
+FAR = {"A": [[1e-100]], "b": [1e100]}
 CALLS = [*((surefoot.load_scenario, *call) for call in SCENARIOS), *((surefoot.solve, [levels], {}, told) for levels, told in LEVELS),
-         *((surefoot.solve, [[ONE]], {"x_ref": x_ref}, told) for x_ref, told in REFERENCES)]  # fmt: skip
+         *((surefoot.solve, [[ONE]], {"x_ref": x_ref}, told) for x_ref, told in REFERENCES),
+         *((surefoot.solve, [[ONE]], options, told) for options, told in METHODS),
+         *((surefoot.solve, [[FAR]], {"method": method}, "beyond the range of doubles") for method in ("lexicographic", "cascade"))]  # fmt: skip
 
 
 @pytest.mark.parametrize("call, arguments, options, message", CALLS)

@@ -13,7 +13,7 @@ import types
 import pytest
 from matplotlib.collections import LineCollection, PolyCollection
 
-from campaign_folder import SPEC, CampaignFolder, is_running
+from campaign_folder import CASES, SPEC, CampaignFolder, is_running
 from surefoot_campaign.draws import uniform_of
 from surefoot_campaign.errors import InputError
 from surefoot_campaign.journal import Journal, read_rows
@@ -146,6 +146,7 @@ REFUSED = {
     SPEC + "judge: com_error\n": 'judge: unknown metric "com_error"; did you mean "com_error_max_m"?',
     SPEC + "judge: tick_us.median\n": "judge: tick_us.median depends on the machine's clock; valid are: com_error_max_m",
     SPEC + "sceds: 3\n": "spec.yaml:9: sceds: unknown key",
+    CASES.replace("{mass: 8", "{masss: 8").replace("{mode: crash", "{masss: 9, mode: crash"): "spec.yaml:5: cases.heavy: masss=8: masss: unknown key",
 }
 
 

@@ -9,7 +9,7 @@ import time
 
 import pytest
 
-from program import PROGRAM, ROOT, SHORT, answer, complaint, of_json, surefoot
+from program import PROGRAM, ROOT, SHORT, answer, complaint, of_json, run_result, surefoot
 
 
 @pytest.fixture
@@ -72,16 +72,15 @@ def test_the_help_of_a_command_is_its_own():
 
 @pytest.mark.parametrize("words", [["--set", "duration=0.1", "terrain.friction=0.7"], [*SHORT, "--set", "terrain.friction=0.7"]])
 def test_several_keys_are_set_behind_one_option_or_behind_each_its_own(words):
-    run = json.loads(surefoot("run", "walk_flat", "--json", *words).stdout)
+    run = run_result("walk_flat", *words)
     assert run["duration_s"] == pytest.approx(0.1) and run["friction_margin_min"] <= 0.7
 
 
 def test_a_foot_that_finds_no_ground_is_told_when_the_run_is_over():
     words = "no ground within reach: foot taken back"
-    arguments = ["run", "step_down_regular_stack", "--seed", 2, "--set", "duration=22"]
-    assert words in surefoot(*arguments).stdout
-    events = json.loads(surefoot(*arguments, "--json").stdout)["events"]
-    events = [event for event in events if event["event"] == words]
+    arguments = ["step_down_regular_stack", "--seed", 2, "--set", "duration=22"]
+    assert words in surefoot("run", *arguments).stdout
+    events = [event for event in run_result(*arguments)["events"] if event["event"] == words]
     assert {event["leg"] for event in events} <= {"LF", "RF"} and events
     assert all(event["count"] >= 1 and 0 < event["first_s"] < 22 for event in events)
 
@@ -128,7 +127,7 @@ def test_several_seeds_give_one_object_with_runs_and_rates_and_each_the_results_
         # Wilson's interval of 0 out of 3.
         assert seeds["rates"][rate]["interval"] == [pytest.approx(0, abs=1e-12), pytest.approx(0.5615, abs=1e-3)]
     assert "worst" in seeds["metrics"]["com_error_calibrating_max_m"]
-    alone = json.loads(surefoot("run", "step_down", "--seed", 2, "--json", *SHORT).stdout)
+    alone = run_result("step_down", "--seed", 2, *SHORT)
     for name in ["com_error_calibrating_max_m", "torque_max_nm", "drawn"]:
         assert alone[name] == seeds["runs"][1][name]
 

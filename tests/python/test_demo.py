@@ -1,9 +1,6 @@
 """The demo's experiments and its page. How it is interrupted: test_interrupts.py."""
 
-import json
-import subprocess
-
-from program import PROGRAM, surefoot
+from program import PROGRAM, SHORT, run_result
 from surefoot_campaign.demo import Row, measured
 from surefoot_campaign.demo_page import demo_page
 from surefoot_campaign.experiments import EXPERIMENTS
@@ -11,7 +8,7 @@ from surefoot_campaign.program import Program
 
 
 def test_every_experiment_can_be_read_and_shows_metrics_that_exist():
-    run = json.loads(surefoot("run", "walk_flat", "--json", "--set", "duration=0.1").stdout)
+    run = run_result("walk_flat", *SHORT)
     for experiment in EXPERIMENTS:
         assert Program(PROGRAM).about(experiment.words())["description"]
         assert experiment.shown and set(experiment.shown) <= set(run)
@@ -19,9 +16,7 @@ def test_every_experiment_can_be_read_and_shows_metrics_that_exist():
 
 
 def test_those_over_seeds_have_something_to_draw_and_pair():
-    words = [experiment.words() for experiment in EXPERIMENTS if experiment.seeds]
-    runs = [subprocess.run([PROGRAM, *one, "--seed=1", "--set=duration=0.1", "--json"], capture_output=True, text=True) for one in words]
-    drawn = [json.loads(run.stdout)["drawn"] for run in runs]
+    drawn = [run_result(*experiment.words()[1:], "--seed=1", *SHORT)["drawn"] for experiment in EXPERIMENTS if experiment.seeds]
     assert len(drawn) > 1 and drawn[0] and all(one == drawn[0] for one in drawn)
 
 

@@ -9,7 +9,7 @@ import sys
 import pytest
 from campaign_folder import CampaignFolder
 from conftest import record
-from program import PROGRAM, ROOT, surefoot
+from program import PROGRAM, ROOT, SHORT, surefoot
 
 
 def lines(text):
@@ -62,12 +62,11 @@ def test_the_numbers_in_a_stack_file_if_there_are_any_count_its_levels():
 def test_the_stairs_of_getting_started_are_walked_down_and_that_is_a_success(tmp_path):
     (stairs,) = [block for block in blocks_of("docs/getting_started.md", "yaml") if "# stairs.yaml" in block]
     (tmp_path / "stairs.yaml").write_text(stairs)
-    done = subprocess.run([PROGRAM, "run", "stairs.yaml", "--json"], cwd=tmp_path, capture_output=True, text=True)
+    done = surefoot("run", "stairs.yaml", "--json", cwd=tmp_path)
     result = json.loads(done.stdout)
     assert done.returncode == 0 and result["succeeded"] and result["goal_reached"], result["criteria"]
     assert {c["metric"] for c in result["criteria"]} == {"fell", "goal_reached", "max_tilt_rad"}
-    table = subprocess.run([PROGRAM, "run", "stairs.yaml", "--set", "duration=0.1"], cwd=tmp_path, capture_output=True, text=True)
-    assert "14 cm" not in table.stdout
+    assert "14 cm" not in surefoot("run", "stairs.yaml", *SHORT, cwd=tmp_path).stdout
 
 
 def test_what_the_readme_says_that_explain_begins_with_is_what_it_prints(tmp_path):

@@ -1,16 +1,11 @@
 """The explanations that Python gives are the program's."""
 
 import json
-import os
-import subprocess
 
 import pytest
-
 import surefoot
-
-
-def program(*words):
-    return subprocess.run([os.environ["SUREFOOT_PROGRAM"], *map(str, words)], capture_output=True, text=True).stdout
+from program import answer, of_json
+from program import surefoot as program
 
 
 @pytest.mark.parametrize("budget", [float("inf"), 0])
@@ -20,7 +15,7 @@ def test_a_solution_is_explained_as_the_program_does(budget, tmp_path):
     file = tmp_path / "hierarchy.jsonl"
     file.write_text(json.dumps({"levels": levels}) + "\n")
     ours = surefoot.solve(levels, budget=budget).explain()
-    told = json.loads(program("solve", file, "--explain", "--json", *([] if budget else ["--budget", 0])))
+    told = json.loads(program("solve", file, "--explain", "--json", *([] if budget else ["--budget", 0])).stdout)
     without_times = [{key: value for key, value in level.items() if key != "time_s"} for level in ours.facts["levels"]]
     assert without_times == [{key: value for key, value in level.items() if key != "time_s"} for level in told["levels"]]
     assert [ours.facts[key] for key in ("x", "status")] == [told[key] for key in ("x", "status")]
@@ -35,8 +30,8 @@ def test_a_tick_of_a_log_is_explained_as_the_program_does(steps_down):
     for exact in (False, True):
         ours = surefoot.explain(steps_down, 13.0, exact=exact)
         assert ours.facts["time"] == 13.0 and ours.facts["costs_are_exact"] is exact and len(ours.facts["gave_way"]) > 1
-    assert ours.text == program("explain", steps_down, "--at", 13)
-    assert ours.facts == json.loads(program("explain", steps_down, "--at", 13, "--json"))
+    assert ours.text == answer("explain", steps_down, "--at", 13)
+    assert ours.facts == of_json("explain", steps_down, "--at", 13)
 
 
 def test_what_can_not_be_explained_is_an_error_that_says_why(log, tmp_path):

@@ -9,8 +9,8 @@ from damaged_logs import cut, without_ticks
 from log_tools import complaint_of, log_command
 from pictures_made import cache, frames_of  # noqa: F401, fixtures
 
+from surefoot_campaign.progress import Progress  # isort: skip
 from surefoot_log import pictures  # isort: skip
-from surefoot_log.cli import ImageCount  # isort: skip
 from surefoot_log.log_file import LogFile  # isort: skip
 
 
@@ -30,15 +30,17 @@ def test_a_film_may_begin_at_the_very_last_tick(log, tmp_path):
     assert "to 1.9975 s" in complaint_of("video", log, "--out", tmp_path / "x.mp4", "--from", "1.9985")
 
 
-def test_who_waits_for_a_film_is_told_its_length_and_what_is_left_in_a_pipe_too():
+def test_who_waits_for_a_film_sees_its_length_and_what_is_left_in_a_pipe_too(monkeypatch):
     clock, stream = [0.0], io.StringIO()
-    count = ImageCount(stream, lambda: clock[0])
-    for done in range(401):
-        count(done, 400)
-        clock[0] += 0.25
+    monkeypatch.setattr("time.monotonic", lambda: clock[0])
+    with Progress("film", 0, 400, "images", stream) as progress:
+        progress.draw()
+        for _ in range(400):
+            clock[0] += 0.25
+            progress.update()
     lines = stream.getvalue().splitlines()
-    assert lines[:2] == ["surefoot: a film of 400 images is made", "surefoot: image 8 of 400, about 2 min left"]
-    assert len(lines) == 5 and lines[-1].endswith("about 8 s left") and "\r" not in stream.getvalue()
+    assert lines[:2] == ["film: 0 of 400 images", "film: 40 of 400 images, about 2 min left"]
+    assert len(lines) == 11 and lines[-2:] == ["film: 360 of 400 images, about 10 s left", "film: 400 of 400 images"]
 
 
 def test_a_log_that_was_cut_off_is_filmed_as_far_as_it_goes(log, tmp_path):
@@ -87,7 +89,7 @@ def test_the_strip_and_the_clip_of_a_report_are_small_and_show_something(log, tm
     monkeypatch.setenv("SUREFOOT_MESH_CACHE", str(cache))
     made = pictures.make_report_pictures(LogFile(log), tmp_path)
     strip = Image.open(tmp_path / "strip.jpg")
-    assert strip.width > 900 and len(made.times) == 8 and made.times == sorted(made.times)
+    assert strip.width > 900 and len(made["times"]) == 8 and made["times"] == sorted(made["times"])
     assert np.asarray(strip, int).std() > 20
     assert (tmp_path / "strip.jpg").stat().st_size < 500_000 and (tmp_path / "clip.mp4").stat().st_size < 1_000_000
     assert frames_of(tmp_path / "clip.mp4")[1] == pictures.CLIP_RATE

@@ -8,8 +8,8 @@ import time
 
 import pytest
 
+from log_file import messages
 from program import PROGRAM, complaint
-
 
 LONG = ["--set", "duration=1000"]
 
@@ -28,19 +28,15 @@ def interrupt(*arguments, after=1.5, which=signal.SIGINT, words=None):
 
 @pytest.mark.parametrize("which", [signal.SIGINT, signal.SIGTERM])
 def test_an_interrupt_closes_the_log_and_leaves_no_results(tmp_path, which):
-    from mcap.reader import make_reader
-
     log = tmp_path / "run.mcap"
-    (tmp_path / "out").mkdir()
-    (tmp_path / "out/index.html").write_text("of an earlier run")
+    earlier_results(tmp_path, "out/index.html")
     code, out, err = interrupt("run", "walk_flat", "--json", "--record", log, "--report", tmp_path / "out", *LONG, which=which)
     assert (code, out) == (2, "")
     assert [line for line in err.splitlines() if line.startswith("surefoot: ")] == err.splitlines()[-1:]
     partial = pathlib.Path(f"{log}.partial")
     assert "interrupted" in err and str(partial) in err
     assert not log.exists()
-    with partial.open("rb") as stream:
-        assert sum(1 for _ in make_reader(stream).iter_messages(topics=["/command"])) > 10
+    assert len(messages(partial, "/command")) > 10
     assert list((tmp_path / "out").iterdir()) == []
 
 
@@ -78,7 +74,7 @@ def test_a_wrong_scenario_leaves_an_earlier_report_as_it_is(tmp_path):
 
 
 def test_a_log_with_a_name_of_its_own_is_kept_until_the_new_one_is_whole(tmp_path):
-    (tmp_path / "run.mcap").write_text("of an earlier run")
+    earlier_results(tmp_path, "run.mcap")
     interrupt("run", "walk_flat", *LONG, "--record", tmp_path / "run.mcap", "--report", tmp_path, which=signal.SIGKILL)
     assert left_of(tmp_path) == ["run.mcap"]
 

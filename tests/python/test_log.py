@@ -9,7 +9,8 @@ import sys
 
 import pytest
 from conftest import record
-from log_file import attachment, messages
+from log_file import attachment, messages, summary_of
+from log_tools import TICKS
 from mcap.exceptions import McapError
 from mcap.reader import make_reader
 from mcap.records import Channel, Message
@@ -17,7 +18,6 @@ from mcap.stream_reader import StreamReader
 from program import ROOT
 
 TOPICS = {"/readings", "/user", "/state", "/plan", "/model", "/hierarchy", "/command", "/health", "/truth", "/timings"}
-TICKS = 800
 
 
 def stream_messages(data):
@@ -53,8 +53,7 @@ def conforms(schema, instance):
 
 
 def test_the_index_counts_every_topic(log):
-    with open(log, "rb") as file:
-        summary = make_reader(file, validate_crcs=True).get_summary()
+    summary = summary_of(log)
     assert {channel.topic for channel in summary.channels.values()} == TOPICS
     assert set(summary.statistics.channel_message_counts.values()) == {TICKS}
     assert all(channel.message_encoding == "json" for channel in summary.channels.values())
@@ -124,8 +123,7 @@ def test_the_same_seed_gives_the_same_bytes_apart_from_the_timings(log, tmp_path
     deterministic = [m for m in stream_messages(first) if m[0] != "/timings"]
     assert deterministic == [m for m in stream_messages(second) if m[0] != "/timings"]
     # The timings stand behind everything else: up to there the files are the same.
-    with open(log, "rb") as file:
-        chunks = make_reader(file).get_summary().chunk_indexes
+    chunks = summary_of(log).chunk_indexes
     end_of_ticks = max(c.chunk_start_offset + c.chunk_length for c in chunks if len(c.message_index_offsets) > 1)
     assert first[:end_of_ticks] == second[:end_of_ticks]
 

@@ -1,6 +1,5 @@
 """`surefoot export`: what is in the tables is what is in the log, read by other people's readers; what it refuses."""
 
-import csv
 import json
 import math
 import pathlib
@@ -8,9 +7,8 @@ import re
 
 import pytest
 from damaged_logs import plain_text, without_ticks
-from log_file import messages
+from log_file import messages, rows_of, summary_of
 from log_tools import TICKS, complaint_of, exported
-from mcap.reader import make_reader
 
 JOINTS = [f"{leg}_{joint}" for leg in ("LF", "RF", "LH", "RH") for joint in ("HAA", "HFE", "KFE")]
 
@@ -41,8 +39,7 @@ def test_levels_are_part_of_the_name(log, table):
 
 
 def test_no_field_of_a_schema_is_forgotten(log, table):
-    with open(log, "rb") as file:
-        summary = make_reader(file).get_summary()
+    summary = summary_of(log)
     named = {name.rsplit(".", 1)[0] for name in table.column_names} | set(table.column_names)
     for channel in summary.channels.values():
         for field, part in json.loads(summary.schemas[channel.schema_id].data)["properties"].items():
@@ -101,8 +98,7 @@ def test_what_each_level_took_is_a_column_with_its_unit(log, table):
 
 def test_csv_reads_back_to_the_same_numbers_under_names_with_units(log, table, tmp_path):
     exported(log, "--csv", tmp_path / "run.csv", "--topics", "state", "/command", "--every", 7)
-    with open(tmp_path / "run.csv", newline="", encoding="utf-8") as file:
-        rows = list(csv.DictReader(file))
+    rows = rows_of(tmp_path / "run.csv")
     assert len(rows) == math.ceil(TICKS / 7)
     units = [(field.name, field.metadata[b"unit"].decode()) for field in table.schema if re.match("time|state|command", field.name)]
     assert list(rows[0]) == [f"{name}[{unit}]" if unit else name for name, unit in units]

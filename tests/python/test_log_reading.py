@@ -6,9 +6,8 @@ import struct
 import pyarrow.parquet
 import pytest
 from damaged_logs import HEAD, attachment_place, bare_messages, cut, damaged_at, in_other_chunks, rewritten, tick_chunks, without_chunk
-from log_file import attachment
+from log_file import attachment, summary_of
 from log_tools import TICKS, complaint_of, exported
-from mcap.reader import make_reader
 from mcap.writer import CompressionType
 from surefoot_log import log_file
 from surefoot_log.log_file import LogFile
@@ -78,8 +77,7 @@ def test_little_is_read_at_once_and_only_chunks_with_messages_that_are_asked_for
         opened.clear()
         time, first = next(file.by_time(topics))
         assert (time, len(opened)) == (0, most) and {message.topic for message in first} == (topics or file.topics())
-    with open(log, "rb") as stream:
-        assert len(make_reader(stream).get_summary().chunk_indexes) > 4 * most
+    assert len(summary_of(log).chunk_indexes) > 4 * most
 
 
 def test_a_header_that_lacks_something_is_told_in_the_programs_words(log, tmp_path):

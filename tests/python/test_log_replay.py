@@ -1,13 +1,12 @@
 """`surefoot replay --verify` and `--stack` as their user sees them, on logs that are whole."""
 
-import csv
 import json
 import math
 
 import pytest
 from conftest import record
 from damaged_logs import changed, of_version
-from log_file import attachment, messages
+from log_file import attachment, messages, rows_of
 from program import answer, complaint, of_json, surefoot
 
 
@@ -22,8 +21,7 @@ def test_another_stack_is_asked_on_the_same_states(log, tmp_path):
     file = tmp_path / "ticks.csv"
     found = of_json("replay", log, "--stack", "regular", "--csv", file)
     assert found["compared"] == found["ticks"] == 800 and found["not_reproduced"] == {"ticks": 0}
-    with open(file, newline="") as stream:
-        rows = list(csv.DictReader(stream))
+    rows = rows_of(file)
     commands = messages(log, "/command")
     assert len(rows) == 800 and {"time[s]", "hierarchy.level.contact_force_minimisation.residual[N]"} <= rows[0].keys()
     assert float(rows[411]["command.torque.RF_HFE[N·m]"]) == commands[411]["torque"][4]
@@ -63,8 +61,7 @@ def check_marks(file, changes):
     """How the walk ended, by its log; None: it went on to its end."""
     surefoot("run", "push", "--set", "duration=6", "--record", file, *(word for one in changes for word in ("--set", one)))
     found = of_json("replay", file, "--stack", "regular", "--csv", file.with_suffix(".csv"))
-    with open(file.with_suffix(".csv"), newline="") as stream:
-        rows = list(csv.DictReader(stream))
+    rows = rows_of(file.with_suffix(".csv"))
     not_asked = found["not_asked"]["ticks"]
     assert [row["command.mode"] for row in rows] == [command["mode"] for command in messages(file, "/command")]
     assert [all(value == "" for name, value in row.items() if name.startswith("other.")) for row in rows].count(True) == not_asked

@@ -6,7 +6,6 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
-from conftest import record
 from damaged_logs import steered
 from foxglove_fields import FIELDS, bare, differences, schema_of
 from log_file import OPERATOR, messages
@@ -60,12 +59,9 @@ def test_messages_and_schemas_have_the_fields_of_the_published_schemas(scene_fil
 
 
 WARNING, ERROR = 3, 4
-# So hard that the controller takes its sensors for faulty.
-HIT = ["--set", "disturbances.pushes.lateral.time=0.5", "--set", "disturbances.pushes.lateral.force.y=400"]
 
 
-def test_events_are_those_of_info_and_no_change_is_left_out_however_few_ticks_are_copied(log, tmp_path):
-    stopped = record(tmp_path / "stopped.mcap", *HIT, scenario="push", duration=6)
+def test_events_are_those_of_info_and_no_change_is_left_out_however_few_ticks_are_copied(log, stopped, tmp_path):
     for file, by in ((steered(log, tmp_path, OPERATOR), {"planner", "operator", "run"}), (stopped, {"planner", "outside", "controller", "run"})):
         scene = tmp_path / f"scene_of_{file.name}"
         exported(file, "--foxglove", scene, "--every", 100)

@@ -3,7 +3,6 @@
 import itertools
 import json
 import re
-import time
 
 import pytest
 from damaged_logs import HEAD, attachment_place, bare_messages, cut, cut_at, damaged, damaged_at, foreign, in_other_chunks, newer, of_version, plain_text, steered, tick_chunks, timings_chunk, without_calls, without_chunk, without_ticks, written
@@ -14,6 +13,7 @@ from mcap.writer import CompressionType
 from program import answer, complaint, of_json, surefoot
 
 COMMANDS = {"info": [], "explain": ["--at", 0.5], "replay": ["--verify"]}
+SHOWN = ("replay", "--port", 0)
 
 
 def raw_bytes(path, topic):
@@ -235,9 +235,7 @@ def test_replay_says_in_the_terminal_what_its_log_lacks(log, tmp_path):
         damaged_at(log, tmp_path, tick_chunks(log)[3].chunk_start_offset + 1): "1 piece of the log can't be read",
     }.items():
         with Served("replay", file) as served:
-            end = time.monotonic() + 60
-            while time.monotonic() < end and (words not in served.errors or served.session()["summarised"] < served.session()["ticks"]):
-                time.sleep(0.05)
+            served.session(lambda session: words in served.errors and session["summarised"] == session["ticks"])
             assert served.end() == 0
         assert words in served.errors and ("warning" in served.errors) == (file != log), served.errors
 
@@ -254,7 +252,7 @@ def found_behind(file):
     return of_json("replay", file, "--stack", "regular")["gap"]["ticks_behind"]
 
 
-@pytest.mark.parametrize("command", COMMANDS)
+@pytest.mark.parametrize("command", [*((name, *words) for name, words in COMMANDS.items()), SHOWN])
 def test_what_is_no_log_is_refused_in_one_line_that_names_it(log, tmp_path, command):
     (tmp_path / "empty").touch()
     for file, words in {
@@ -266,7 +264,7 @@ def test_what_is_no_log_is_refused_in_one_line_that_names_it(log, tmp_path, comm
         tmp_path / "missing.mcap": "no such file",
         tmp_path: "is a folder",
     }.items():
-        line = complaint(command, file, *COMMANDS[command])
+        line = complaint(command[0], file, *command[1:])
         assert str(file) in line and words in line
 
 

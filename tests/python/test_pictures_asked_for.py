@@ -3,13 +3,12 @@
 import json
 import os
 import stat
-import subprocess
 import sys
 
 import pytest
 from conftest import SOURCE
 from log_file import attachment
-from program import PROGRAM
+from program import surefoot
 
 
 @pytest.fixture
@@ -29,7 +28,7 @@ def program(*arguments, python=None):
     environment = {key: value for key, value in os.environ.items() if key != "SUREFOOT_PYTHON"}
     if python is not None:
         environment["SUREFOOT_PYTHON"] = str(python)
-    return subprocess.run([PROGRAM, *map(str, arguments)], env=environment, capture_output=True, text=True, timeout=300)
+    return surefoot(*arguments, env=environment)
 
 
 SHORT = ["run", SOURCE / "scenarios/walk_flat_ideal.yaml", "--set", "duration=0.1", "--json"]

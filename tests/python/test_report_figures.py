@@ -200,7 +200,7 @@ def test_limits_that_acted_are_told_by_task_and_leg_but_not_where_a_foot_is_set_
     axes = hierarchy_figures.active_rows_figure(run).axes[0]
     names = [label.get_text() for label in axes.get_yticklabels()]
     assert "7  limb extension limit LF" in names and names == sorted(names, key=lambda name: int(name.split()[0])) and len(set(names)) == len(names)
-    assert hierarchy_figures.speaking(run, run.active).sum() < 0.9 * len(run.active["tick"])
+    assert hierarchy_figures.informative(run, run.active).sum() < 0.9 * len(run.active["tick"])
 
 
 def test_events_are_counted(run):

@@ -17,15 +17,15 @@ def cells(table):
 
 
 def test_every_criterion_and_every_figure_of_the_paper_is_in_the_table():
-    summary = {"metrics": {"goal_reached": False, "fell": False, "tick_us": {"p99": 12.0}, "odd_m": 2.5, "path_deviation_max_m": 0.007},
+    summary = {"metrics": {"goal_reached": False, "fell": False, "tick_us": {"p99": 12.0}, "odd": 2.5, "path_deviation_max_m": 0.007},
                "criteria": [{"metric": "goal_reached", "equals": True, "passed": False}, {"metric": "fell", "equals": False, "passed": True},
-                            {"metric": "tick_us.p99", "max": 10.0, "passed": False}, {"metric": "odd_m", "min": 1.0, "passed": True},
+                            {"metric": "tick_us.p99", "max": 10.0, "passed": False}, {"metric": "odd", "min": 1.0, "passed": True},
                             {"metric": "path_deviation_max_m", "max": 0.1, "passed": True}]}  # fmt: skip
     outcome = read_outcome(json.dumps(summary), {"paper": {"goal_reached": "14 cm", "torso_contacts": "none", "speed_mps": 12, "fell": None}})
     found = cells(numbers.numbers(outcome))
     assert found["goal reached"] == ["no", "truth", "yes  ✗ missed", "14 cm"] and found["fell"] == ["no", "truth", "no  ✓ holds", ""]
     assert found["time per tick, 99 %"] == ["12 µs", "wall clock", "≤ 10 µs  ✗ missed", ""]
-    assert found["odd_m"] == ["2.5", "", "≥ 1  ✓ holds", ""] and found["torso contacts"] == ["–", "truth", "", "none"]
+    assert found["odd"] == ["2.5", "", "≥ 1  ✓ holds", ""] and found["torso contacts"] == ["–", "truth", "", "none"]
     assert found["distance from the path, largest"][::2] == ["7 mm", "≤ 100 mm  ✓ holds"] and found["speed"][-1] == "12"
 
 

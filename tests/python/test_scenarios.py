@@ -1,27 +1,24 @@
 """Every scenario once, whole, as a user starts it: its criteria hold."""
 
 import json
-import subprocess
 
 import pytest
-from program import PROGRAM, ROOT
+from program import ROOT, surefoot
 
 NAMES = sorted(path.stem for path in (ROOT / "scenarios").glob("*.yaml"))
 # What these are about is how far they get.
 AS_FOUND = {"push", "step_down_without_limits"}
-
-pytestmark = pytest.mark.slow
-
-
 # What is in the name is drawn at random.
 DRAWN = {"walk_flat_mismatch"}
 GROUNDS = ["step_down", "step_up", "stairs_down", "slope_any", "rough_boxes", "push_any_direction", "payload_step_up", "friction_patches"]
+
+pytestmark = pytest.mark.slow
 
 
 def run(name, *assignments, options=()):
     """Exit code and result of one run, or of several seeds."""
     sets = [word for assignment in assignments for word in ("--set", assignment)]
-    done = subprocess.run([PROGRAM, "run", name, "--json", *options, *sets], capture_output=True, text=True, cwd=ROOT)
+    done = surefoot("run", name, "--json", *options, *sets, cwd=ROOT, timeout=None)
     assert done.returncode in (0, 1), done.stderr
     return done.returncode, json.loads(done.stdout)
 

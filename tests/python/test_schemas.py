@@ -7,7 +7,7 @@ import re
 import jsonschema
 import pytest
 import yaml
-from program import PROGRAM, ROOT, complaint, surefoot
+from program import ROOT, complaint, surefoot
 
 FOLDERS = {"scenario": "scenarios", "randomisation": "randomisations", "robot": "robots", "stack": "stacks"}
 FILES = [(kind, file) for kind, folder in FOLDERS.items() for file in sorted((ROOT / folder).glob("*.yaml"))]

@@ -8,7 +8,7 @@ import sys
 import pytest
 
 from campaign_folder import FAKE, ROOT
-from program import PROGRAM
+from program import complaint
 from surefoot_campaign.seeds import all_the_same, enough_succeeded, seeds_json, seeds_line, seeds_table
 from surefoot_campaign.text import aligned, asked_of, pretty, printable
 
@@ -67,15 +67,16 @@ def test_runs_that_differ_in_seed_and_time_alone_are_the_same():
     assert not all_the_same([one, other]) and not all_the_same([one]) and not all_the_same([CRASH, CRASH])
 
 
-def test_the_table_tells_why_runs_failed_and_what_the_metrics_come_to():
+def test_the_table_tells_why_runs_failed_and_what_the_metrics_come_to_also_one_that_is_asked_for_and_has_no_value():
     missed = [{"metric": "com_error_max_m", "max": 0.0005, "value": 0.0006, "passed": False}, {"metric": "fell", "equals": False, "value": True, "passed": False},
+              {"metric": "tick_us.p99", "max": 300.0, "value": None, "passed": False},
               {"metric": "speed_mps", "min": 0.1, "max": 0.3, "value": 0.2, "passed": True}]  # fmt: skip
     about = ABOUT | {"foot_force_sensor": True, "description": "a walk"}
     rows = [row(False, 0.0006, criteria=missed), CRASH]
     assert seeds_table(about, seeds_json(about, rows)).splitlines() == [
         "trial, stack walk, estimation sensors, foot force sensors: a walk",
         "",
-        "seed 1   why; com_error_max_m 0.6 mm, must be ≤ 0.5 mm ✗; fell must be no ✗",
+        "seed 1   why; com_error_max_m 0.6 mm, must be ≤ 0.5 mm ✗; fell must be no ✗; tick_us.p99 –, must be ≤ 300 µs ✗",
         "seed 7   killed by SIGSEGV",
         "",
         "succeeded     0 of 2 (95 %: 0 … 66 %)",
@@ -86,6 +87,7 @@ def test_the_table_tells_why_runs_failed_and_what_the_metrics_come_to():
         "                  median    worst     paper",
         "com_error_max_m   0.6 mm    0.6 mm    ≤ 3.4 mm",
         "speed_mps         0.2 m/s   0.2 m/s",
+        "tick_us.p99       –         –",
     ]
     assert asked_of(rows[0], "speed_mps") == "≥ 0.1 m/s, ≤ 0.3 m/s ✓" and asked_of(rows[0], "distance_m") == ""
     assert seeds_line(about, seeds_json(about, rows)) == "succeeded 0 of 2 (95 %: 0 … 66 %), fell 1"
@@ -133,6 +135,4 @@ def test_what_the_program_refuses_is_told_before_any_run():
 
 def test_without_python_one_sentence_says_what_seeds_need():
     alone = {key: value for key, value in os.environ.items() if key != "SUREFOOT_PYTHON"}
-    done = subprocess.run([PROGRAM, "run", "walk_flat", "--seeds", "2"], capture_output=True, text=True, env=alone)
-    assert (done.returncode, done.stdout) == (2, "")
-    assert done.stderr == "surefoot: --seeds: the program was started without its launcher; bin/surefoot has it\n"
+    assert complaint("run", "walk_flat", "--seeds", 2, env=alone) == "surefoot: --seeds: the program was started without its launcher; bin/surefoot has it"

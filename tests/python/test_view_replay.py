@@ -4,40 +4,28 @@ import json
 import math
 import re
 import struct
-import subprocess
 import time
 
 import pytest
 from mcap.writer import CompressionType
 
-from damaged_logs import changed, damaged, in_other_chunks, tick_chunks, without_chunk
+from conftest import record
+from damaged_logs import changed, cut, damaged, in_other_chunks, tick_chunks, without_chunk
 from live_page import Frames, Refused, Served
-from program import PROGRAM, complaint
+from log_file import messages
+from program import answer
 
 
 @pytest.fixture(scope="module")
 def log(tmp_path_factory):
-    path = tmp_path_factory.mktemp("log") / "run.mcap"
-    settings = ["--set", "duration=6", "planner.calibration.duration=0"]
-    subprocess.run([PROGRAM, "run", "walk_flat", *settings, "--record", path], check=False, capture_output=True)
-    return path
+    return record(tmp_path_factory.mktemp("log") / "run.mcap", "--set", "planner.calibration.duration=0", scenario="walk_flat", duration=6)
 
 
 @pytest.fixture(scope="module")
 def replay(log):
     with Served("replay", log) as served:
-        for _ in range(200):
-            if served.session()["summarised"] == served.session()["ticks"]:
-                break
-            time.sleep(0.1)
+        served.summarised()
         yield served
-
-
-def logged(path, topic):
-    from mcap.reader import make_reader
-
-    with open(path, "rb") as file:
-        return [json.loads(message.data) for *_, message in make_reader(file).iter_messages(topics=[topic])]
 
 
 def f32(number):
@@ -55,7 +43,7 @@ def described(session):
 
 def test_a_log_is_described_as_a_live_run_is(replay, run):
     session = replay.session()
-    assert session["mode"] == "replay" and session["source"] == "run.mcap" and not session["can_command"]
+    assert session["mode"] == "replay" and session["source"] == "run.mcap"
     assert session["ticks"] == session["summarised"] == 2400
     live = run.session()
     assert described(session) == described(live)
@@ -65,11 +53,10 @@ def test_a_log_is_described_as_a_live_run_is(replay, run):
 
 
 def test_the_frames_of_a_log_are_those_that_stand_in_it(replay, log):
-    session = replay.session()
     asked = [(0, 400, 1), (750, 300, 1), (2399, 1, 1), (10, 90, 7), (2390, 50, 1), (2400, 5, 1)]
-    state, command, timing = (logged(log, topic) for topic in ("/state", "/command", "/timings"))
+    state, command, timing = (messages(log, topic) for topic in ("/state", "/command", "/timings"))
     for begin, count, stride in asked:
-        frames = Frames(session, [replay.get(f"/api/frames?from={begin}&count={count}&stride={stride}")[2]])
+        frames = replay.frames(f"from={begin}&count={count}&stride={stride}")
         wanted = [tick for tick in range(begin, begin + count * stride, stride) if tick < 2400]
         assert frames.ticks == wanted
         assert frames.of("state.p_WB") == [tuple(map(f32, state[tick]["p_WB"])) for tick in wanted]
@@ -81,7 +68,7 @@ def test_the_frames_of_a_log_are_those_that_stand_in_it(replay, log):
 def test_least_and_greatest_of_a_log(replay, log, stride):
     pieces = [replay.get(f"/api/frames?from={begin}&count={2 * 1536 // stride}&stride={stride}&min_max=1")[2] for begin in (0, 1536)]
     frames = Frames(replay.session(), pieces)
-    heights = [f32(state["p_WB"][2]) for state in logged(log, "/state")]
+    heights = [f32(state["p_WB"][2]) for state in messages(log, "/state")]
     begins = list(range(0, 2400, stride))
     assert frames.ticks == [tick for tick in begins for _ in range(2)]
     z = [p[2] for p in frames.of("state.p_WB")]
@@ -91,7 +78,7 @@ def test_least_and_greatest_of_a_log(replay, log, stride):
 
 def test_the_events_of_a_log(replay, log):
     events = json.loads(replay.get("/api/events")[2])
-    planned = [[plan["time"], event["event"], event["leg"]] for plan in logged(log, "/plan") for event in plan["events"]]
+    planned = [[plan["time"], event["event"], event["leg"]] for plan in messages(log, "/plan") for event in plan["events"]]
     assert [event for event in events if isinstance(event, list)] == planned
     names = replay.session()["header"]["event_names"]
     lift = [event[2] for event in events if isinstance(event, list) and names[event[1]] == "lift-off"]
@@ -104,37 +91,11 @@ def test_requests_for_frames_that_make_no_sense_are_told(replay):
         assert status == 400 and query.split("=")[0].encode() in body and b"valid is" in body
 
 
-def test_logs_that_cannot_be_shown_are_told_with_what_to_do(tmp_path, log):
-    whole = log.read_bytes()
-    (tmp_path / "foreign.mcap").write_bytes(b"not a log at all")
-    (tmp_path / "empty.mcap").write_bytes(b"")
-    (tmp_path / "short.mcap").write_bytes(whole[:5000])
-    for name, part in [("missing", "no such file"), ("foreign", "not an MCAP file"), ("empty", "empty"), ("short", "surefoot")]:
-        assert part in complaint("replay", tmp_path / f"{name}.mcap", "--port", 0)
-
-
-def test_a_log_of_a_newer_program_is_told_with_both_versions(tmp_path):
-    from mcap.writer import Writer
-
-    with open(tmp_path / "newer.mcap", "wb") as file:
-        writer = Writer(file)
-        writer.start()
-        writer.add_attachment(0, 0, "header.json", "application/json", b'{"log_version":"9.0"}')
-        writer.finish()
-    assert re.search("log version 9.0; this program reads 2", complaint("replay", tmp_path / "newer.mcap", "--port", 0))
-
-
 def test_a_damaged_log_says_what_is_missing_and_shows_the_rest(tmp_path, log):
     with Served("replay", damaged(log, tmp_path, 0.3)) as served:
-        session = served.session()
-        for _ in range(200):
-            if session["summarised"] == session["ticks"]:
-                break
-            time.sleep(0.1)
-            session = served.session()
+        session = served.summarised()
         assert session["ticks"] == 2400 and len(session["damage"]) == 1 and "can't be read" in session["damage"][0]
-        frames = Frames(session, [served.get("/api/frames?from=0&count=4096&stride=1")[2]])
-        assert 1200 < len(frames.ticks) < 2400
+        assert 1200 < len(served.frames("from=0&count=4096&stride=1").ticks) < 2400
         marks = [event for event in json.loads(served.get("/api/events")[2]) if isinstance(event, dict) and event["kind"] == "damage"]
         assert [mark["text"] for mark in marks] == session["damage"]
 
@@ -142,23 +103,15 @@ def test_a_damaged_log_says_what_is_missing_and_shows_the_rest(tmp_path, log):
 def test_a_first_message_that_is_no_signal_costs_a_tick(tmp_path, log):
     file = changed(log, tmp_path, "/state", 0, lambda state: state.update(p_WB="nowhere"))
     with Served("replay", file) as served:
-        assert Frames(served.session(), [served.get("/api/frames?from=0&count=3&stride=1")[2]]).ticks == [1, 2]
-
-
-def test_the_tasks_of_a_log_have_what_they_were_given(replay):
-    (cone,) = [task for task in replay.session()["tasks"] if task["task"] == "friction_cone"]
-    assert cone["choices"].keys() >= {"axes", "pyramid"}
+        assert served.frames("from=0&count=3&stride=1").ticks == [1, 2]
 
 
 def test_a_log_that_was_cut_off_shows_what_is_left(tmp_path, log):
-    cut = tmp_path / "cut.mcap"
-    whole = log.read_bytes()
-    cut.write_bytes(whole[: len(whole) // 2])
-    with Served("replay", cut) as served:
+    with Served("replay", cut(log, tmp_path, 0.5)) as served:
         session = served.session()
         assert 200 < session["ticks"] < 2400 and session["cut"].startswith("the log was never closed")
         last = session["ticks"] - 1
-        assert Frames(session, [served.get(f"/api/frames?from={last}&count=10&stride=1")[2]]).ticks == [last]
+        assert served.frames(f"from={last}&count=10&stride=1").ticks == [last]
 
 
 def test_a_log_whose_run_was_interrupted_is_told_from_one_that_was_cut_off(replay, tmp_path):
@@ -184,14 +137,9 @@ def test_a_log_that_another_writer_wrote_anew_has_all_its_ticks_and_their_timing
 def test_page_and_terminal_tell_the_same_place_of_damage(log, tmp_path):
     file, _, _ = without_chunk(log, tmp_path, 3)
     place = f"at byte {tick_chunks(log)[3].chunk_start_offset}"
-    info = subprocess.run([PROGRAM, "info", file], capture_output=True, text=True)
-    assert f"{place} of " in info.stdout
+    assert f"{place} of " in answer("info", file)
     with Served("replay", file) as served:
-        for _ in range(200):
-            if served.session()["damage"]:
-                break
-            time.sleep(0.05)
-        (damage,) = served.session()["damage"]
+        (damage,) = served.session(lambda session: session["damage"])["damage"]
         assert damage.endswith(place)
         assert re.match(r"\d+\.\d{4} s to \d+\.\d{4} s can't be read: ", damage), "as finely as ticks are told"
 

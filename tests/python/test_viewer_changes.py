@@ -2,9 +2,8 @@
 
 import pytest
 
-from live_page import Page
-from viewer import Viewer
-from viewer_page import WALK, pause, show
+from live_page import WALK, Page, Served
+from viewer_page import pause, show
 
 NOTES = "document.querySelector('#notes').textContent"
 
@@ -17,7 +16,8 @@ CUT = """window.WebSocket = class extends WebSocket {
 
 @pytest.fixture
 def walk():
-    with Viewer(*WALK) as viewer:
+    """Of each test its own: they count changes."""
+    with Served(*WALK) as viewer:
         yield viewer
 
 
@@ -66,4 +66,4 @@ def test_a_speed_that_is_none_of_the_menus_is_shown_and_left_by_the_keys(browser
         browser.wait(f"{speed}.selectedOptions[0]?.textContent === '3×'")
     browser.press("]")
     browser.wait("surefoot.status.speed === 4")
-    assert browser.run(f"[...{speed}.options].filter(one => !one.hidden).length") == len(walk.json("api/session")["limits"]["speeds"])
+    assert browser.run(f"[...{speed}.options].filter(one => !one.hidden).length") == len(walk.session()["limits"]["speeds"])

@@ -6,21 +6,13 @@ import time
 import pytest
 
 from browser import SHIFT, wait_for
-from viewer import Viewer
-from viewer_page import SCREENSHOTS, SPY, WALK, pause, phone, sent, show, tap
-
-
-@pytest.fixture(scope="module")
-def walk():
-    """A run that goes on."""
-    with Viewer(*WALK) as viewer:
-        yield viewer
+from viewer_page import SCREENSHOTS, SPY, pause, phone, show, tap
 
 
 @pytest.fixture
-def page(browser, walk):
+def page(browser, live):
     """The run's page, that keeps what it sends; what a test changed of it is gone afterwards."""
-    show(browser, walk.link)
+    show(browser, live.link)
     browser.run(SPY)
     yield browser
     browser.run("localStorage.clear()")
@@ -216,9 +208,9 @@ def test_a_bound_that_no_leg_reaches_is_refused_in_words(page):
     page.wait(f"{field}.value === '{before}'")
 
 
-def test_two_fingers_zoom_the_picture_and_one_scrubs(browser, walk):
+def test_two_fingers_zoom_the_picture_and_one_scrubs(browser, live):
     with phone(browser):
-        show(browser, walk.link)
+        show(browser, live.link)
         stand_still(browser)
         x, y = browser.middle("#canvas")
         far = distance(browser)

@@ -2,19 +2,14 @@
 
 import time
 
-import pytest
-
-from conftest import record
-from live_page import Page
-from viewer import Viewer
-from viewer_page import SPY, WALK, every_look, sent, show
+from conftest import HIT
+from live_page import WALK, Page, Served
+from viewer_page import SPY, every_look, scrub, sent, show
 
 FACTS = "document.querySelector('#head-facts')"
 MODE = "document.querySelector('#mode').textContent"
 ENDED = "[...document.querySelectorAll('#panel-state dt')].find(one => one.textContent === 'Ended')?.nextSibling.textContent"
 HINT = "document.querySelector('.mark-hint:not([hidden])')?.textContent ?? ''"
-# So hard that the controller takes its sensors for faulty.
-HIT = ["--set", "disturbances.pushes.lateral.time=0.5", "--set", "disturbances.pushes.lateral.force.y=400"]
 
 
 def point_at_the_end(browser):
@@ -22,13 +17,8 @@ def point_at_the_end(browser):
     browser.mouse("mouseMoved", x + width - 1, y)
 
 
-@pytest.fixture(scope="module")
-def stopped(tmp_path_factory):
-    return record(tmp_path_factory.mktemp("log") / "stopped.mcap", *HIT, scenario="push", duration=6)
-
-
 def test_why_a_live_run_has_ended_is_told_whole(browser):
-    with Viewer("run", "push", "--view", "--set", "duration=6", *HIT) as viewer, Page(viewer) as page:
+    with Served("run", "push", "--view", "--set", "duration=6", *HIT) as viewer, Page(viewer) as page:
         show(browser, viewer.link)
         why = page.status(lambda status: status["ended"] is not None, 120)["ended"]
         browser.wait(f"document.querySelector('#mode').textContent === 'ended' && {FACTS}.textContent.includes('ended: {why}')", 60)
@@ -44,8 +34,8 @@ def test_why_a_live_run_has_ended_is_told_whole(browser):
 
 
 def test_a_log_tells_how_its_run_ended_and_marks_a_stop(browser, stopped, log):
-    with Viewer("replay", stopped) as replay:
-        why = replay.json("api/session")["ended"]
+    with Served("replay", stopped) as replay:
+        why = replay.session()["ended"]
         assert why.startswith("the controller stopped for safety at ")
         show(browser, replay.link)
         browser.wait(f"{FACTS}.textContent.includes('ended: {why}') && {ENDED} === '{why}'")
@@ -55,22 +45,22 @@ def test_a_log_tells_how_its_run_ended_and_marks_a_stop(browser, stopped, log):
         browser.wait(f"({HINT}).includes('ended: {why}')")
         for _ in every_look(browser, "log_of_a_stop"):
             pass
-    with Viewer("replay", log) as replay:
+    with Served("replay", log) as replay:
         show(browser, replay.link)
         browser.wait(f"{ENDED} === 'ran to its end'")
 
 
 def test_a_stop_for_safety_is_no_good_news(browser, stopped):
-    with Viewer("replay", stopped) as replay:
+    with Served("replay", stopped) as replay:
         show(browser, replay.link)
-        browser.run("(() => { const scrub = document.querySelector('#scrub'); scrub.value = scrub.max; scrub.dispatchEvent(new Event('input')); })()")
+        scrub(browser, "scrub.max")
         account = "No hierarchy was solved: \\w+, because "
         browser.wait(f"surefoot.channel('command.mode')[0] > 1 && /^{account}/.test(document.querySelector('#account').innerText)", 30)
         browser.wait("document.querySelector('#account').dataset.kind === 'bad'")
 
 
 def test_a_run_that_has_ended_has_nothing_to_pause_and_stays_ended_when_its_program_is_gone(browser):
-    with Viewer("run", "push", "--view", "--set", "duration=2") as viewer, Page(viewer) as page:
+    with Served("run", "push", "--view", "--set", "duration=2") as viewer, Page(viewer) as page:
         show(browser, viewer.link)
         browser.run(SPY)
         why = page.status(lambda status: status["ended"] is not None, 120)["ended"]
@@ -87,7 +77,7 @@ def test_a_run_that_has_ended_has_nothing_to_pause_and_stays_ended_when_its_prog
 
 
 def test_of_a_run_that_has_not_ended_nobody_knows_how_it_goes_on_when_its_program_is_gone(browser):
-    with Viewer(*WALK) as viewer:
+    with Served(*WALK) as viewer:
         show(browser, viewer.link)
         browser.wait(f"{MODE} === 'live' && {ENDED} === 'not yet'")
         viewer.process.kill()

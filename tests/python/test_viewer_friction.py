@@ -5,8 +5,8 @@ import re
 import pytest
 
 from conftest import record
+from live_page import Served
 from log_file import messages
-from viewer import Viewer
 from viewer_page import channel, go_to, show
 
 LEGS = ("LF", "RF", "LH", "RH")
@@ -28,10 +28,10 @@ def test_a_foot_whose_pyramid_is_active_uses_all_of_its_friction(browser, slippe
     found = [(tick, legs_at_a_face(one)) for tick, one in enumerate(messages(slippery, "/hierarchy"))]
     found = [(tick, legs) for tick, legs in found if legs]
     assert len(found) > 10, "a slippery walk"
-    with Viewer("replay", slippery) as replay:
+    with Served("replay", slippery) as replay:
         show(browser, replay.link)
         browser.click("#tab-state")
-        weight = 9.81 * replay.json("api/session")["header"]["robot"]["mass"]
+        weight = 9.81 * replay.session()["header"]["robot"]["mass"]
         for tick, held in found[:: len(found) // 5]:
             go_to(browser, tick)
             uses = {leg: channel(browser, f"commanded.friction_use.{leg}")[0] for leg in LEGS}

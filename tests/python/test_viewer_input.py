@@ -11,16 +11,16 @@ import time
 import pytest
 
 from browser import wait_for
+from live_page import WALK, Served
 from log_file import messages
-from viewer import Viewer
-from viewer_page import SCREENSHOTS, SPY, WALK, pause, phone, sent, show, tap
+from viewer_page import SCREENSHOTS, SPY, pause, phone, sent, show, tap
 
 
 @pytest.fixture(scope="module")
 def played(tmp_path_factory):
     """A run that goes on, and its log."""
     log = tmp_path_factory.mktemp("played") / "run.mcap"
-    with Viewer(*WALK, "--record", log) as viewer:
+    with Served(*WALK, "--record", log) as viewer:
         viewer.log = log
         yield viewer
 
@@ -130,19 +130,19 @@ def test_all_that_was_changed_stands_in_the_log(played):
 
 
 def test_a_server_of_a_log_that_is_gone_is_told_and_found_again(browser, log):
-    with Viewer("replay", log) as first:
+    with Served("replay", log) as first:
         show(browser, first.link)
         first.process.kill()
     browser.wait("document.querySelector('#notes').textContent.includes('start `surefoot replay` again')")
     assert browser.run("document.querySelector('#link-state').dataset.state") == "lost"
     browser.run("window.before = true")
-    with Viewer("replay", log, port=first.port):
+    with Served("replay", log, port=first.port):
         browser.wait("window.before === undefined && window.surefoot?.pictures > 0", 60)
         assert browser.run("document.querySelector('#notes').textContent") == ""
 
 
 def test_a_server_of_a_log_that_stands_still_is_told_and_is_not_asked_by_ever_more_requests(browser, log):
-    with Viewer("replay", log) as viewer:
+    with Served("replay", log) as viewer:
         show(browser, viewer.link)
         viewer.process.send_signal(signal.SIGSTOP)
         try:
@@ -161,12 +161,12 @@ def test_rough_ground_is_drawn_as_it_is_and_a_missing_mesh_is_told(browser, tmp_
     packages = pathlib.Path(os.environ.get("SUREFOOT_ROBOT_PACKAGES") or pathlib.Path(sysconfig.get_path("platlib")) / "cmeel.prefix/share")
     shutil.copytree(packages / robot, tmp_path / robot, ignore=shutil.ignore_patterns("anymal_thigh.dae"))
     monkeypatch.setenv("SUREFOOT_ROBOT_PACKAGES", str(tmp_path))
-    with Viewer("run", "rough_field", "--view") as viewer:
-        assert any("primitives" in line and "anymal_thigh.dae" in line for line in viewer.said), "in the terminal, too"
+    with Served("run", "rough_field", "--view") as viewer:
+        assert any("primitives" in line and "anymal_thigh.dae" in line for line in viewer.errors.splitlines()), "in the terminal, too"
         show(browser, viewer.link)
         browser.wait("surefoot.meshesLoading === 0", 60)
         pause(browser)
-        field = next(one for one in viewer.json("api/session")["header"]["terrain"] if one["columns"] > 1)
+        field = next(one for one in viewer.session()["header"]["terrain"] if one["columns"] > 1)
         step = [size / (count - 1) for size, count in zip(field["size"], (field["columns"], field["rows"]))]
         for i, j in ((field["columns"] // 2, field["rows"] // 2), (field["columns"] // 3, field["rows"] // 4)):
             x, y = (position + (k - (count - 1) / 2) * one for position, k, count, one in

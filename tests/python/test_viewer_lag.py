@@ -8,8 +8,8 @@ import threading
 import time
 
 from browser import Browser
-from viewer import Viewer
-from viewer_page import SCREENSHOTS, WALK, show
+from live_page import WALK, Served
+from viewer_page import SCREENSHOTS, show
 
 FACTS = "document.querySelector('#head-facts').textContent"
 
@@ -36,7 +36,7 @@ def halting(process, share, period=0.2):
 
 
 def test_a_run_that_is_slower_than_asked_for_says_how_fast_it_is_and_why():
-    with Viewer(*WALK) as viewer, Browser() as browser:
+    with Served(*WALK) as viewer, Browser() as browser:
         show(browser, viewer.link)
         with halting(viewer.process, 0.8):
             browser.wait(f"/× of 1× asked: the program's machine is busy/.test({FACTS})", 60)

@@ -9,14 +9,8 @@ import pytest
 
 from conftest import record
 from damaged_logs import without_calls
-from viewer import Viewer
-from viewer_page import SCREENSHOTS, SIZES, WALK, channel, every_look, go_to, pause, pixels, show, step_until
-
-
-@pytest.fixture(scope="module")
-def live():
-    with Viewer(*WALK) as viewer:
-        yield viewer
+from live_page import WALK, Served
+from viewer_page import SCREENSHOTS, SIZES, channel, every_look, go_to, pause, pixels, scrub, show, step_until
 
 
 def push_until_it_falls(browser):
@@ -27,7 +21,7 @@ def push_until_it_falls(browser):
 
 
 def test_after_a_fall_what_is_said_is_short_and_more_of_it_when_asked_for(browser):
-    with Viewer(*WALK) as walk:
+    with Served(*WALK) as walk:
         show(browser, walk.link)
         browser.wait("surefoot.tick > 100", 60)
         push_until_it_falls(browser)
@@ -52,7 +46,7 @@ def test_after_a_fall_what_is_said_is_short_and_more_of_it_when_asked_for(browse
 
 
 def test_what_a_message_tells_to_do_is_read_without_a_press(browser, log):
-    with Viewer("replay", log) as replay:
+    with Served("replay", log) as replay:
         show(browser, replay.link)
     words = "document.querySelector('[data-note=server] .note-text')"
     for look in every_look(browser, "lost"):
@@ -110,7 +104,7 @@ def test_the_account_agrees_with_the_levels(browser, live):
 def test_what_gives_way_is_told_whole(browser, log):
     """Whatever the line says, with the longest names of levels that there are."""
     line = "document.querySelector('.account-line')"
-    with Viewer("replay", log) as replay:
+    with Served("replay", log) as replay:
         show(browser, replay.link)
         go_to(browser, 400)
         for look in every_look(browser, "account"):
@@ -159,7 +153,7 @@ def test_the_menu_of_overlays_leaves_the_robot_in_sight(browser, live):
 
 def test_the_menu_of_overlays_changes_no_more_of_the_picture_than_it_covers(browser, log):
     """Chromium laid the menu's ground over the picture above it where the processor draws."""
-    with Viewer("replay", log) as replay:
+    with Served("replay", log) as replay:
         show(browser, replay.link)
         browser.prefer("dark")
         try:
@@ -220,16 +214,16 @@ def test_meshes_that_are_still_to_come_are_counted(browser, live):
 
 
 def test_the_clock_of_a_log_ends_at_its_total(browser, log):
-    with Viewer("replay", log) as replay:
+    with Served("replay", log) as replay:
         show(browser, replay.link)
-        browser.run("(() => { const scrub = document.querySelector('#scrub'); scrub.value = scrub.max; scrub.dispatchEvent(new Event('input')); })()")
+        scrub(browser, "scrub.max")
         browser.wait("surefoot.time === surefoot.last")
         browser.wait("/^(\\d+\\.\\d+) \\/ \\1 s$/.test(document.querySelector('#clock').textContent)")
 
 
 def test_a_log_whose_clock_begins_late_begins_there(browser, log, tmp_path):
-    with Viewer("replay", without_calls(log, tmp_path, 200, -1)) as replay:
-        session = replay.json("api/session")
+    with Served("replay", without_calls(log, tmp_path, 200, -1)) as replay:
+        session = replay.session()
         first, end = session["first_tick"], session["first_tick"] + session["ticks"]
         assert first == 200 and end > 600
         show(browser, replay.link)
@@ -240,9 +234,9 @@ def test_a_log_whose_clock_begins_late_begins_there(browser, log, tmp_path):
 
 
 def test_friction_that_a_foot_lost_is_not_the_friction_that_was_asked_for(browser):
-    with Viewer("run", "slippery", "--view", "--set", "duration=600") as slippery:
+    with Served("run", "slippery", "--view", "--set", "duration=600") as slippery:
         show(browser, slippery.link)
-        given = slippery.json("api/session")["friction"]
+        given = slippery.session()["friction"]
         browser.click("#tab-tune")
         least = "Math.min(...['LF', 'RF', 'LH', 'RH'].map(leg => surefoot.channel(`plan.feet.${leg}.friction`)[0]))"
         browser.wait(f"{least} < {given} - 0.02", 120)
@@ -254,17 +248,17 @@ def test_friction_that_a_foot_lost_is_not_the_friction_that_was_asked_for(browse
 
 
 def test_what_is_old_is_grey_and_says_since_when(browser):
-    with Viewer(*WALK) as walk:
+    with Served(*WALK) as walk:
         show(browser, walk.link)
         port = walk.port
         assert not browser.run("document.body.classList.contains('stale')")
     browser.wait("/^Nothing new for [1-9]\\d* s: all numbers are from \\d+\\.\\d+ s of the run\\.$/.test(document.querySelector('#stale').textContent)")
-    browser.run("(() => { const scrub = document.querySelector('#scrub'); scrub.value = 0.5 * (surefoot.first + surefoot.last); scrub.dispatchEvent(new Event('input')); })()")
+    scrub(browser, "0.5 * (surefoot.first + surefoot.last)")
     browser.wait("surefoot.drawn < surefoot.last - 0.01 && document.querySelector('#stale').textContent.includes(`from ${surefoot.drawn.toFixed(4)} s of`)")
     assert "grayscale" in browser.run("getComputedStyle(document.querySelector('#panel-hierarchy')).filter")
     for _ in every_look(browser, "stale"):
         pass
-    with Viewer(*WALK, port=port):
+    with Served(*WALK, port=port):
         browser.wait("window.surefoot?.tick > 0 && !document.body.classList.contains('stale') && document.querySelector('#stale').hidden", 60)
 
 
@@ -303,7 +297,7 @@ def test_numbers_are_never_newer_than_the_picture(browser, live):
 
 def test_what_lies_on_the_believed_ground_is_seen_where_the_true_ground_is_higher(browser, tmp_path):
     log = record(tmp_path / "down.mcap", "--set", "estimation=truth", scenario="step_down", duration=16.5)
-    with Viewer("replay", log) as viewer:
+    with Served("replay", log) as viewer:
         show(browser, viewer.link)
         go_to(browser, 6400)  # a front foot is down, the others are above the edge
         browser.wait("surefoot.meshesLoading === 0", 60)
@@ -332,5 +326,5 @@ def planned_zmp(browser, viewer):
     """The middle of its mark, where the controller believes what is true."""
     assert math.dist(channel(browser, "state.p_WB"), channel(browser, "truth.p_WB")) < 1e-3
     (x, y), R, point = (channel(browser, f"plan.{name}") for name in ("com.zmp", "R_WC", "terrain_point"))
-    radius = viewer.json("api/session")["header"]["robot"]["foot_radius"]
+    radius = viewer.session()["header"]["robot"]["foot_radius"]
     return [x, y, point[2] - (radius + R[2] * (x - point[0]) + R[5] * (y - point[1])) / R[8]]

@@ -9,20 +9,13 @@ import time
 import pytest
 
 from browser import WITHOUT_PICTURE, Browser, wait_for
-from live_page import Page
-from viewer import Viewer
-from viewer_page import CONTROLS, SCREENSHOTS, VIEW_ONLY, WALK, channel, look_back, pause, show
-
-
-@pytest.fixture(scope="module")
-def live():
-    with Viewer(*WALK) as viewer:
-        yield viewer
+from live_page import WALK, Page, Served
+from viewer_page import CONTROLS, SCREENSHOTS, VIEW_ONLY, channel, look_back, pause, show
 
 
 @pytest.fixture(scope="module")
 def replayed(log):
-    with Viewer("replay", log) as viewer:
+    with Served("replay", log) as viewer:
         yield viewer
 
 
@@ -40,7 +33,7 @@ def test_the_robot_stands_in_the_scene_where_the_run_says(browser, live):
     pause(browser)
     base, truth = browser.run("surefoot.position('base')"), channel(browser, "truth.p_WB")
     assert math.dist(base, truth) < 1e-5
-    radius = live.json("api/session")["header"]["robot"]["foot_radius"]
+    radius = live.session()["header"]["robot"]["foot_radius"]
     for leg in ("LF", "RF", "LH", "RH"):
         foot, true_foot = browser.run(f"surefoot.position('{leg}_FOOT')"), channel(browser, f"truth.p_WF.{leg}")
         assert math.dist(foot, true_foot) < radius  # the sphere's centre lies within the foot's own length
@@ -85,7 +78,7 @@ def test_scrubbing_shows_an_earlier_tick_while_the_run_goes_on(browser, live):
 
 
 def test_a_page_too_many_is_told_the_limit_and_gets_a_place_that_is_free(browser):
-    with Viewer(*WALK, "--view-clients", 1) as walk:
+    with Served(*WALK, "--view-clients", 1) as walk:
         with Page(walk) as first:
             first.status()
             browser.open("about:blank")
@@ -100,7 +93,7 @@ def test_a_page_too_many_is_told_the_limit_and_gets_a_place_that_is_free(browser
 
 def test_a_lost_connection_is_shown_and_recovers_by_itself(browser):
     fps = "document.querySelector('#head-facts').textContent.includes('fps')"
-    with Viewer(*WALK) as first:
+    with Served(*WALK) as first:
         show(browser, first.link)
         browser.wait(fps, 60)
         port = first.port
@@ -112,7 +105,7 @@ def test_a_lost_connection_is_shown_and_recovers_by_itself(browser):
     assert browser.run(f"{CONTROLS}.every(one => one.matches(':disabled') && getComputedStyle(one).filter === 'grayscale(1)')")
     assert browser.run("document.querySelector('#panel-drive .view-only').hidden"), "its token is not refused"
     browser.screenshot(SCREENSHOTS / "lost.png")
-    with Viewer(*WALK, port=port):
+    with Served(*WALK, port=port):
         browser.wait("document.querySelector('#link-state')?.textContent === 'connected'", 40)
         browser.wait("window.surefoot !== undefined && surefoot.tick > 0 && surefoot.following", 40)
         browser.wait("!document.querySelector('#notes').textContent.includes('lost')", 40)
@@ -120,13 +113,13 @@ def test_a_lost_connection_is_shown_and_recovers_by_itself(browser):
 
 
 def test_a_page_that_finds_another_run_loads_itself_anew(browser):
-    with Viewer(*WALK) as first:
+    with Served(*WALK) as first:
         show(browser, first.link)
         port = first.port
     browser.wait("document.querySelector('#link-state')?.textContent === 'connection lost'")
     browser.run("window.before = true")
     other = ["run", "step_down", "--view", "--set", "duration=600"]
-    with Viewer(*other, port=port):
+    with Served(*other, port=port):
         browser.wait("window.before === undefined && window.surefoot !== undefined && surefoot.pictures > 1", 60)
         assert browser.run("document.querySelector('#title').textContent") == "step_down"
         browser.wait("surefoot.tick > 0 && surefoot.following", 40)
@@ -134,11 +127,11 @@ def test_a_page_that_finds_another_run_loads_itself_anew(browser):
 
 
 def test_a_page_of_a_run_that_finds_a_log_loads_itself_anew(browser, log):
-    with Viewer(*WALK) as first:
+    with Served(*WALK) as first:
         show(browser, first.link)
     browser.wait("document.querySelector('#link-state')?.textContent === 'connection lost'")
     browser.run("window.before = true")
-    with Viewer("replay", log, port=first.port):
+    with Served("replay", log, port=first.port):
         browser.wait("window.before === undefined && window.surefoot !== undefined && surefoot.pictures > 0", 60)
         assert browser.run("document.querySelector('#mode').textContent") == "replay"
         assert browser.run("document.querySelector('#notes').textContent") == ""
@@ -238,7 +231,7 @@ def test_any_channel_is_found_and_plotted(browser, replayed):
     assert "hierarchy.level.friction_cone.residual" in browser.run("document.querySelector('.found').textContent")
     browser.run("document.querySelector('.found button').click()")
     browser.wait(f"document.querySelectorAll('.plot').length === {plots + 1}")
-    header = replayed.json("api/session")["header"]
+    header = replayed.session()["header"]
     unit = header["level_units"][header["level_names"].index("friction_cone")]
     assert browser.run("[...document.querySelectorAll('.plot-title')].at(-1).textContent") == f"hierarchy.level.friction_cone.residual [{unit}]"
 

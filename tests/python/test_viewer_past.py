@@ -3,8 +3,8 @@
 import pytest
 
 from browser import wait_for
-from viewer import Viewer
-from viewer_page import SPY, VIEW_ONLY, WALK, every_look, look_back, pause, sent, show
+from live_page import WALK, Served
+from viewer_page import SPY, VIEW_ONLY, every_look, look_back, pause, sent, show
 
 PAST = "document.querySelector('#past').textContent"
 MODE = "document.querySelector('#mode').textContent"
@@ -14,7 +14,7 @@ NOTES = "document.querySelector('#notes').textContent"
 @pytest.fixture(scope="module")
 def robot():
     """It stands: a push does not end the run."""
-    with Viewer(*WALK, "--set", "planner.gait.start_duration=600") as viewer:
+    with Served(*WALK, "--set", "planner.gait.start_duration=600") as viewer:
         yield viewer
 
 
@@ -79,7 +79,7 @@ def test_a_page_that_may_not_push_stays_in_the_past(browser, robot):
 
 
 def test_plots_go_on_with_the_run_while_one_looks_back(browser):
-    with Viewer(*WALK) as walk:
+    with Served(*WALK) as walk:
         show(browser, walk.link)
         browser.wait("surefoot.last > 10", 60)  # all of what plots show
         look_back(browser, 3)

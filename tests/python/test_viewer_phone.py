@@ -3,8 +3,8 @@
 import pytest
 
 from damaged_logs import damaged
-from viewer import Viewer
-from viewer_page import SCREENSHOTS, WALK, phone, show, tap
+from live_page import WALK, Served
+from viewer_page import SCREENSHOTS, phone, show, tap
 
 LEAST = 40  # of what a finger presses [pixels]
 TABS = ("hierarchy", "state", "drive", "tune")
@@ -19,12 +19,6 @@ COVERED = """(() => {
   return boxes('.note').flatMap(([note, a]) => boxes('#view-tools button')
     .filter(([, b]) => a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom).map(([button]) => [note, button]));
 })()"""
-
-
-@pytest.fixture(scope="module")
-def live():
-    with Viewer(*WALK) as viewer:
-        yield viewer
 
 
 def test_all_that_is_pressed_is_large_enough_for_a_finger(browser, live):
@@ -62,7 +56,7 @@ def test_what_a_pointer_would_be_told_of_a_number_stands_beside_it(browser, live
 
 @pytest.mark.parametrize("seen", ["phone", "desktop", "tablet"])
 def test_what_is_wrong_with_a_log_covers_no_button_and_can_be_taken_away(browser, log, tmp_path, seen):
-    with Viewer("replay", damaged(log, tmp_path, 0.3)) as viewer, phone(browser):
+    with Served("replay", damaged(log, tmp_path, 0.3)) as viewer, phone(browser):
         if seen != "phone":
             browser.resize({"desktop": 1280, "tablet": 820}[seen], 720)
         show(browser, viewer.link)
@@ -99,7 +93,7 @@ def test_the_key_stands_below_the_picture(browser, live):
 
 def test_the_head_keeps_its_line_when_the_connection_is_lost(browser):
     with phone(browser):
-        with Viewer(*WALK) as walk:
+        with Served(*WALK) as walk:
             show(browser, walk.link)
         browser.wait("document.querySelector('#link-state').textContent === 'connection lost'", 30)
         browser.run("document.querySelector('#title').textContent = 'payload_step_down_without_limits, seed 12345'")

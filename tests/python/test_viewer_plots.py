@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from browser import wait_for
-from viewer import Viewer
+from live_page import Served
 from viewer_page import SCREENSHOTS, pixels, show
 
 # Plots of which something is not to be seen, or whose × can't be pressed, once it is scrolled to.
@@ -24,7 +24,7 @@ LINES = """[...[...document.querySelectorAll('.plot')].at(-1).querySelectorAll('
 
 @pytest.fixture
 def replayed(browser, log):
-    with Viewer("replay", log) as viewer:
+    with Served("replay", log) as viewer:
         show(browser, viewer.link)
         browser.wait("document.querySelectorAll('.plot canvas').length === 2")
         yield browser

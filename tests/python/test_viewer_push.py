@@ -1,13 +1,12 @@
 """What is done to the robot from the viewer's page is seen there: forces, limits, and that a run which has ended takes none."""
 
-from live_page import Page
-from viewer import Viewer
-from viewer_page import CONTROLS, SCREENSHOTS, WALK, channel, pause, show, step_until
+from live_page import WALK, Page, Served
+from viewer_page import CONTROLS, SCREENSHOTS, channel, pause, show, step_until
 
 
 def test_a_push_moves_the_robot_and_is_shown_with_its_force(browser):
     # It stands all the while: how a push ends that meets a walk depends on the moment.
-    with Viewer(*WALK, "--set", "planner.gait.start_duration=600") as robot:
+    with Served(*WALK, "--set", "planner.gait.start_duration=600") as robot:
         show(browser, robot.link)
         browser.wait("surefoot.tick > 100", 60)
         browser.click("#tab-drive")
@@ -23,7 +22,7 @@ def test_a_push_moves_the_robot_and_is_shown_with_its_force(browser):
 
 
 def test_a_limit_that_becomes_active_is_seen_in_the_panel_by_words_and_colour(browser):
-    with Viewer(*WALK) as walk:
+    with Served(*WALK) as walk:
         show(browser, walk.link)
         browser.wait("surefoot.tick > 500", 60)  # while it stands still little friction is enough
         pause(browser)
@@ -45,7 +44,7 @@ def test_a_limit_that_becomes_active_is_seen_in_the_panel_by_words_and_colour(br
 
 
 def test_a_run_that_has_ended_can_only_be_begun_again(browser):
-    with Viewer("run", "walk_flat_ideal", "--view", "--set", "duration=1") as short, Page(short) as hand:
+    with Served("run", "walk_flat_ideal", "--view", "--set", "duration=1") as short, Page(short) as hand:
         hand.do("pause")
         show(browser, short.link)
         browser.click("#tab-drive")

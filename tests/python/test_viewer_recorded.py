@@ -7,9 +7,8 @@ import time
 
 from browser import wait_for
 from damaged_logs import damaged, without_chunk
-from live_page import Page
-from viewer import Viewer
-from viewer_page import SCREENSHOTS, WALK, channel, go_to, pause, scrub, show
+from live_page import WALK, Page, Served
+from viewer_page import SCREENSHOTS, channel, go_to, pause, scrub, show
 
 
 def recorded_base(path, tick):
@@ -22,7 +21,7 @@ def recorded_base(path, tick):
 
 
 def test_a_page_that_is_opened_late_scrubs_back_to_before_it_came(browser, tmp_path):
-    with Viewer(*WALK, "--record", tmp_path / "run.mcap") as walk:
+    with Served(*WALK, "--record", tmp_path / "run.mcap") as walk:
         with Page(walk) as first:  # eight times as fast, so that a minute has passed soon
             first.do("speed", factor=8.0)
             browser.open("about:blank")
@@ -55,11 +54,11 @@ def drawn_no_more(browser):
 
 def test_a_page_of_a_recorded_run_says_where_its_log_is(browser, tmp_path):
     log = "[...document.querySelectorAll('#panel-state dt')].find(one => one.textContent === 'Log')?.nextSibling.textContent"
-    with Viewer(*WALK) as walk:
+    with Served(*WALK) as walk:
         show(browser, walk.link)
         browser.wait(f"{log} === 'none: run it with --record FILE to keep one'")
     kept = tmp_path / "kept.mcap"
-    with Viewer("run", "walk_flat_ideal", "--view", "--set", "duration=1", "--record", kept) as recorded, Page(recorded) as hand:
+    with Served("run", "walk_flat_ideal", "--view", "--set", "duration=1", "--record", kept) as recorded, Page(recorded) as hand:
         hand.do("pause")
         show(browser, recorded.address)
         browser.wait("document.querySelector('#head-facts').textContent.startsWith('recording kept.mcap')")
@@ -76,7 +75,7 @@ def test_a_page_of_a_recorded_run_says_where_its_log_is(browser, tmp_path):
 
 
 def test_a_damaged_log_is_told_in_the_page_and_on_its_time_bar(browser, log, tmp_path):
-    with Viewer("replay", damaged(log, tmp_path, 0.3)) as viewer:
+    with Served("replay", damaged(log, tmp_path, 0.3)) as viewer:
         show(browser, viewer.link)
         browser.wait("document.querySelector('#notes').textContent.includes('This log is damaged')", 60)
         browser.screenshot(SCREENSHOTS / "damaged.png")
@@ -84,7 +83,7 @@ def test_a_damaged_log_is_told_in_the_page_and_on_its_time_bar(browser, log, tmp
 
 def test_a_tick_that_can_not_be_read_says_which_is_shown_and_steps_go_on_over_it(browser, log, tmp_path):
     path, begin, end = without_chunk(log, tmp_path, 1)
-    with Viewer("replay", path) as viewer:
+    with Served("replay", path) as viewer:
         show(browser, viewer.link)
         for tick in (799, round(begin / 0.0025) - 1):  # both pieces of the log are here then
             go_to(browser, tick)
@@ -99,9 +98,9 @@ def test_a_tick_that_can_not_be_read_says_which_is_shown_and_steps_go_on_over_it
 
 
 def test_a_log_is_shown_at_any_time_of_it(browser, log):
-    with Viewer("replay", log) as replay:
+    with Served("replay", log) as replay:
         show(browser, replay.link)
-        ticks = replay.json("api/session")["ticks"]
+        ticks = replay.session()["ticks"]
         for share in (0.8, 0.1):
             go_to(browser, int(share * ticks))
             wait_for(lambda: math.dist(browser.run("surefoot.position('base')"), channel(browser, "truth.p_WB")) < 1e-5, "the picture")

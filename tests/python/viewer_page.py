@@ -23,7 +23,6 @@ CONTROLS = "[...document.querySelectorAll('#panel-drive :is(button, input)')]"
 VIEW_ONLY = "document.querySelector('#panel-drive .view-only:not([hidden])')?.textContent.startsWith('This page can only look')"
 SIZES = {"desktop": (1280, 720), "phone": (390, 844)}
 THEMES = ("light", "dark")
-WALK = ["run", "walk_flat_ideal", "--view", "--set", "duration=600", "--set", "stack=terrain_adaptation"]
 
 
 def show(browser, link):
@@ -53,15 +52,15 @@ def still(browser, script):
     return shown == browser.run(script) and shown[0] == shown[1] and shown[2]
 
 
-def scrub(browser, time_):
-    """Looks at another time of the run."""
-    browser.run(f"(() => {{ const scrub = document.querySelector('#scrub'); scrub.value = {time_}; scrub.dispatchEvent(new Event('input')); }})()")
+def scrub(browser, moment):
+    """Looks at another time of the run: a number, or a script that gives one."""
+    browser.run(f"(() => {{ const scrub = document.querySelector('#scrub'); scrub.value = {moment}; scrub.dispatchEvent(new Event('input')); }})()")
 
 
 def look_back(browser, seconds):
     """Shows what was so long ago; that time."""
     browser.wait(f"surefoot.last - surefoot.first > {seconds + 0.5}", 60)
-    browser.run("(() => { const scrub = document.querySelector('#scrub'); scrub.value = surefoot.last - %g; scrub.dispatchEvent(new Event('input')); })()" % seconds)
+    scrub(browser, f"surefoot.last - {seconds}")
     browser.wait("!surefoot.following")
     return browser.run("surefoot.time")
 

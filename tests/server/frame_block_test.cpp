@@ -1,6 +1,7 @@
 #include "server/frame_block.hpp"
 
 #include "surefoot/base/error.hpp"
+#include "tests/server/read_block.hpp"
 
 #include <gtest/gtest.h>
 

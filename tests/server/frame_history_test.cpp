@@ -1,6 +1,6 @@
 #include "server/frame_history.hpp"
 
-#include "server/packed_frame.hpp"
+#include "tests/server/read_block.hpp"
 
 #include <gtest/gtest.h>
 

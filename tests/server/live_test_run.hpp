@@ -1,9 +1,9 @@
 #pragma once
 
-#include "server/frame_block.hpp"
 #include "server/live_view.hpp"
 #include "surefoot/closed_loop/closed_loop.hpp"
 #include "surefoot/config/scenario_file.hpp"
+#include "tests/server/read_block.hpp"
 
 #include <nlohmann/json.hpp>
 

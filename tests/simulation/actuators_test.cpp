@@ -105,8 +105,8 @@ TEST(SeaActuators, KeepTheOrderOfDelayedCommands) {
 
 TEST(SeaActuators, LoseTorqueAlongTheTorqueSpeedLineWhenTheyDrive) {
   ActuatorOptions options = sea();
-  options.stall_torque = 40.0;
-  options.no_load_speed = 12.0;
+  options.stall_torque.setConstant(40.0);
+  options.no_load_speed.setConstant(12.0);
   Actuators actuators(options, kLimit, kTimestep);
   hold(actuators, 40.0, 40);
   EXPECT_NEAR(actuators.torque(kStill, constant(0.0))[0], 40.0, 1e-6);
@@ -139,7 +139,7 @@ TEST(SeaActuators, RoundToWholeQuanta) {
 TEST(SeaActuators, StayInsideTheLimitsWithAGainAboveOneAndACoarseQuantum) {
   ActuatorOptions options = sea();
   options.torque_gain = 1.1;
-  options.stall_torque = 80.0;
+  options.stall_torque.setConstant(80.0);
   for (const double quantum : {0.0, 0.2, 0.6, 0.7}) {
     options.quantisation = quantum;
     Actuators actuators(options, kLimit, kTimestep);

@@ -104,7 +104,7 @@ TEST(Plant, AppliesSeaTorquesWithDelayAndLag) {
   PlantOptions options = test::falling_options();
   options.actuators.model = ActuatorModel::sea;
   options.actuators.quantisation = 0.0;
-  options.actuators.no_load_speed = 1e6;
+  options.actuators.no_load_speed.setConstant(1e6);
   Plant plant(test::anymal_b(), options);
   JointCommand command;
   command.torque.setConstant(1.0);

@@ -151,7 +151,7 @@ TEST(SeriesElasticDrive, gives_no_energy_to_a_joint_that_nothing_is_asked_of) {
 TEST(SeriesElasticDrive, keeps_the_energy_of_rotor_and_spring_where_nothing_takes_it) {
   ActuatorOptions options = drive_options(0.0);
   options.rotor.viscous = options.rotor.coulomb = 0.0;
-  options.stall_torque = 1e-12;  // the motor is off
+  options.stall_torque.setConstant(1e-12);  // the motor is off
   SeriesElasticDrive drive(options, kTimestep);
   drive.rest_at(0.1);
   drive.advance(0.0, 0.0);

@@ -9,7 +9,7 @@ import { LiveLink } from "./live_link.ts";
 import { aboutRun } from "./panels/about_run.ts";
 import { Announcer } from "./panels/announcer.ts";
 import { DrivePanel } from "./panels/drive_panel.ts";
-import { h, part, say } from "./panels/dom.ts";
+import { h, part, setText } from "./panels/dom.ts";
 import { endFact, showFacts, showMode } from "./panels/head.ts";
 import { makeHelp } from "./panels/help.ts";
 import { HierarchyPanel } from "./panels/hierarchy_panel.ts";
@@ -19,7 +19,7 @@ import { PlotsPanel } from "./panels/plots_panel.ts";
 import { showTime } from "./panels/stale.ts";
 import { StatePanel } from "./panels/state_panel.ts";
 import { Tabs } from "./panels/tabs.ts";
-import { courseOf, endedText, Transport } from "./panels/transport.ts";
+import { runStateOf, endedText, Transport } from "./panels/transport.ts";
 import { TunePanel } from "./panels/tune_panel.ts";
 import { Commands, type Ask } from "./protocol/commands.ts";
 import { orderOf, type Session } from "./protocol/session.ts";
@@ -29,17 +29,18 @@ import { missingText } from "./scene/mesh_library.ts";
 import { NoGraphics, withoutPictureText } from "./scene/stage.ts";
 import { World } from "./scene/world.ts";
 import type { Theme } from "./theme.ts";
-import { Recent } from "./data/recent.ts";
 import { Wish } from "./data/wish.ts";
 
-/** Ground without a robot is drawn only after this: a picture with both would come later by its rest [ms]. */
+/** Ground without a robot is drawn only after this: the rest behind it would delay the picture with both [ms]. */
 const WITHOUT_ROBOT = 2000;
-/** What a key that drives a run says where there is none. */
+/** Message of a key that drives a run, in the page of a log. */
 const OF_A_LOG = "This is a log: only a run can be pushed, steered or changed (`surefoot run SCENARIO --view`).";
-/** A run that waits for its page waits no longer for meshes [ms]. */
+/** Longest time that a waiting run waits for meshes [ms]. */
 const LONGEST_DRESSING = 10000;
-/** Commands that a run takes with its next tick. */
+/** Commands that take effect with the next tick. */
 const CHANGES = new Set(["push", "walk", "gain", "order", "friction"]);
+/** Pictures whose script time is kept. */
+const MOST_COSTS = 2000;
 /** Texts and the time bar change this often [s]. */
 const TEXT_PERIOD = 0.1;
 
@@ -49,17 +50,17 @@ export class App {
   readonly world: World | undefined;
   readonly notes: Notes;
   readonly link: LiveLink | undefined;
-  /** That of the picture: what is told in numbers is of the same time. */
+  /** Frame of the picture; all numbers in the panels are of it. */
   frame: Frame | undefined;
   pictures = 0;
   /** Time from the page's beginning to the first picture with a robot [ms]. */
   firstPicture = NaN;
-  /** Script time of each frame with a picture, until all of it is handed to the graphics [ms]. */
-  readonly costs = new Recent(2000);
-  private readonly commands: Commands;
+  /** Script time of each of the last pictures, until all of it is handed to the graphics [ms]. */
+  readonly costs: number[] = [];
+  readonly commands: Commands;
   private readonly hierarchy: HierarchyPanel;
-  private readonly tune: TunePanel;
-  private readonly drive: DrivePanel;
+  readonly tune: TunePanel;
+  readonly drive: DrivePanel;
   private readonly state: StatePanel;
   private readonly plots: PlotsPanel;
   private readonly transport: Transport;
@@ -69,16 +70,16 @@ export class App {
   private drawn = performance.now();
   private sinceText = Infinity;
   private sinceNumbers = Infinity;
-  /** Whose numbers stand in the panels. */
-  private told: Frame | undefined;
-  /** Which levels give way in the picture, in words. */
+  /** Frame of the numbers in the panels. */
+  private shown: Frame | undefined;
+  /** Line of the account, for screen readers. */
   private levels = "";
-  private readonly announcer = new Announcer((text) => say(part("events"), text));
-  /** Whether what is asked for comes to effect. */
+  private readonly announcer = new Announcer((text) => setText(part("events"), text));
+  /** Whether commands take effect. */
   private canAct = false;
   private readonly progress: () => string;
   private readonly pauseWish = new Wish<boolean>();
-  private toldDrawn = false;
+  private hasReportedDrawn = false;
 
   constructor(
     public session: Session,
@@ -141,7 +142,7 @@ export class App {
 
   private goWithoutPicture(error: Error): void {
     part("view").classList.add("no-picture");
-    if (!(error instanceof NoGraphics)) say(part("no-picture"), withoutPictureText(error));
+    if (!(error instanceof NoGraphics)) setText(part("no-picture"), withoutPictureText(error));
   }
 
   /** The log of a live run; "": it is not recorded. */
@@ -153,7 +154,7 @@ export class App {
     return this.link?.status?.ended != null;
   }
 
-  /** Why the run has ended; "": it has not, or nobody knows. */
+  /** Why the run has ended; "": it has not, or that is not known. */
   private get ending(): string {
     return this.link === undefined ? this.session.ended : (this.link.status?.ended ?? "");
   }
@@ -161,31 +162,31 @@ export class App {
   private aboutRun(): [string, string][] {
     const { link, recording, hasEnded } = this;
     const isSteered = link === undefined ? this.player.source.marks.some(({ kind }) => kind === "change") : (link.status?.changes ?? 0) > 0;
-    const ended = link === undefined ? this.ending : endedText(this.ending, courseOf(link.status, link.isHeard));
+    const ended = link === undefined ? this.ending : endedText(this.ending, runStateOf(link.status, link.isHeard));
     return aboutRun(this.session, { recording, hasEnded, ended, isSteered, missing: missingText(this.world?.library.missing) });
   }
 
   private wire(): void {
     const { world, theme } = this;
-    const wear = (dark: boolean): void => {
-      world?.wear(dark);
+    const recolour = (dark: boolean): void => {
+      world?.recolour(dark);
       this.menu?.legend();
       this.plots.rebuild();
-      this.transport.wear();
+      this.transport.recolour();
     };
-    theme.onChange = wear;
-    wear(theme.dark);
+    theme.onChange = recolour;
+    recolour(theme.dark);
     part("theme").addEventListener("click", () => theme.toggle());
     part("follow").addEventListener("click", () => this.follow());
     part("home").addEventListener("click", () => world?.camera.home());
     const { title, mode, source } = this.session;
-    say(part("title"), title);
-    say(part("mode"), mode);
+    setText(part("title"), title);
+    setText(part("mode"), mode);
     document.title = [title, mode === "live" ? "live" : source, "Surefoot"].join(" – ");
     if (this.session.cut !== "") this.notes.keep("cut", asSentence(this.session.cut));
   }
 
-  /** Keys that change a live run; of a log letters say so, the others are the browser's. */
+  /** Keys that drive a live run. In a log the letters show a message, the others are left to the browser. */
   private drivingKeys(): KeyActions {
     const { player, drive } = this;
     if (!player.live) return Object.fromEntries([..."wsadqexgp"].map((key) => [key, () => this.notes.say(OF_A_LOG)]));
@@ -220,7 +221,7 @@ export class App {
     part("follow").setAttribute("aria-pressed", String(this.world.camera.follow));
   }
 
-  /** Sends a command of the run; a refusal is shown, and ends the wish. */
+  /** Sends a command; a refusal is shown, and drops the wish. */
   private command(type: string, fields: object = {}, wish?: { drop: () => void }): void {
     const taken = (): void => {
       if (this.paused && CHANGES.has(type)) this.notes.say("The run is paused: that comes with its next tick.", "plain", "waits");
@@ -240,7 +241,7 @@ export class App {
     this.command(paused ? "pause" : "resume", {}, this.pauseWish);
   }
 
-  /** Of a live run's newest picture the simulation, otherwise only what is shown. */
+  /** Pauses the run at its newest picture, otherwise only what is shown. */
   private pause(): void {
     const { player, link } = this;
     if (!player.following || link === undefined) player.toggle();
@@ -250,7 +251,7 @@ export class App {
     else player.seek(player.time);
   }
 
-  /** Who does something to a run that goes on is to see it, not the past. */
+  /** Shows the present, where a command acts. */
   private showNow(): void {
     if (!this.player.past || !this.canAct) return;
     this.player.goLive();
@@ -278,7 +279,7 @@ export class App {
     else this.player.seek(this.player.source.first);
   }
 
-  /** What changes the run can be used where that is of use: `now` the program is there, and its run goes on. */
+  /** Enables or disables what changes the run; `now`: the program answers, and its run has not ended. */
   letCommand(now: boolean): void {
     const { allowed } = this.commands;
     this.canAct = allowed && now;
@@ -288,17 +289,17 @@ export class App {
     this.hierarchy.canReorder = this.canAct;
   }
 
-  /** More of a log has come. */
+  /** More of a log has arrived. */
   refresh(): void {
     this.plots.refresh();
-    this.told = undefined;
+    this.shown = undefined;
   }
 
-  /** The session is another one: levels, rows or tasks changed, or the run began again. */
+  /** Takes a new session: tasks, order or friction changed, or the run began again. */
   use(session: Session, schema: Schema): void {
     this.session = session;
     this.plots.use(schema);
-    this.told = undefined;
+    this.shown = undefined;
     this.tune.show(session);
     this.hierarchy.newest = orderOf(session);
   }
@@ -316,11 +317,6 @@ export class App {
     this.transport.clear();
     showTime(NaN);
     this.levels = "";
-  }
-
-  /** Replies, changes and state of a live run. */
-  handlers(): { commands: Commands; tune: TunePanel; drive: DrivePanel } {
-    return { commands: this.commands, tune: this.tune, drive: this.drive };
   }
 
   private tick(now: number): void {
@@ -341,10 +337,12 @@ export class App {
     this.plots.update(dt, this.frame);
     this.texts(dt);
     this.numbers(dt);
-    if (drawn) this.costs.add(performance.now() - begin);
+    if (!drawn) return;
+    this.costs.push(performance.now() - begin);
+    if (this.costs.length > MOST_COSTS) this.costs.shift();
   }
 
-  /** Draws where something has changed and the machine can follow; without WebGL there is nothing to draw. */
+  /** Draws if something has changed and the machine is fast enough; true without WebGL. */
   private draw(now: number, frame: Frame | undefined): boolean {
     const { world, player } = this;
     if (world === undefined) return true;
@@ -366,51 +364,52 @@ export class App {
     const heard = this.link?.isHeard ?? false;
     this.transport.update(this.link?.status, heard);
     this.plots.showProgress(this.progress());
-    this.tellUnreadable();
-    this.tellDrawn();
-    for (const [name, text] of this.aboutRun()) this.state.fact(name, text);
-    say(part("loading"), this.world?.library.progress ?? "");
-    this.tellHead(heard);
-    this.announcer.tell(this.levels, performance.now());
+    this.showUnreadable();
+    this.reportDrawn();
+    this.state.showRun(this.aboutRun());
+    setText(part("loading"), this.world?.library.progress ?? "");
+    this.showHead(heard);
+    this.announcer.update(this.levels, performance.now());
   }
 
-  /** Why a run has ended stands before what matters less: there is not always room for all. */
-  private tellHead(heard: boolean): void {
+  /** Shows facts in the head, most important first: there is not always room for all. */
+  private showHead(heard: boolean): void {
     const quality = this.world?.stage.quality;
     const rate = heard || !this.player.live ? quality?.rate : "";
     const end = endFact(this.ending, this.session.cut);
-    showFacts([this.session.source, end, ...(this.link?.tellFacts() ?? []), rate ?? "", quality?.coarse ?? ""], end);
-    if (this.link !== undefined) showMode(this.player, courseOf(this.link.status, heard), this.link.status?.calibrating);
+    showFacts([this.session.source, end, ...(this.link?.facts ?? []), rate ?? "", quality?.coarse ?? ""], end);
+    if (this.link !== undefined) showMode(this.player, runStateOf(this.link.status, heard), this.link.status?.calibrating);
   }
 
-  /** Once, to a run that waits for it: the robot is in the picture with its meshes, or these take long. */
-  private tellDrawn(): void {
+  /** Tells a waiting run, once, that the robot is drawn with its meshes, or that these take long. */
+  private reportDrawn(): void {
     const isDressed = (this.world?.library.loading ?? 0) === 0 || performance.now() - this.firstPicture > LONGEST_DRESSING;
-    if (this.toldDrawn || this.pictures === 0 || !isDressed) return;
-    this.toldDrawn = true;
-    this.link?.tellDrawn();
+    if (this.hasReportedDrawn || this.pictures === 0 || !isDressed) return;
+    this.hasReportedDrawn = true;
+    this.link?.reportDrawn();
   }
 
-  private tellUnreadable(): void {
+  private showUnreadable(): void {
     const { player, frame } = this;
     if (frame !== undefined && (player.source.isUnreadable?.(player.time) ?? false)) this.notes.keep("unreadable", unreadableText(frame.time));
     else this.notes.take("unreadable");
   }
 
-  /** The picture's frame in numbers, in the same step as the picture: neither is newer than the other, however slowly it is drawn. */
+  /** Shows the picture's frame in numbers, in the same step as the picture. */
   private numbers(dt: number): void {
     const { frame } = this;
     this.sinceNumbers += dt;
-    if (frame === undefined || frame === this.told || this.sinceNumbers < TEXT_PERIOD) return;
+    if (frame === undefined || frame === this.shown || this.sinceNumbers < TEXT_PERIOD) return;
     this.sinceNumbers = 0;
-    this.told = frame;
-    this.transport.tell(frame);
+    this.shown = frame;
+    this.transport.showTime(frame);
     showTime(frame.time);
     const { source } = this.player;
     const states = levelStates(frame, source.explained?.(frame.tick));
     const account = accountAt(frame, states, source.isComputing?.(frame.tick));
-    this.levels = this.hierarchy.show(frame, states, account);
+    this.hierarchy.show(frame, states, account);
+    this.levels = account.line;
     this.state.show(frame, account);
-    this.tune.showBelief(LEG_CHANNELS.friction.map((name) => scalar(frame, name)));
+    this.tune.showBelief(LEG_CHANNELS.map(({ friction }) => scalar(frame, friction)));
   }
 }

@@ -4,38 +4,38 @@ import type { LiveSource, OpenBefore } from "./data/live_source.ts";
 import { endOf, marksOf, type RawEvent } from "./data/marks.ts";
 import { ReplaySource } from "./data/replay_source.ts";
 import { Schema } from "./data/schema.ts";
-import { part, say } from "./panels/dom.ts";
-import { ask, NoAnswer, textOf } from "./protocol/ask.ts";
-import { courseOf, type Course } from "./panels/transport.ts";
+import { part, setText } from "./panels/dom.ts";
+import { ask, askJson, NoAnswer } from "./protocol/ask.ts";
+import { runStateOf, type RunState } from "./panels/transport.ts";
 import { linkText, NO_ANSWER, showLink } from "./panels/stale.ts";
-import { readBlock, readBlockHead, type BlockHead } from "./protocol/block.ts";
+import { readBlock, readBlockHead } from "./protocol/block.ts";
 import { Connection, rateOf, type ConnectionState, type ServerMessage, type Status } from "./protocol/connection.ts";
 import { fetchSession, type Session } from "./protocol/session.ts";
 
-/** Blocks that wait while the session is read again. */
+/** Most blocks that wait while the session is read again. */
 const MOST_WAITING = 200;
 
-/** A session that could not be read is asked for again after this long [ms]. */
+/** Pause before a session is requested again [ms]. */
 const AGAIN = 1000;
 
-/** How often it is looked whether the program still says something [ms]. */
+/** How often the connection is checked [ms]. */
 const SILENCE_PERIOD = 500;
 
-/** Keeps the live source up to date, over lost connections and changes of the stack. */
+/** Keeps the live source up to date, across lost connections and changes of the stack. */
 export class LiveLink {
   readonly connection: Connection;
   status: Status | undefined;
   /** Ticks that the server could not send to this page. */
   private dropped = 0;
-  /** Ticks that came while the session was read again, too many to wait. */
+  /** Ticks that were dropped here while the session was read again. */
   private skipped = 0;
   private generation: number;
   private waiting: ArrayBuffer[] = [];
   private reading = false;
-  /** The connection was lost, and nothing is known of what came after that: the program may have another run, or be another one. */
+  /** The connection was lost, and the session is not read yet: the program may have another run, or be another one. */
   private isBehind = false;
   private lostBefore = false;
-  /** Which run's end has a mark: the generation with which it began. */
+  /** Generation of the run whose end has a mark. */
   private ended = NaN;
   private app: App | undefined;
 
@@ -46,10 +46,10 @@ export class LiveLink {
     this.generation = session.generation;
     source.begin(session.begun, session.first_tick, this.openBefore);
     this.connection = new Connection(`${location.protocol === "https:" ? "wss" : "ws"}://${location.host}/api/live`);
-    this.connection.open(); // what it hears comes once the page is made
+    this.connection.open(); // messages arrive once the page is made
   }
 
-  /** Frames from before this page came: the program keeps two minutes of them. */
+  /** Frames from before this page opened: the program keeps two minutes of them. */
   private readonly openBefore: OpenBefore = (first, ticks) => {
     const { schema } = this.source;
     const before = new ReplaySource(schema, schema.period, first, ticks, (url) => ask(url));
@@ -65,45 +65,44 @@ export class LiveLink {
 
   /** Seconds of simulation that come in a second. */
   get rate(): number {
-    if (this.connection.state !== "open" || this.connection.silence > 0 || this.status === undefined) return 0;
-    return rateOf(this.status);
+    return this.isHeard && this.status !== undefined ? rateOf(this.status) : 0;
   }
 
-  /** Whether the program says how the run goes on. */
+  /** Whether the program answers. */
   get isHeard(): boolean {
     return this.connection.state === "open" && this.connection.silence === 0;
   }
 
   wire(app: App): void {
     this.app = app;
-    app.handlers().commands.onRefused = () => this.showUse();
+    app.commands.onRefused = () => this.showUse();
     this.connection.onBlock = (block) => this.take(block);
-    this.connection.onMessage = (message) => this.hear(message);
-    this.connection.onState = (state) => this.turn(state);
+    this.connection.onMessage = (message) => this.receive(message);
+    this.connection.onState = (state) => this.changeState(state);
     this.connection.onUnreadable = (error) => app.notes.say(error.message, "error");
     this.source.onRestart = () => app.restart();
     setInterval(() => this.showState(), SILENCE_PERIOD);
   }
 
   private take(block: ArrayBuffer): void {
-    const head = this.headOf(block);
-    if (head === undefined) return;
-    this.dropped = head.dropped;
-    if (this.isBehind || this.reading || head.generation > this.generation) this.wait(block);
-    else if (!this.source.isOld(head.generation)) this.read(block);
+    this.showFaults(() => {
+      const { dropped, generation } = readBlockHead(block);
+      this.dropped = dropped;
+      if (this.isBehind || this.reading || generation > this.generation) this.wait(block);
+      else if (!this.source.isOld(generation)) this.read(block);
+    });
   }
 
-  /** Undefined, and told, where what came is no block. */
-  private headOf(block: ArrayBuffer): BlockHead | undefined {
+  /** Shows a message where bytes are no block. */
+  private showFaults(read: () => void): void {
     try {
-      return readBlockHead(block);
+      read();
     } catch (error) {
       this.app?.notes.keep("block", (error as Error).message, "error");
-      return undefined;
     }
   }
 
-  /** Until the session is read that knows of it. */
+  /** Keeps a block until its session is read. */
   private wait(block: ArrayBuffer): void {
     this.waiting.push(block);
     if (this.waiting.length > MOST_WAITING) this.skipped += readBlockHead(this.waiting.shift() as ArrayBuffer).frames;
@@ -111,12 +110,8 @@ export class LiveLink {
   }
 
   private read(block: ArrayBuffer): void {
-    try {
-      readBlock(block, this.source.schema.frameFloats, (tick, time, values, rows) => this.source.append(tick, time, values, rows));
-      this.app?.notes.take("block");
-    } catch (error) {
-      this.app?.notes.keep("block", (error as Error).message, "error");
-    }
+    readBlock(block, this.source.schema.frameFloats, (tick, time, values, rows) => this.source.append(tick, time, values, rows));
+    this.app?.notes.take("block");
   }
 
   private async readSession(): Promise<void> {
@@ -132,25 +127,25 @@ export class LiveLink {
     }
   }
 
-  /** Of a connection that is lost the next one asks. */
+  /** A lost connection reads the session when it is open again. */
   private readAgain(): void {
     this.reading = false;
     if (this.connection.state === "open" && (this.isBehind || this.waiting.length > 0)) void this.readSession();
   }
 
-  /** The session is that of the connection which was opened again: what came meanwhile is asked for. */
+  /** Continues after a lost connection: what happened meanwhile is requested. */
   private catchUp(): void {
     this.isBehind = false;
     this.source.begin(this.session.begun, this.session.first_tick, this.openBefore);
     void this.recall().then(() => this.app?.notes.say("Connected again."));
   }
 
-  /** All that this session knows of; what is newer waits for the next. Frames of all generations have the same channels. */
+  /** Reads the blocks of this session; newer ones wait for the next. Frames of all generations have the same channels. */
   private readWaiting(): void {
     const isKnown = (block: ArrayBuffer): boolean => readBlockHead(block).generation <= this.generation;
     const known = this.waiting.filter(isKnown);
     this.waiting = this.waiting.filter((block) => !isKnown(block));
-    for (const block of known) if (!this.source.isOld(readBlockHead(block).generation)) this.read(block);
+    for (const block of known) if (!this.source.isOld(readBlockHead(block).generation)) this.showFaults(() => this.read(block));
     if (this.waiting.length > 0) void this.readSession();
   }
 
@@ -164,9 +159,9 @@ export class LiveLink {
     this.source.follow(session.begun);
   }
 
-  private hear(message: ServerMessage): void {
+  private receive(message: ServerMessage): void {
     const app = this.app as App;
-    const { commands, tune, drive } = app.handlers();
+    const { commands, tune, drive } = app;
     switch (message.type) {
       case "status":
         this.status = message;
@@ -187,7 +182,7 @@ export class LiveLink {
     }
   }
 
-  /** Its last tick has a mark, once. */
+  /** Marks the end of a run, once. */
   private markEnd({ ended, tick, begun }: Status): void {
     if (ended === null || this.ended === begun) return;
     this.ended = begun;
@@ -205,43 +200,43 @@ export class LiveLink {
     const badge = part("link-state");
     badge.dataset["state"] = silence > 0 ? "lost" : state;
     const words = { open: "connected", lost: this.connection.reason === "" ? "connection lost" : "turned away", connecting: "connecting" };
-    say(badge, silence > 0 ? `no answer for ${silence} s` : words[state]);
+    setText(badge, silence > 0 ? `no answer for ${silence} s` : words[state]);
     showLink(linkText(this.connection, this.source.last), silence > 0 || state === "lost");
     if (silence > 0) this.app?.notes.keep("silent", NO_ANSWER, "error");
     else this.app?.notes.take("silent");
     this.showUse();
   }
 
-  /** What can be asked for now: nothing of a program that is not there, or a run that has ended. */
+  /** Enables commands while the program answers and its run has not ended. */
   private showUse(): void {
     this.app?.letCommand(this.isHeard && this.status?.ended == null);
   }
 
-  private turn(state: ConnectionState): void {
+  private changeState(state: ConnectionState): void {
     const app = this.app as App;
     this.showState();
     if (state !== "open") {
       this.lostBefore = true;
-      app.handlers().commands.lost();
+      app.commands.lost();
     }
     if (state === "lost") {
       app.notes.keep("lost", lossText(this.connection.reason), "error");
       void this.lookForAnother();
     } else if (state === "open") {
       app.notes.take("lost");
-      app.handlers().commands.greet();
-      this.tellDrawn();
+      app.commands.greet();
+      this.reportDrawn();
       if (this.lostBefore) this.comeBack();
       else void this.recall();
     }
   }
 
-  /** The run may wait until somebody sees the robot. */
-  tellDrawn(): void {
+  /** Tells the program that the robot is drawn; a run may wait for it. */
+  reportDrawn(): void {
     if ((this.app?.pictures ?? 0) > 0) this.connection.send({ type: "drawn" });
   }
 
-  /** Another program may be there that has nothing live, as one that shows a log: it has no connection for this page. */
+  /** Reloads where another program answers: one that shows a log has no live connection. */
   private async lookForAnother(): Promise<void> {
     try {
       if ((await fetchSession()).start !== this.session.start) location.reload();
@@ -250,30 +245,30 @@ export class LiveLink {
     }
   }
 
-  /** The program may be another one now: everything is read anew. */
+  /** The program may be another one now: everything is read again. */
   private comeBack(): void {
     this.isBehind = true;
     this.waiting = [];
     void this.readSession();
   }
 
-  /** What happened before this page heard of it. */
+  /** Reads events that this page has missed. */
   private async recall(): Promise<void> {
     try {
       const { run } = this.source;
-      const events = JSON.parse(textOf(await ask("/api/events"))) as RawEvent[];
-      if (this.source.run !== run) return; // of a run before
+      const events = await askJson<RawEvent[]>("/api/events");
+      if (this.source.run !== run) return; // an earlier run
       this.source.mark(...marksOf(events, this.source.schema.events));
     } catch (error) {
       console.warn(error); // that the connection is lost is shown
     }
   }
 
-  /** Its log, speed against the wall clock, lost ticks. */
-  tellFacts(): string[] {
+  /** The log, the speed relative to real time, lost ticks. */
+  get facts(): string[] {
     const facts: string[] = [];
     const log = this.status?.recording ?? "";
-    if (log !== "") facts.push(logFact(log, courseOf(this.status, this.isHeard)));
+    if (log !== "") facts.push(logFact(log, runStateOf(this.status, this.isHeard)));
     if (this.status !== undefined && this.rate > 0) facts.push(paceText(this.status));
     const lost = this.dropped + this.skipped;
     if (lost > 0) facts.push(`${lost} ticks not sent in time`);
@@ -281,14 +276,14 @@ export class LiveLink {
   }
 }
 
-/** Of the log that the run goes into: nobody knows whether one of a program that says nothing goes on. */
-export function logFact(path: string, course: Course): string {
+/** How a run is recorded; unknown while the program does not answer. */
+export function logFact(path: string, runState: RunState): string {
   const name = path.slice(path.lastIndexOf("/") + 1);
-  if (course === "unheard") return `log: ${name}`;
-  return `${course === "ended" ? "recorded in" : "recording"} ${name}`;
+  if (runState === "unheard") return `log: ${name}`;
+  return `${runState === "ended" ? "recorded in" : "recording"} ${name}`;
 }
 
-/** Why there is no connection; `reason`: what the program has said of it. */
+/** Why there is no connection; `reason`: the program's words. */
 function lossText(reason: string): string {
   if (reason === "")
     return "The connection to the program is lost. The last picture stays. Look in its terminal: where it has ended, start it again; the page comes back by itself. Over ssh, whether the port is still forwarded.";

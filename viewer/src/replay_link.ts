@@ -5,29 +5,29 @@ import { ReplaySource } from "./data/replay_source.ts";
 import type { Schema } from "./data/schema.ts";
 import type { Mark } from "./data/source.ts";
 import { damageText, readText } from "./data/log_words.ts";
-import { part, say } from "./panels/dom.ts";
+import { part, setText } from "./panels/dom.ts";
 import { showLink } from "./panels/stale.ts";
-import { ask, NoAnswer, textOf } from "./protocol/ask.ts";
+import { ask, askJson, NoAnswer, pause } from "./protocol/ask.ts";
 import { fetchSession, type Session } from "./protocol/session.ts";
 
-/** How often a log that is being summarised is asked for more [ms]. */
+/** How often the progress of the summary is requested [ms]. */
 const SUMMARY_PERIOD = 700;
-/** How often it is looked whether the program that serves a log is still there [ms]. */
+/** How often the server of a log is checked [ms]. */
 const SERVER_PERIOD = 2000;
-/** What takes longer to come than this is told [ms]. */
+/** Longer loading is shown [ms]. */
 const LONG = 1000;
-/** After which it does not answer [ms]; it may be busy with the log. */
+/** Longest time of its answer [ms]; it may be busy with the log. */
 const SERVER_SILENCE = 8000;
 
-/** Fills the source of a log with what the program reads of it, over times in which there is no program. */
+/** Fills the source of a log with what the program reads, and waits while there is no program. */
 export class ReplayLink {
   readonly source: ReplaySource;
   private app: App | undefined;
-  /** While the program does not answer: until it does. */
+  /** Pending while the program does not answer. */
   private awaited: Promise<void> | undefined;
   /** Ticks from the first on that are summarised. */
   private summarised = 0;
-  /** When everything that was asked for had come, last. */
+  /** When all requests were answered last [ms]. */
   private idle = performance.now();
 
   constructor(
@@ -35,7 +35,7 @@ export class ReplayLink {
     private readonly session: Session,
   ) {
     const { period, first_tick, ticks } = session;
-    const explainer = new Explainer(async (tick) => (JSON.parse(textOf(await ask(`/api/explain?tick=${tick}`))) as ExplainAnswer | null) ?? undefined, schema);
+    const explainer = new Explainer(async (tick) => (await askJson<ExplainAnswer | null>(`/api/explain?tick=${tick}`)) ?? undefined, schema);
     explainer.onChange = () => this.app?.refresh();
     this.source = new ReplaySource(schema, period, first_tick, ticks, (url) => this.askForFrames(url), explainer);
   }
@@ -52,13 +52,13 @@ export class ReplayLink {
       else app.notes.keep("log", `The log can't be read: ${error.message}`, "error");
     };
     showLink("", false);
-    say(part("link-state"), "");
+    setText(part("link-state"), "");
     delete part("link-state").dataset["state"];
     void this.summarise();
     void this.lookForServer();
   }
 
-  /** How far what is looked at has come, in words; "": it is here. */
+  /** Loading progress of what is shown; "": it is here. */
   get progress(): string {
     const { ticks, period } = this.session;
     const now = performance.now();
@@ -67,13 +67,13 @@ export class ReplayLink {
     return now - this.idle > LONG ? "Loading …" : "";
   }
 
-  /** Asks for nothing while the program does not answer. */
+  /** Requests frames; waits while the program does not answer. */
   private async askForFrames(url: string): Promise<ArrayBuffer> {
     await this.awaited;
     return ask(url);
   }
 
-  /** Between two looks one program may have ended and another begun, with another log. */
+  /** Reloads where another program answers, with another log. */
   private async lookForServer(): Promise<void> {
     try {
       const answer = await fetch("/api/alive", { signal: AbortSignal.timeout(SERVER_SILENCE) });
@@ -85,7 +85,7 @@ export class ReplayLink {
     setTimeout(() => void this.lookForServer(), SERVER_PERIOD);
   }
 
-  /** Says that the program which serves the log does not answer, until it does. */
+  /** Shows that the program does not answer, until it does. */
   private awaitServer(): Promise<void> {
     return (this.awaited ??= this.findServer().finally(() => (this.awaited = undefined)));
   }
@@ -94,12 +94,12 @@ export class ReplayLink {
     const app = this.app as App;
     const badge = part("link-state");
     badge.dataset["state"] = "lost";
-    say(badge, "no answer");
+    setText(badge, "no answer");
     app.notes.keep("server", "The program that serves this log does not answer; if it has ended, start `surefoot replay` again. The page tries again by itself.", "error");
     let session = this.session;
     while (session === this.session) session = await nextSession(this.session);
     if (session.start !== this.session.start) return location.reload();
-    say(badge, "");
+    setText(badge, "");
     delete badge.dataset["state"];
     app.notes.take("server");
     app.refresh();
@@ -110,7 +110,7 @@ export class ReplayLink {
     return ended === "" || cut !== "" ? [] : [endOf(this.source.last, ended)];
   }
 
-  /** Marks and overviews of a log become known from front to back after it was opened. */
+  /** Reads marks and overviews as the program summarises the log from front to back. */
   private async summarise(): Promise<void> {
     const app = this.app as App;
     for (let session = this.session; ; session = await nextSession(session, () => void this.awaitServer())) {
@@ -122,10 +122,9 @@ export class ReplayLink {
       this.session.damage = damage;
       if (damage.length > 0) app.notes.keep("damage", damageText(damage), "error");
       try {
-        const events = JSON.parse(textOf(await ask("/api/events"))) as RawEvent[];
-        this.source.marks = [...marksOf(events, this.schema.events), ...this.end()];
+        this.source.marks = [...marksOf(await askJson<RawEvent[]>("/api/events"), this.schema.events), ...this.end()];
       } catch {
-        continue; // asked for again with the next session
+        continue; // requested again with the next session
       }
       app.refresh();
       if (summarised >= session.ticks) return;
@@ -133,9 +132,9 @@ export class ReplayLink {
   }
 }
 
-/** The session a little later; the one before where it can't be had just now. */
+/** The session a little later, or `before` where it can't be read. */
 async function nextSession(before: Session, failed = (): void => {}): Promise<Session> {
-  await new Promise((resolve) => setTimeout(resolve, SUMMARY_PERIOD));
+  await pause(SUMMARY_PERIOD);
   try {
     return await fetchSession();
   } catch {

@@ -1,42 +1,47 @@
 import type { Notes } from "./panels/notes.ts";
-import { backoff } from "./protocol/connection.ts";
+import { NO_ANSWER } from "./panels/stale.ts";
+import { pause } from "./protocol/ask.ts";
+import { backoff, silenceOf } from "./protocol/connection.ts";
 
-/** Hears how far it has come with what is asked of the program. */
-export interface Asking {
-  asked(): void;
-  failed(): void;
-  answered(): void;
-  /** The page can't be made of what has come. */
-  broken(): void;
-}
+type KeptNotes = Pick<Notes, "keep" | "take">;
+type Show = (words: string) => void;
 
-type Told = Pick<Notes, "keep" | "take">;
+/** How often a pending request is checked [ms]. */
+const PERIOD = 500;
 
-/** What `read` gives, asked for until it does. */
-async function readRun<T>(read: () => Promise<T>, notes: Told, asking: Asking): Promise<T> {
+/** Repeats `read` until it succeeds; shows that the program does not answer meanwhile. */
+async function readRun<T>(read: () => Promise<T>, notes: KeptNotes, show: Show): Promise<T> {
   for (let attempt = 0; ; ++attempt) {
-    asking.asked();
+    const begin = performance.now();
+    const timer = setInterval(() => {
+      const silence = silenceOf(begin, performance.now());
+      if (silence === 0) return;
+      show(`no answer for ${silence} s`);
+      notes.keep("silent", NO_ANSWER, "error");
+    }, PERIOD);
     try {
       return await read();
     } catch (error) {
       console.warn(error);
-      asking.failed();
+      show("no connection");
       notes.keep("start", `The run can't be shown: ${(error as Error).message}. The page tries again by itself.`, "error");
-      await new Promise((resolve) => setTimeout(resolve, backoff(attempt)));
+    } finally {
+      clearInterval(timer);
+      notes.take("silent");
     }
+    await pause(backoff(attempt));
   }
 }
 
-/** Makes the page of the run once that is read: what can't be made is not made better by a second one on top of it. */
-export async function startPage<T>(read: () => Promise<T>, make: (run: T) => void, notes: Told, asking: Asking): Promise<void> {
-  const run = await readRun(read, notes, asking);
-  asking.answered();
+/** Reads the run and makes its page, once: a second page on top of a broken one would not help. `show`: shows a lost connection, in words. */
+export async function startPage<T>(read: () => Promise<T>, make: (run: T) => void, notes: KeptNotes, show: Show): Promise<void> {
+  const run = await readRun(read, notes, show);
   notes.take("start");
   try {
     make(run);
   } catch (error) {
     console.error(error);
-    asking.broken();
+    show("page incomplete");
     notes.keep("start", `The page can't show this run: ${(error as Error).message}. Load it again; where that does not help, program and page may be of different versions.`, "error");
   }
 }

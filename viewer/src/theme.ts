@@ -1,6 +1,6 @@
 const KEY = "surefoot-theme";
 
-/** What was chosen before; a browser that is to keep nothing refuses to be asked. */
+/** The last choice; a browser that blocks storage throws. */
 function kept(): string | null {
   try {
     return localStorage.getItem(KEY);
@@ -13,11 +13,11 @@ function keep(theme: string): void {
   try {
     localStorage.setItem(KEY, theme);
   } catch {
-    // the next page is as the system has it
+    // the next page follows the system
   }
 }
 
-/** Light or dark: as the system has it until somebody chooses. */
+/** Light or dark: follows the system until the user chooses. */
 export class Theme {
   onChange: (dark: boolean) => void = () => {};
   private readonly system = matchMedia("(prefers-color-scheme: dark)");

@@ -40,7 +40,7 @@ test("what is known of a run only later has its row then: meshes that are missin
   const isHidden = (one: FakeElement): boolean => (one as unknown as { hidden: boolean }).hidden;
   assert.deepEqual([name.textContent, isHidden(name), isHidden(text)], ["Meshes", true, true]);
   const missing = missingText(new Map([["package://a/base.dae", "the file is not there"]]));
-  for (const [row, said] of about({}, { missing })) state.fact(row, said);
+  state.showRun(about({}, { missing }));
   assert.deepEqual([isHidden(name), isHidden(text), text.textContent], [false, false, missing]);
   assert.match(missing, /base\.dae/);
   assert.equal(missingText(), "");

@@ -6,7 +6,7 @@ import { Announcer } from "../src/panels/announcer.ts";
 function saidOf(texts: string[]): string[] {
   const said: string[] = [];
   const announcer = new Announcer((text) => said.push(text));
-  texts.forEach((text, k) => announcer.tell(text, 100 * k));
+  texts.forEach((text, k) => announcer.update(text, 100 * k));
   return said;
 }
 

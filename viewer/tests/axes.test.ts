@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import * as THREE from "three";
-import { Axes, coursesOf } from "../src/overlays/axes.ts";
+import { Axes, axisDirections } from "../src/overlays/axes.ts";
 import { fakePage, type FakeElement } from "./fake_page.ts";
 
 function cameraAt(...p_W: [number, number, number]): THREE.Camera {
@@ -15,8 +15,8 @@ function cameraAt(...p_W: [number, number, number]): THREE.Camera {
 
 test("the axes go where those of the world go in the picture", () => {
   for (const [place, x, y] of [[[-5, 0, 0], [0, 0, -1], [-1, 0, 0]], [[0, -5, 0], [1, 0, 0], [0, 0, -1]], [[5, 0, 0], [0, 0, 1], [1, 0, 0]]] as const) {
-    const courses = coursesOf(cameraAt(...(place as unknown as [number, number, number]))).map((course) => course.map((one) => Math.round(one) + 0));
-    assert.deepEqual(courses, [x, y, [0, 1, 0]], `seen from ${place}`);
+    const directions = axisDirections(cameraAt(...(place as unknown as [number, number, number]))).map((direction) => direction.map((one) => Math.round(one) + 0));
+    assert.deepEqual(directions, [x, y, [0, 1, 0]], `seen from ${place}`);
   }
 });
 

@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { marksOf } from "../src/data/marks.ts";
-import { nudged } from "../src/panels/drive_panel.ts";
+import { nudged, type Walk } from "../src/panels/drive_panel.ts";
 import { Commands } from "../src/protocol/commands.ts";
 import { backoff, type Connection } from "../src/protocol/connection.ts";
 
@@ -67,12 +67,12 @@ test("attempts to connect come ever later, but never later than in 5 s", () => {
 });
 
 test("what is asked to walk changes by steps and stays within its limits", () => {
-  let walk = { walk: false, velocity: [0, 0] as [number, number], yaw_rate: 0, height: 0 };
+  let walk: Walk = { walk: false, forward: 0, left: 0, turn: 0, height: 0 };
   const limits = { forward: 0.15, left: 0.1, turn: 0.3, height: 0.05 };
   for (let k = 0; k < 99; ++k) walk = nudged(walk, "forward", 1, limits);
-  assert.deepEqual(walk, { walk: true, velocity: [0.15, 0], yaw_rate: 0, height: 0 });
-  assert.deepEqual(nudged(walk, "turn", -1, limits).yaw_rate, -0.02);
-  assert.deepEqual(walk.yaw_rate, 0, "what was asked before stays as it was");
+  assert.deepEqual(walk, { walk: true, forward: 0.15, left: 0, turn: 0, height: 0 });
+  assert.deepEqual(nudged(walk, "turn", -1, limits).turn, -0.02);
+  assert.deepEqual(walk.turn, 0, "what was asked before stays as it was");
 });
 
 test("marks of a log come with names for numbers", () => {

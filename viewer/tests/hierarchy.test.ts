@@ -3,12 +3,10 @@ import { test } from "node:test";
 import type { Frame } from "../src/data/frame.ts";
 import { accountAt, accountOf, blendShare, levelStates, type Account, type LevelState } from "../src/data/hierarchy.ts";
 import { blockOf, schemaOf, STATES } from "./make.ts";
-import { quantity } from "../src/data/numbers.ts";
 import { readBlock } from "../src/protocol/block.ts";
 import { FrameTable } from "../src/data/table.ts";
 import { heldText } from "../src/panels/level_card.ts";
 
-const ESTIMATED = "Which rows hold back what is the control loop's estimate.";
 const FIELDS = ["residual", "num_rows", "degrees_of_freedom_left", "iterations"];
 
 interface More {
@@ -43,7 +41,7 @@ test("of a frame of which nothing is known, as a damaged log's summary has it, n
 
 test("levels that reach what they ask for are met", () => {
   assert.deepEqual(levelStates(frameOf([0, 0])).map((level) => level.status), ["met", "met"]);
-  assert.deepEqual(accountOf(levelStates(frameOf([0, 0])), ""), { kind: "good", line: "Every level gets what it asks for.", more: [] });
+  assert.deepEqual(accountOf(levelStates(frameOf([0, 0])), ""), { kind: "good", line: "Every level gets what it asks for." });
 });
 
 test("what is exactly known of a tick stands in the place of the control loop's estimates", () => {
@@ -52,39 +50,30 @@ test("what is exactly known of a tick stands in the place of the control loop's 
   assert.match(heldText(estimated as LevelState, levelStates(frame)), /^held back by first: [^:]* \(the control loop's estimate\)$/);
   const states = levelStates(frame, new Map([["second", { rows: [{ by: 0, row: "LF extension", cost: 2 }, { by: 0, row: "LF x", cost: NaN }], others: 3 }]]));
   assert.equal(heldText(states[1] as LevelState, states), "held back by first: LF extension costs 2.00 m/s²; first: LF x at a cost that is not known; 3 more");
-  assert.deepEqual(accountAt(frame, states).more, ["second gives way to first (LF extension), first (LF x) and 3 more, 2.00 m/s² short."]);
 });
 
 test("an equality that was missed is no limit", () => {
   const [first, second] = levelStates(frameOf([0, 0.5], { active: [[1, 2, 0, -0.5]] }));
-  assert.deepEqual(second?.missed, [{ name: "c", level: 1, state: 2, by: -0.5 }]);
+  assert.deepEqual(second?.missed, [{ name: "c", state: 2, by: -0.5 }]);
   assert.deepEqual([first?.missed, second?.active, second?.status], [[], [], "gives way"]);
 });
 
 test("a level with a row at its bound is at its limit", () => {
   const [first, second] = levelStates(frameOf([0, 0], { active: [[0, 1, 1]], states: ["at limit", "met"] }));
   assert.equal(first?.status, "at limit");
-  assert.deepEqual(first?.active, [{ name: "b", level: 0, state: 1, by: 0 }]);
+  assert.deepEqual(first?.active, [{ name: "b", state: 1, by: 0 }]);
   assert.equal(second?.status, "met");
 });
 
 test("a level with a residual that counts gives way, and it is said to what", () => {
   const states = levelStates(frameOf([0, 0.5], { active: [[0, 1, 1]], blocking: [[1, 0, 1, 0.4]] }));
   assert.equal(states[1]?.status, "gives way");
-  assert.deepEqual(accountOf(states, ""), { kind: "bad", line: "second gives way to first (estimate).", more: [ESTIMATED, "second gives way to first (b), 0.500 m/s² short."] });
-});
-
-test("all rows that hold a level back are named", () => {
-  const rows: [number, number, number, number][] = [[1, 0, 1, 0.4], [1, 0, 0, 0.2]];
-  const states = levelStates(frameOf([0, 0.5], { active: [[0, 1, 1], [0, -1, 0]], blocking: rows }));
-  assert.deepEqual(accountOf(states, "").more, [ESTIMATED, "second gives way to first (b) and first (a), 0.500 m/s² short."]);
+  assert.deepEqual(accountOf(states, ""), { kind: "bad", line: "second gives way to first (estimate)." });
 });
 
 test("of a level that is minimised and held back nobody says that it gets what it asks for", () => {
   const frame = frameOf([0, 200], { active: [[0, 1, 1]], blocking: [[1, 0, 1, 0.4]], states: ["at limit", "minimised"] });
-  const { kind, line, more } = accountOf(levelStates(frame), "");
-  assert.deepEqual([kind, line], ["good", "All tasks are met; second is kept above 0 by first."]);
-  assert.deepEqual(more, [ESTIMATED, "second is as small as it can be, held back by first (b)."]);
+  assert.deepEqual(accountOf(levelStates(frame), ""), { kind: "good", line: "All tasks are met; second is kept above 0 by first." });
 });
 
 /** The account of levels that give way, each to the levels that are named, mostly to the one with the longest name. */
@@ -111,22 +100,11 @@ test("the line says what gives way to what, also of several levels", () => {
   assert.equal(lineOf(["a", ["x"]], ["b", ["y"]], ["c", ["x"]]), "a and c give way to x; b to y.", "those that give way to the same are told together");
 });
 
-test("what is estimated is told to be, and that it is being computed exactly", () => {
+test("the line says whether its levels are estimated, and while they are being computed", () => {
   const states = levelStates(frameOf([0, 0.5], { active: [[0, 1, 1]], blocking: [[1, 0, 1, 0.4]] }));
-  const told = (computing: boolean): string[] => {
-    const { line, more } = accountOf(states, "", { computing });
-    return [line, more[0] ?? ""];
-  };
-  assert.deepEqual(told(true), ["second gives way to first (computing …).", `${ESTIMATED} It is being computed exactly.`]);
+  assert.equal(accountOf(states, "", { computing: true }).line, "second gives way to first (computing …).");
   for (const state of states) state.others = 0;
-  assert.deepEqual(told(false), ["second gives way to first.", "second gives way to first (b), 0.500 m/s² short."]);
-});
-
-test("a residual is told with the digits of the level's card", () => {
-  for (const residual of [0.0312, 9.96, 31.4, 106.4, 1234]) {
-    const states = levelStates(frameOf([0, residual], { active: [[0, 1, 1]], blocking: [[1, 0, 1, 0.4]] }));
-    assert.deepEqual(accountOf(states, "").more, [ESTIMATED, `second gives way to first (b), ${quantity(states[1]?.residual as number, "m/s²")} short.`]);
-  }
+  assert.equal(accountOf(states, "").line, "second gives way to first.");
 });
 
 test("three levels that are held back above 0 are listed as three", () => {
@@ -137,7 +115,7 @@ test("three levels that are held back above 0 are listed as three", () => {
 
 test("where no level has rows nothing is claimed", () => {
   const frame = frameOf([0, 0], { rows: 0, states: ["not solved", "not solved"] });
-  assert.deepEqual(accountAt(frame), { kind: "none", line: "No level is solved.", more: [] });
+  assert.deepEqual(accountAt(frame), { kind: "none", line: "No level is solved." });
 });
 
 test("that the controller has stopped is no good news", () => {
@@ -151,7 +129,7 @@ test("of a solve that was cut off nothing is said of the level that it was in an
   assert.deepEqual(states.map(({ status }) => status), ["met", "not solved"]);
   assert.deepEqual([states[1]?.residual, states[1]?.active], [NaN, []]);
   const cut = "The solver was cut off in second: of it and the levels below it nothing is known.";
-  assert.deepEqual(accountAt(frame), { kind: "bad", line: cut, more: [] });
+  assert.deepEqual(accountAt(frame), { kind: "bad", line: cut });
   assert.equal(accountAt(frameOf([2, 2], { states: ["not solved", "not solved"] })).line, cut.replace("second", "first"));
 });
 
@@ -171,19 +149,9 @@ test("a level's residual is plotted with the unit of its rows", () => {
 });
 
 test("between two hierarchies no level is said to have its optimum", () => {
-  const blended = "Two hierarchies are blended; this tick is 35 % of the way, at the optimum of neither.";
   const states = levelStates(frameOf([0, 0.5]));
-  assert.deepEqual(accountOf(states, "", { share: 0.35 }), {
-    kind: "bad", line: "Between two hierarchies: second gives way.", more: [blended, "second gives way, 0.500 m/s² short."],
-  });
-  assert.equal(accountOf(levelStates(frameOf([0, 0])), "", { share: 0 }).line, "Between two hierarchies: all tasks are met.");
+  assert.deepEqual(accountOf(states, "", { share: 0.35 }), { kind: "bad", line: "Between two hierarchies (35 % of the way): second gives way." });
+  assert.equal(accountOf(levelStates(frameOf([0, 0])), "", { share: 0 }).line, "Between two hierarchies (0 % of the way): all tasks are met.");
   assert.deepEqual(accountOf(states, "", { share: 1 }), accountOf(states, ""));
   assert.equal(blendShare(frameOf([0, 0])), 1, "of a log that has none");
-});
-
-test("in a blend two levels that give way keep their sentences", () => {
-  const states = levelStates(frameOf([1, 0.5], { active: [[0, 1, 1]] }));
-  const { more } = accountOf(states, "", { share: 0.35 });
-  assert.deepEqual(more.slice(1), accountOf(states, "").more);
-  assert.equal(more.length, 3);
 });

@@ -37,8 +37,8 @@ function watching() {
   const source = new LiveSource(schemaOf({ x: 1 }, { period: PERIOD }));
   const link = new LiveLink(source, session);
   const nothing = (): void => {};
-  const handlers = { commands: { greet: nothing, lost: nothing }, tune: { showStatus: nothing }, drive: { show: nothing } };
-  link.wire(Object.assign(pictures, { handlers: () => handlers, notes: { say: (text: string) => said.push(text), keep: (_: string, text: string) => kept.push(text), take: nothing }, letCommand: nothing, refresh: nothing, use: nothing, restart: nothing }) as unknown as App);
+  const parts = { commands: { greet: nothing, lost: nothing }, tune: { showStatus: nothing }, drive: { show: nothing } };
+  link.wire(Object.assign(pictures, { ...parts, notes: { say: (text: string) => said.push(text), keep: (_: string, text: string) => kept.push(text), take: nothing }, letCommand: nothing, refresh: nothing, use: nothing, restart: nothing }) as unknown as App);
   const newest = (): FakeSocket => sockets.at(-1) as FakeSocket;
   const hear = (tick: number, generation = 0): void => newest().hear(blockOf([{ tick, time: tick * PERIOD, values: [tick] }], 0, generation));
   return { program, source, link, said, kept, newest, hear, pictures };
@@ -112,7 +112,7 @@ test("a program that waits hears that the robot is drawn, and a connection after
   page.hear(0);
   assert.deepEqual(page.newest().sent, [], "there is no picture yet");
   page.pictures.pictures = 1;
-  page.link.tellDrawn();
+  page.link.reportDrawn();
   assert.deepEqual(page.newest().sent, [{ type: "drawn" }]);
   await loseAndFind(page);
   page.hear(1);

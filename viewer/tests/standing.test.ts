@@ -9,11 +9,12 @@ import { Footholds, SwingCurves } from "../src/overlays/feet.ts";
 import { WantedForces } from "../src/overlays/forces.ts";
 import { standing, SupportPolygon, TerrainPlane, ZeroMomentPoint } from "../src/overlays/ground_marks.ts";
 import type { Overlay, Picture } from "../src/overlays/overlay.ts";
+import { coloursOf, paletteOf } from "../src/scene/palette.ts";
 import { schemaOf } from "./make.ts";
 
 test("a foot carries that is to carry and, where the truth is known, touches the ground", () => {
-  const names = LEGS.flatMap((_, k) => [LEG_CHANNELS.phase[k], LEG_CHANNELS.touching[k]] as string[]);
-  const schema = schemaOf({ ...Object.fromEntries(names.map((name) => [name, 1])), ...Object.fromEntries(LEG_CHANNELS.foot.map((name) => [name, 3])) });
+  const names = LEG_CHANNELS.flatMap(({ phase, touching }) => [phase, touching]);
+  const schema = schemaOf({ ...Object.fromEntries(names.map((name) => [name, 1])), ...Object.fromEntries(LEG_CHANNELS.map(({ foot }) => [foot, 3])) });
   const feetAt = (touching: number[]): number[] => {
     const table = new FrameTable(schema, 1);
     const phases = [0, 1, 0, 2];
@@ -29,7 +30,7 @@ test("a foot carries that is to carry and, where the truth is known, touches the
 function plannedFrame(unused: boolean, time = 0): Frame {
   const schema = schemaOf({
     "told.unused": 1, "plan.com.zmp": 2, "plan.com.p": 2, "plan.R_WC": 9, "plan.terrain_point": 3, "model.p_WCom": 3,
-    ...Object.fromEntries(LEGS.flatMap((_, k) => [[LEG_CHANNELS.phase[k], 1], [LEG_CHANNELS.plannedFoot[k], 3], [LEG_CHANNELS.foot[k], 3], [LEG_CHANNELS.force[k], 3]])),
+    ...Object.fromEntries(LEG_CHANNELS.flatMap(({ phase, plannedFoot, foot, force }) => [[phase, 1], [plannedFoot, 3], [foot, 3], [force, 3]])),
   });
   Object.assign(schema.channel("told.unused") as object, { values: ["", "No hierarchy was solved"] });
   const ground = [1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0];
@@ -40,7 +41,7 @@ function plannedFrame(unused: boolean, time = 0): Frame {
 function pictureOf(frame: Frame, samples: Frame[]): Picture {
   const source = { sample: (_from: number, _to: number, _most: number, take: (one: Frame) => void) => samples.forEach((one) => take(one)) };
   const labels = { put: () => {}, spare: () => {} };
-  return { frame, source, labels, header: { robot: { foot_radius: 0.03 } }, trails: true, newton: 0.001, longest: 1, beliefToWorld: new THREE.Matrix4() } as unknown as Picture;
+  return { frame, source, labels, colours: coloursOf(paletteOf(false)), header: { robot: { foot_radius: 0.03 } }, trails: true, newton: 0.001, longest: 1, beliefToWorld: new THREE.Matrix4() } as unknown as Picture;
 }
 
 /** How many lines, points and surfaces of an overlay are seen. */

@@ -12,9 +12,9 @@ async function started(failures: number, make: () => void): Promise<{ said: stri
     if (left-- > 0) throw new Error("the program does not answer");
     return "a run";
   };
-  const notes = { keep: (_: string, text: string) => said.push(text), take: () => said.push("") };
-  const asking = { asked: () => {}, failed: () => {}, answered: () => {}, broken: () => said.push("broken") };
-  void startPage(read, () => (++made, make()), notes as unknown as Parameters<typeof startPage>[2], asking);
+  const notes = { keep: (_: string, text: string) => said.push(text), take: (key: string) => key === "start" && said.push("") };
+  const show = (words: string): void => void (words === "page incomplete" && said.push("broken"));
+  void startPage(read, () => (++made, make()), notes as unknown as Parameters<typeof startPage>[2], show);
   for (let k = 0; k < 10; ++k) {
     await new Promise((resolve) => setImmediate(resolve));
     mock.timers.tick(6000);

@@ -8,6 +8,7 @@ import type { Picture } from "../src/overlays/overlay.ts";
 import { commandText, faultsText } from "../src/data/stop.ts";
 import { FrameTable } from "../src/data/table.ts";
 import { sentences } from "../src/panels/state_panel.ts";
+import { coloursOf, paletteOf } from "../src/scene/palette.ts";
 import { schemaOf, STATES } from "./make.ts";
 
 const PHASES = ["stance", "unloading", "swing", "search"];
@@ -49,7 +50,7 @@ test("where the command is not the solution's nothing is told of what feet shoul
 test("of velocities it is told whose they are", () => {
   const both = said("stance", 1);
   assert.deepEqual([both.get("Velocity, believed"), both.get("Velocity, true"), both.get("Velocity")], ["5.00 m/s", "10.0 m/s", undefined]);
-  assert.deepEqual([said("stance", undefined).get("Velocity, believed"), said("stance", undefined).has("Velocity, true")], ["5.00 m/s", false]);
+  assert.deepEqual([said("stance", undefined).get("Velocity, believed"), said("stance", undefined).get("Velocity, true")], ["5.00 m/s", ""]);
 });
 
 test("a base that stands where it began is not told as to the left or right of that by nothing", () => {
@@ -72,7 +73,7 @@ test("what pushes the robot is told with its size, where, and how it goes in the
   assert.equal(pushed([0, 0, 0], [0, 0, 0]), "nothing", "a torque is no push");
   assert.equal(pushed([0, 0, 0], [-50, 0, 0]), `50.0 N on base, (−50.0, 0.0, 0.0) N in the world${truth}`);
   assert.equal(pushed([0, 0, 0], [0, 0, 0], [30, 0, -40]), `50.0 N on LF_HIP, (30.0, 0.0, −40.0) N in the world${truth}`);
-  assert.equal(said("stance", 1).has("Pushed by"), false, "where nobody knows");
+  assert.equal(said("stance", 1).get("Pushed by"), "", "where it is not known");
 });
 
 const BODIES = ["base", "LF_HIP"];
@@ -86,7 +87,7 @@ function arrowsOf(base: number[], leg: number[]): { texts: string[]; starts: num
   const labels = { put: (_: unknown, text: string) => texts.push(text) };
   const centreOf = (body: string, out: THREE.Vector3): boolean => (out.set(BODIES.indexOf(body), 0, 0.4), BODIES.includes(body));
   const overlay = new OutsideForce();
-  overlay.update({ frame: table.frame(0), labels, newton: 0.005, centreOf } as unknown as Picture);
+  overlay.update({ frame: table.frame(0), labels, colours: coloursOf(paletteOf(false)), newton: 0.005, centreOf } as unknown as Picture);
   const [shafts] = overlay.root.children.at(-1)?.children as [THREE.InstancedMesh];
   const place = new THREE.Matrix4();
   const starts = Array.from({ length: shafts.count }, (_, k) => (shafts.getMatrixAt(k, place), new THREE.Vector3().setFromMatrixPosition(place).toArray()));
@@ -112,7 +113,7 @@ test("an arrow that would leave the picture is cut short, with two heads, and ke
   const texts: string[] = [], feet: number[] = [];
   const labels = { put: (at: THREE.Vector3, text: string) => (texts.push(text), feet.push(at.z)) };
   const overlay = new GroundForces();
-  overlay.update({ frame: table.frame(0), labels, newton: 0.0025, longest: 1.5 } as unknown as Picture);
+  overlay.update({ frame: table.frame(0), labels, colours: coloursOf(paletteOf(false)), newton: 0.0025, longest: 1.5 } as unknown as Picture);
   assert.deepEqual([texts, feet], [["LF 300 N", "RF 2792 N"], [0, 0]], "under the foot");
   const [shafts, heads] = overlay.root.children.at(-1)?.children as THREE.InstancedMesh[];
   assert.deepEqual([shafts?.count, heads?.count], [2, 3]);

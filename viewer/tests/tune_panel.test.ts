@@ -12,7 +12,7 @@ const limits = { friction_min: 0.05, friction_max: 2, walk_velocity: 0.5, walk_y
 const sessionOf = (kp: number, friction = 0.5): Session =>
   ({
     limits, friction, orders: [], header: { level_names: ["com"] },
-    tasks: [{ level: 0, level_name: "com", task: "com", choices: {}, numbers: [{ name: "kp", value: kp, unit: "1/s²", about: "", min: 0, max: 1000 }] }],
+    tasks: [{ level: 0, level_name: "com", task: "com", numbers: [{ name: "kp", value: kp, unit: "1/s²", about: "", min: 0, max: 1000 }] }],
   }) as unknown as Session;
 
 /** What is asked of a run, which takes all or refuses all. */
@@ -91,5 +91,5 @@ test("what was asked to walk does not go on in a run that begins again", () => {
   drive.nudge("forward", 3);
   drive.restart();
   drive.show({ command: { walk: false, velocity: [0, 0], yaw_rate: 0, height: 0, by: "scenario" }, ended: null } as unknown as Status);
-  assert.deepEqual(drive.walk.velocity, [0, 0]);
+  assert.deepEqual([drive.walk.forward, drive.walk.left], [0, 0]);
 });

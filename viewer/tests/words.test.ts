@@ -5,13 +5,13 @@ import { effortOf } from "../src/panels/hierarchy_panel.ts";
 import { amountOf, rowsOf, boundsMotion, briefOf, metaOf, timeOf, words } from "../src/panels/level_card.ts";
 import { calibrationText, modeText } from "../src/panels/head.ts";
 import { logFact } from "../src/live_link.ts";
-import { clockText, courseOf, endedText, newestText, nextSpeed, pastText, playText } from "../src/panels/transport.ts";
+import { clockText, runStateOf, endedText, newestText, nextSpeed, pastText, playText } from "../src/panels/transport.ts";
 import { beliefText } from "../src/panels/tune_panel.ts";
 
 const level: LevelState = {
-  level: 1, place: 2, name: "com_xy", unit: "m/s²", status: "met", residual: 0, rows: 2, freedom: 24, iterations: 1, time: NaN, active: [], missed: [], blocked: [],
+  level: 1, name: "com_xy", unit: "m/s²", status: "met", residual: 0, rows: 2, freedom: 24, iterations: 1, time: NaN, active: [], missed: [], blocked: [],
 };
-const above: LevelState = { ...level, level: 0, place: 1, name: "friction_cone" };
+const above: LevelState = { ...level, level: 0, name: "friction_cone" };
 
 test("a clock never exceeds the whole", () => {
   for (const whole of [0.04, 12.3375, 999.9999, 1234.5678]) {
@@ -36,7 +36,7 @@ test("the friction that was given and what the controller believes are two thing
 
 test("a level's second line says what matters most: who holds it back, its limits, its size", () => {
   assert.equal(briefOf(level, [above, level]), "2 rows");
-  const active = [{ name: "LF_KFE", level: 1, state: 1, by: 0 }, { name: "RF_KFE", level: 1, state: -1, by: 0 }];
+  const active = [{ name: "LF_KFE", state: 1, by: 0 }, { name: "RF_KFE", state: -1, by: 0 }];
   assert.equal(briefOf({ ...level, status: "at limit", active }, [above, level]), "2 rows: LF_KFE (upper), …");
   const blocked = [{ by: 0, row: "LF 1", cost: 1 }, { by: 0, row: "LF 2", cost: 0.5 }];
   assert.equal(briefOf({ ...level, status: "gives way", active, blocked }, [above, level]), "to friction cone", "as it gives way");
@@ -55,8 +55,8 @@ test("sizes and times are told in words", () => {
 
 test("who looks back is told where the run is, and what the space bar does there", () => {
   const status = { paused: false, ended: null };
-  const course = [courseOf(status, true), courseOf({ ...status, paused: true }, true), courseOf({ paused: true, ended: "fell" }, true), courseOf(status, false)];
-  assert.deepEqual(course.map((one) => pastText(48.1249, one)), ["past; the run is at 48.1 s", "past; the run is paused at 48.1 s", "past; the run ended at 48.1 s", "past; the newest is 48.1 s"]);
+  const runState = [runStateOf(status, true), runStateOf({ ...status, paused: true }, true), runStateOf({ paused: true, ended: "fell" }, true), runStateOf(status, false)];
+  assert.deepEqual(runState.map((one) => pastText(48.1249, one)), ["past; the run is at 48.1 s", "past; the run is paused at 48.1 s", "past; the run ended at 48.1 s", "past; the newest is 48.1 s"]);
   const [now, past, log] = [{ live: true, past: false }, { live: true, past: true }, { live: false, past: false }];
   assert.deepEqual([true, false].map((running) => playText(now, running)), ["pause the run (space)", "let the run go on (space)"]);
   for (const running of [true, false]) assert.match(playText(past, running), /the run is left alone/);
@@ -66,11 +66,11 @@ test("who looks back is told where the run is, and what the space bar does there
 
 test("of a program that is no longer heard it is told what is known, never that its run is live", () => {
   const [runs, paused, ended] = [{ paused: false, ended: null }, { paused: true, ended: null }, { paused: false, ended: "fell" }];
-  const modes = [runs, paused, ended, undefined].map((status) => [true, false].map((heard) => modeText({ past: false }, courseOf(status, heard))));
+  const modes = [runs, paused, ended, undefined].map((status) => [true, false].map((heard) => modeText({ past: false }, runStateOf(status, heard))));
   assert.deepEqual(modes, [["live", "not known"], ["paused", "not known"], ["ended", "ended"], ["not known", "not known"]]);
-  assert.equal(modeText({ past: true }, courseOf(runs, false)), "past");
-  assert.deepEqual([true, false].map((heard) => endedText("", courseOf(runs, heard))), ["not yet", "not known"]);
-  assert.equal(endedText("fell", courseOf(ended, false)), "fell");
+  assert.equal(modeText({ past: true }, runStateOf(runs, false)), "past");
+  assert.deepEqual([true, false].map((heard) => endedText("", runStateOf(runs, heard))), ["not yet", "not known"]);
+  assert.equal(endedText("fell", runStateOf(ended, false)), "fell");
 });
 
 test("of a robot that calibrates it is told how long that goes on, of the present alone", () => {
@@ -89,12 +89,12 @@ test("of a program that says nothing neither its log nor what can be done with i
   const [now, past] = [{ live: true, past: false }, { live: true, past: true }];
   assert.equal(playText(now, true, true, "unheard"), "the program says nothing: the run can't be paused");
   assert.match(playText(past, true, true, "unheard"), /stop here/);
-  const courses = ["runs", "paused", "ended", "unheard"] as const;
-  assert.deepEqual(courses.map((course) => logFact("/tmp/run.mcap", course)), ["recording run.mcap", "recording run.mcap", "recorded in run.mcap", "log: run.mcap"]);
+  const runStates = ["runs", "paused", "ended", "unheard"] as const;
+  assert.deepEqual(runStates.map((runState) => logFact("/tmp/run.mcap", runState)), ["recording run.mcap", "recording run.mcap", "recorded in run.mcap", "log: run.mcap"]);
 });
 
 test("the button that leads to the newest picture is not called live where nothing is", () => {
-  const texts = (["runs", "ended", "unheard"] as const).map((course) => [false, true].map((back) => newestText(back, course)[0]));
+  const texts = (["runs", "ended", "unheard"] as const).map((runState) => [false, true].map((back) => newestText(back, runState)[0]));
   assert.deepEqual(texts, [["Live", "To now"], ["The end", "To the end"], ["Newest", "To newest"]]);
 });
 
@@ -111,7 +111,7 @@ test("a row beyond its bound says by how much, where that is known", () => {
 });
 
 test("a level that gives way says which of its rows it missed, one that is never content does not", () => {
-  const active = [{ name: "RF +x", level: 0, state: 3, by: 0.3 }], missed = [{ name: "x", level: 0, state: 2, by: -0.31 }];
+  const active = [{ name: "RF +x", state: 3, by: 0.3 }], missed = [{ name: "x", state: 2, by: -0.31 }];
   assert.equal(rowsOf({ active, missed, status: "gives way", unit: "N" }), "RF +x above its bound by 0.300 N, x missed by 0.310 N");
   assert.equal(rowsOf({ active: [], missed, status: "minimised", unit: "N" }), "");
 });

@@ -88,7 +88,7 @@ void Crawl::begin_support(const Situation& now, double duration) {
 
 void Crawl::expect_touchdown(const Situation& now, double duration) {
   deadline_ = now.time + duration;
-  late_time_ = deadline_ + kLate;
+  late_time_ = deadline_ + now.body.scale.time() * kLate;
 }
 
 GaitOutcome Crawl::go_on(Situation& now, Body& body) {
@@ -116,7 +116,7 @@ void Crawl::react_to_push(Situation& now, Body& body) {
     react(step_to_recover, now, body);
   }
   const double left = (state_ == CrawlState::swing ? deadline_ : lift_time_) - now.time;
-  if (wants_plan(now) && left > kShortestPlan) plan_com(now, body);
+  if (wants_plan(now) && left > body.scale.time() * kShortestPlan) plan_com(now, body);
 }
 
 GaitOutcome Crawl::go_on_shifting(const Situation& now, Body& body) {
@@ -145,15 +145,16 @@ GaitOutcome Crawl::go_on_shifting(const Situation& now, Body& body) {
 
 GaitOutcome Crawl::go_on_unloading(Situation& now, Body& body) {
   const Leg next = steps_.next();
-  const bool holds =
-      !(now.last.tilt_shortfall > tilt_shortfall_on_four_ + kTiltGivenUp);  // nor if NaN
+  const double most = tilt_shortfall_on_four_ + kTiltGivenUp / body.scale.length;
+  const bool holds = !(now.last.tilt_shortfall > most);  // nor if NaN
   if (holds && now.time < lift_time_) return {};
   const bool unloaded = body.legs[next].unloaded() || !body.options.force.ramps;
   if (holds && unloaded && is_balanced_without(next, now)) {
     lift_off(now, body);
     return {.begins_step = true};
   }
-  if (!holds || now.time > lift_time_ + kLiftOffPatience) react(abort_lift_off, now, body);
+  if (!holds || now.time > lift_time_ + body.scale.time() * kLiftOffPatience)
+    react(abort_lift_off, now, body);
   return {};
 }
 
@@ -163,8 +164,8 @@ GaitOutcome Crawl::go_on_swinging(Situation& now, Body& body) {
     body.events.add(now.event(PlanEvent::late, steps_.next()));
     late_time_ = kNever;
   }
-  if (now.time >= deadline_ + kGrace) {
-    deadline_ = now.time + kWaitDuration;
+  if (now.time >= deadline_ + body.scale.time() * kGrace) {
+    deadline_ = now.time + body.scale.time() * kWaitDuration;
     plan_com(now, body);
   }
   return {};
@@ -174,7 +175,7 @@ void Crawl::lift_off(const Situation& now, Body& body) {
   const Leg k = steps_.next();
   go(CrawlCause::lifts_off);
   begin_swing(k, now, body, steps_.cycle_duration(body.pace()));
-  const bool on_time = now.time - lift_time_ < kOnTime;
+  const bool on_time = now.time - lift_time_ < body.scale.time() * kOnTime;
   expect_touchdown(now, steps_.swing_duration(body.pace(), k));
   if (!on_time) plan_com(now, body);
 }

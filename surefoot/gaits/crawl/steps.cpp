@@ -66,7 +66,7 @@ std::optional<Leg> leg_for_wider_support(const Situation& now, const StepSequenc
   for (const Leg k : kLegs) places[index(k)] = feet[index(k)].head<2>();
   double widest = inradius_without(next, places);
   if (widest > enough) return {};
-  widest += kWider;
+  widest += body.scale.length * kWider;
   const double cycle = steps.cycle_duration(body.pace());
   std::optional<Leg> first;
   for (const Leg k : kLegs) {
@@ -92,7 +92,8 @@ void begin_swing(Leg k, const Situation& now, Body& body, double cycle_duration)
   if (memory.probes) {
     const Vec2 heading(std::cos(now.yaw), std::sin(now.yaw));
     const Vec2 step = (goal - now.foot(k)).head<2>();
-    memory.direction = step.norm() > kMinStep ? step.normalized() : heading;
+    const bool is_long = step.norm() > body.scale.length * kMinStep;
+    memory.direction = is_long ? step.normalized() : heading;
     goal.head<2>() += options.probe.ahead * memory.direction;
     goal.z() = body.footholds.expected_height(k, goal.head<2>(), feet, body.plane);
   }

@@ -75,12 +75,12 @@ PlanEvent CalibrationSchedule::take_waiting() {
 
 void RestWatch::update(const RobotState& state, bool stands) {
   if (!stands) stands_from_ = state.time;
-  if (!(state.v_WB.norm() < kStill)) rests_from_ = state.time;
+  if (!(state.v_WB.norm() < scale_.speed() * kStill)) rests_from_ = state.time;
 }
 
 bool RestWatch::is_at_rest(const RobotState& state) const {
   return state.time > std::max(stands_from_, rests_from_) + kRestDuration &&
-         state.w_WB_B.norm() < kStill;
+         state.w_WB_B.norm() < scale_.rate() * kStill;
 }
 
 }  // namespace surefoot::gaits

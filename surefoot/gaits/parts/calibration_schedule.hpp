@@ -1,5 +1,6 @@
 #pragma once
 
+#include "surefoot/base/scale.hpp"
 #include "surefoot/gaits/parts/calibration_motion.hpp"
 #include "surefoot/signals/plan_event.hpp"
 #include "surefoot/signals/robot_state.hpp"
@@ -61,12 +62,15 @@ class CalibrationSchedule {
 /// Since when a robot has stood on all feet without going anywhere.
 class RestWatch {
  public:
+  explicit RestWatch(const Scale& scale) : scale_(scale) {}
+
   /// One tick. `stands`: the gait lets all feet stand, and they do.
   void update(const RobotState& state, bool stands);
   /// For 1 s, and it does not turn.
   [[nodiscard]] bool is_at_rest(const RobotState& state) const;
 
  private:
+  Scale scale_;                                  // of the robot
   double stands_from_ = 0.0, rests_from_ = 0.0;  // [s]
 };
 

@@ -8,11 +8,10 @@ namespace surefoot::gaits {
 namespace {
 
 constexpr int kLengths = 4, kDirections = 12;  // of the steps that are tried
-constexpr double kFootRoom = 0.12;             // between two feet [m]
 
-bool has_room(const PerLeg<Vec2>& feet, Leg leg) {
+bool has_room(const PerLeg<Vec2>& feet, Leg leg, double room) {
   for (const Leg other : kLegs) {
-    if (other != leg && (feet[index(other)] - feet[index(leg)]).norm() < kFootRoom) return false;
+    if (other != leg && (feet[index(other)] - feet[index(leg)]).norm() < room) return false;
   }
   return true;
 }
@@ -30,7 +29,8 @@ CaptureStep find_capture_step(const CaptureProblem& problem, Leg leg, const Push
       const Vec2 asked = from + length * Vec2(std::cos(angle), std::sin(angle));
       feet[index(leg)] = nearest_within(asked, problem.hip, problem.reach);
       const double margin = SupportRegion(feet, per_leg(1.0)).margin(problem.capture_point);
-      if (has_room(feet, leg) && margin > best.margin) best = {feet[index(leg)], margin};
+      if (has_room(feet, leg, problem.foot_room) && margin > best.margin)
+        best = {feet[index(leg)], margin};
     }
     if (best.margin >= options.capture_margin) break;
   }

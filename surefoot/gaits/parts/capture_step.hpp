@@ -17,6 +17,7 @@ struct CaptureProblem {
   Vec2 capture_point{0.0, 0.0};  ///< when the foot lands
   Vec2 hip{0.0, 0.0};            ///< of the leg, when the foot lands
   double reach = 0.0;            ///< of the foot from the hip, horizontally
+  double foot_room = 0.12;       ///< between two feet
   double heading = 0.0;          ///< of the torso [rad]: directions are counted from it
 };
 

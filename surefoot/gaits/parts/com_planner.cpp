@@ -61,8 +61,9 @@ void ComProblem::add(const SupportPhase& phase) {
 ComPlanner::Problem::Problem(std::size_t phases)
     : hierarchy(make_hierarchy(phases)), solver(hierarchy, {.rank = kRank, .warm_start = false}) {}
 
-ComPlanner::ComPlanner(const ComPlannerOptions& options, const ForceOptions& force)
-    : options_(options), force_(force) {
+ComPlanner::ComPlanner(const ComPlannerOptions& options, const ForceOptions& force,
+                       const Scale& scale)
+    : options_(options), force_(force), length_(scale.length) {
   knots_.fill({Vec2::Zero(), Vec2::Zero(), Vec2::Zero()});
   for (std::size_t phases = 1; phases <= kMaxPhases; ++phases)
     problems_.push_back(std::make_shared<Problem>(phases));
@@ -117,7 +118,7 @@ void ComPlanner::guess_knots(const ComProblem& problem) noexcept {
 }
 
 double ComPlanner::pendulum(const HalfPlane& edge) const noexcept {
-  return std::max(kLeastHeight, problem_.height - edge.height) / kGravity;
+  return std::max(length_ * kLeastHeight, problem_.height - edge.height) / kGravity;
 }
 
 void ComPlanner::write_region_rows(solver::Hierarchy& hierarchy, std::size_t phase) const noexcept {
@@ -197,8 +198,9 @@ void ComPlanner::write_smoothness_rows(solver::Level& level, std::size_t phase) 
 
 void ComPlanner::write_terminal_rows(solver::Level& level) const noexcept {
   const Vec2 shift = problem_.load.shift(problem_.height);
-  const double least = problem_.comes_to_rest ? kRestWeight : options_.terminal_weight;
-  const double weight = std::max(least, std::min(1.0, shift.norm() / kFullLoad) * kLoadedWeight);
+  const double least = problem_.comes_to_rest ? kRestWeight / length_ : options_.terminal_weight;
+  const double load = std::min(1.0, shift.norm() / (length_ * kFullLoad));
+  const double weight = std::max(least, load * (kLoadedWeight / length_));
   const std::size_t last = problem_.num_phases - 1;
   const Vec2 center = center_of(problem_.phases[last].feet) - shift;
   const Motion<Vec2>& guess = knots_[last + 1];

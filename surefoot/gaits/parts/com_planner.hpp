@@ -1,5 +1,6 @@
 #pragma once
 
+#include "surefoot/base/scale.hpp"
 #include "surefoot/gaits/parts/leg_limits.hpp"
 #include "surefoot/gaits/parts/support_region.hpp"
 #include "surefoot/math/quintic.hpp"
@@ -78,7 +79,8 @@ class ComPlanner {
   /// Swings that fit: each with the support before it, and the support after the last.
   static constexpr int kMaxSteps = (static_cast<int>(kMaxPhases) - 1) / 2;
 
-  ComPlanner(const ComPlannerOptions& options, const ForceOptions& force);
+  /// `scale` of the robot.
+  ComPlanner(const ComPlannerOptions& options, const ForceOptions& force, const Scale& scale = {});
 
   /// With numbers that are not finite, or without a phase, the plan before stays in force.
   void plan(const ComProblem& problem) noexcept;
@@ -135,6 +137,7 @@ class ComPlanner {
 
   ComPlannerOptions options_;
   ForceOptions force_;
+  double length_;  // that its lengths go with, as a ratio
   // By number of phases. Copies of a planner share them, as they remember nothing; so of these one
   // plans at a time.
   std::vector<std::shared_ptr<Problem>> problems_;

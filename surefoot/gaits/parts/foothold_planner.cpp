@@ -18,22 +18,23 @@ constexpr double kLeastStride = 0.05;    // that says something of the ground's 
 constexpr double kLeastProgress = 0.03;  // a footprint must lie this far ahead of the foot [m]
 
 /// Do three prints, one behind the other, lie on one slope? Evenly, not steeper than slopes are and
-/// by less than stairs: a print on every tread rises evenly, too.
-bool is_slope(const Vec3& first, const Vec3& second, const Vec3& third) {
+/// by less than stairs: a print on every tread rises evenly, too. `length` is the robot's scale.
+bool is_slope(const Vec3& first, const Vec3& second, const Vec3& third, double length) {
   const Vec3 stride = second - first, next = third - second;
   const double slope = stride.z() / stride.head<2>().norm(), run = next.head<2>().norm();
   const bool gentle = std::max(std::abs(slope) * run, std::abs(next.z())) < kSteepest * run;
-  return gentle && std::abs(next.z()) < kLowestStair && std::abs(next.z() - slope * run) < kEvenly;
+  return gentle && std::abs(next.z()) < length * kLowestStair &&
+         std::abs(next.z() - slope * run) < length * kEvenly;
 }
 
-/// The prints before and behind a nominal foothold, along a heading, and one a stride before; null:
+/// The prints before and behind a nominal foothold, along a heading, and one `stride` before; null:
 /// there is none.
 struct Around {
   const Vec3 *beyond, *before, *earlier;
 };
 template <typename Prints>
 Around prints_around(const Prints& prints, const Vec3& nominal, const Vec2& heading,
-                     double half_width) {
+                     double half_width, double stride) {
   const Vec2 aside(-heading.y(), heading.x());
   const auto ahead = [&](const Vec3& print) { return heading.dot((print - nominal).head<2>()); };
   const auto nearest = [&](double sign, const auto& fits) {
@@ -51,7 +52,7 @@ Around prints_around(const Prints& prints, const Vec3& nominal, const Vec2& head
   };
   const Vec3* beyond = nearest(1.0, [](double way) { return way > 0.0; });
   const Vec3* before = last_up_to(0.0);
-  return {beyond, before, before == nullptr ? nullptr : last_up_to(ahead(*before) - kLeastStride)};
+  return {beyond, before, before == nullptr ? nullptr : last_up_to(ahead(*before) - stride)};
 }
 
 }  // namespace
@@ -94,7 +95,7 @@ double FootholdPlanner::last_slope(const Prints& prints) const {
   for (std::size_t i = 1; i < prints.size(); ++i) {
     const Vec3 stride = prints.newest(0) - prints.newest(i);
     const double length = stride.head<2>().norm(), rise = std::abs(stride.z());
-    if (length < kLeastStride) continue;
+    if (length < length_ * kLeastStride) continue;
     return rise > kSteepest * length + options_.same_height ? 0.0 : rise / length;
   }
   return kInfinity;
@@ -169,20 +170,21 @@ void FootholdPlanner::forget_last(Leg leg) {
 Vec3 FootholdPlanner::on_prints(const Prints& prints, const Vec3& nominal, const Vec3& from,
                                 const Vec2& heading) const {
   const auto [beyond, before, earlier] =
-      prints_around(prints, nominal, heading, stance_.half_width);
+      prints_around(prints, nominal, heading, stance_.half_width, length_ * kLeastStride);
   if (beyond == nullptr) return nominal;
   const auto ahead = [&](const Vec3& print) { return heading.dot((print - nominal).head<2>()); };
   const double rise = before == nullptr ? 0.0 : beyond->z() - before->z();
-  const bool slope = earlier != nullptr && is_slope(*earlier, *before, *beyond);
+  const bool slope = earlier != nullptr && is_slope(*earlier, *before, *beyond, length_);
   const bool edge = std::abs(rise) > options_.same_height && !slope;
   const double reach = (edge && rise > 0.0 ? kReachUpward : 1.0) * options_.max_step;
   const auto reachable = [&](const Vec3& print) { return (print - from).head<2>().norm() < reach; };
-  const bool can_wait = edge && heading.dot((*before - from).head<2>()) > kLeastProgress;
+  const double least = length_ * kLeastProgress;
+  const bool can_wait = edge && heading.dot((*before - from).head<2>()) > least;
   if (edge && !reachable(*beyond)) return can_wait ? *before : towards(*beyond, from);
   const Vec3& nearest =
       edge || before == nullptr || ahead(*beyond) < -ahead(*before) ? *beyond : *before;
   const bool near = (nearest - nominal).head<2>().norm() < options_.print_radius;
-  const bool progress = heading.dot((nearest - from).head<2>()) > kLeastProgress;
+  const bool progress = heading.dot((nearest - from).head<2>()) > least;
   if (edge || (near && progress && reachable(nearest))) return nearest;
   Vec3 between = nominal;
   between.z() = before == nullptr ? beyond->z() : std::max(before->z(), beyond->z());

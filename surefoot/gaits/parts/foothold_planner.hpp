@@ -1,5 +1,6 @@
 #pragma once
 
+#include "surefoot/base/scale.hpp"
 #include "surefoot/estimation/terrain_plane.hpp"
 #include "surefoot/gaits/parts/leg_limits.hpp"
 #include "surefoot/math/recent.hpp"
@@ -13,8 +14,10 @@ namespace surefoot::gaits {
 /// feet take the footprints that the front feet found, heights included.
 class FootholdPlanner {
  public:
-  FootholdPlanner(const StanceOptions& stance, const FootholdOptions& options)
-      : stance_(stance), options_(options) {}
+  /// `scale` of the robot.
+  FootholdPlanner(const StanceOptions& stance, const FootholdOptions& options,
+                  const Scale& scale = {})
+      : stance_(stance), options_(options), length_(scale.length) {}
 
   /// Foothold of a leg that lifts off from `footholds[leg]`, with the gait's full cycle lasting
   /// `cycle_duration`. In a steady walk the feet stand ±1/8 and ±3/8 of a stride about their
@@ -66,6 +69,7 @@ class FootholdPlanner {
 
   StanceOptions stance_;
   FootholdOptions options_;
+  double length_;                 // that its lengths go with, as a ratio
   std::array<Prints, 2> prints_;  // of the front feet: left, right
   Recent<Void, 8> voids_;
   std::size_t touchdowns_ = 0;

@@ -21,7 +21,7 @@ bool Grip::update(const RobotState& state, const PerLeg<Vec3>& normals_W) {
 void Grip::adapt(double& friction, const Vec3& force, const Vec3& normal_W) const {
   constexpr double kLeastForce = 15.0;  // of a foot whose forces say something of friction [N]
   const double normal = normal_W.dot(force);
-  if (!(normal > kLeastForce)) return;
+  if (!(normal > scale_.force() * kLeastForce)) return;
   const double ratio = (force - normal * normal_W).norm() / normal;
   friction = std::min(friction, std::max(options_.friction_min, options_.share * ratio));
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "surefoot/base/scale.hpp"
 #include "surefoot/gaits/parts/leg_limits.hpp"
 #include "surefoot/signals/robot_state.hpp"
 
@@ -13,8 +14,9 @@ namespace surefoot::gaits {
 /// afterwards it comes back at a constant rate.
 class Grip {
  public:
-  Grip(const GripOptions& options, double friction, double period)
-      : options_(options), period_(period) {
+  /// `period` of the control loop [s], `scale` of the robot.
+  Grip(const GripOptions& options, double friction, double period, const Scale& scale = {})
+      : options_(options), period_(period), scale_(scale) {
     expect(friction);
   }
 
@@ -41,6 +43,7 @@ class Grip {
 
   GripOptions options_;
   double configured_ = 0.0, period_;
+  Scale scale_;
   PerLeg<double> friction_{};
   PerLeg<bool> slid_{}, began_{};
 };

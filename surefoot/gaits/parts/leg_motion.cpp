@@ -51,18 +51,19 @@ void LegMotion::reload(double time) {
 void LegMotion::lift(double time, const SwingTarget& target) {
   phase_ = LegPhase::swing;
   begin_ = time;
-  curve_ = SwingCurve(target, swing_);
+  curve_ = SwingCurve(target, swing_, scale_);
   firm_ticks_ = 0;
   impact_.begin();
   held_for_ = 0.0;
-  search_ = {};
+  search_ = {scale_};
 }
 
 // From the velocity it has to that of the search, evenly: the largest acceleration of such a spline
 // is 3/2 of its mean.
 void LegMotion::search(double time, const Vec3& p_WF, const Vec3& v_WF, const Vec3& normal) {
   const Vec3 down = -swing_.touchdown_speed * normal;
-  const double duration = std::max(kSearchTurn, 1.5 * (v_WF - down).norm() / kSearchBrake);
+  const double duration =
+      std::max(scale_.time() * kSearchTurn, 1.5 * (v_WF - down).norm() / kSearchBrake);
   lift(time, {.start = p_WF,
               .goal = p_WF + 0.5 * duration * (v_WF + down),
               .normal = normal,
@@ -87,12 +88,13 @@ LegEvent LegMotion::observe(double time, const LegObservation& seen) {
 // with the least force, and flies off. (One that came down in its own time and isn't deeper now
 // bounces, and is pressed down again.)
 bool LegMotion::flies(double time, const LegObservation& seen) const {
-  if (since(time) > kFliesWithin) return false;
+  if (since(time) > scale_.time() * kFliesWithin) return false;
   const Vec3 moved = seen.foot.p - landed_;
   const double up = seen.normal.dot(moved);
-  const bool goes = seen.foot.v.norm() > kFlight && moved.norm() > kAway;
-  if (!curve_.target().straight) return goes && up < -kBelow;
-  const bool rises = seen.normal.dot(seen.foot.v) > kRebound && up > kOffGround;
+  const double length = scale_.length, speed = scale_.speed();
+  const bool goes = seen.foot.v.norm() > speed * kFlight && moved.norm() > length * kAway;
+  if (!curve_.target().straight) return goes && up < -(length * kBelow);
+  const bool rises = seen.normal.dot(seen.foot.v) > speed * kRebound && up > length * kOffGround;
   return goes || rises;
 }
 
@@ -112,7 +114,7 @@ LegEvent LegMotion::observe_swing(double time, const LegObservation& seen) {
   const SwingTarget& target = curve_.target();
   if (t > target.duration && phase_ == LegPhase::swing) {
     // The way down from the goal is of no use to a foot that is not there.
-    if (beside(time, seen.foot.p) > kAstray) search(time, seen.foot.p, seen.foot.v, target.normal);
+    if (strays(time, seen.foot.p)) search(time, seen.foot.p, seen.foot.v, target.normal);
     phase_ = LegPhase::search;
   }
   if (is_caught(time, seen)) return LegEvent::caught;
@@ -130,13 +132,13 @@ double LegMotion::doubt() const {
 Vec3 LegMotion::way(const Motion<Vec3>& asked) const {
   const Vec3& normal = curve_.target().normal;
   const Vec3 going = asked.v - std::min(0.0, normal.dot(asked.v)) * normal;
-  return going.norm() > kGoes ? Vec3(going.normalized()) : Vec3::Zero();
+  return going.norm() > scale_.speed() * kGoes ? Vec3(going.normalized()) : Vec3::Zero();
 }
 
-double LegMotion::beside(double time, const Vec3& p_WF) const {
+bool LegMotion::strays(double time, const Vec3& p_WF) const {
   const Vec3& normal = curve_.target().normal;
   const Vec3 error = p_WF - reference(time).p;
-  return (error - normal.dot(error) * normal).norm();
+  return (error - normal.dot(error) * normal).norm() > scale_.length * kAstray;
 }
 
 // What meets the foot on its way down is the ground, so only its ways forward and up count here.
@@ -169,12 +171,12 @@ bool LegMotion::touches(double time, const LegObservation& seen) {
   const double stopped = std::max(touchdown_.bounce_speed, kStopped * descent);
   const bool jolted = impact_.is_jolted(normal.dot(foot.v - asked.v), stopped, force);
   const bool braked = impact_.brakes(normal.dot(asked.v - curve_.at(since(time)).v));
-  const bool bounced = arrives && jolted && !braked && descent < kFastDescent;
+  const bool bounced = arrives && jolted && !braked && descent < scale_.speed() * kFastDescent;
   // What drags a foot off its way in the middle of a swing are its own drives.
-  const bool strays = !arrives && beside(time, foot.p) > kAstray;
+  const bool astray = !arrives && strays(time, foot.p);
   // One that flies on has met nothing: what is felt is what brakes it.
-  const bool flies_on = !arrives && foot.v.norm() > kFliesOn;
-  const bool pressed = force > touchdown_.touchdown_force && !strays && !flies_on;
+  const bool flies_on = !arrives && foot.v.norm() > scale_.speed() * kFliesOn;
+  const bool pressed = force > touchdown_.touchdown_force && !astray && !flies_on;
   const bool certain = force > kCertain * touchdown_.touchdown_force;
   const bool wall = reflex_.enabled && -way(asked).dot(seen.force) > normal_force_;
   const bool firm = !wall && (pressed || stalled || bounced);
@@ -190,7 +192,7 @@ LegEvent LegMotion::observe_search(double time, const Vec3& p_WF) {
   search_.update(behind, reach_left, period_);
   begin_ += (1.0 - search_.pace) * period_;
   const double depth = target.normal.dot(target.goal - curve_.at(since(time)).p);
-  const bool deeper = target.normal.dot(foothold_ - p_WF) > SearchPace::kReferenceLead;
+  const bool deeper = target.normal.dot(foothold_ - p_WF) > search_.reference_lead();
   const bool low = deeper && target.normal.dot(hip_ - foothold_) < swing_.hip_height_min;
   const bool unreachable = search_.is_stuck() || depth > swing_.search_depth_max || low;
   return unreachable ? LegEvent::unreachable : LegEvent::none;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "surefoot/base/scale.hpp"
 #include "surefoot/gaits/parts/impact_detector.hpp"
 #include "surefoot/gaits/parts/leg_limits.hpp"
 #include "surefoot/gaits/parts/swing_curve.hpp"
@@ -22,19 +23,22 @@ struct LegObservation {
 /// How fast a foot that searches goes on down: it waits where the foot stays behind its reference,
 /// and at the end of the leg's reach.
 struct SearchPace {
-  static constexpr double kReferenceLead = 0.02;  // the search waits for a foot further behind [m]
+  /// The search waits for a foot further behind [m].
+  [[nodiscard]] double reference_lead() const { return scale.length * 0.02; }
 
   /// One tick of `period` [s]; the foot is so far behind its reference, the leg reaches so much
   /// further [m].
   void update(double behind, double reach_left, double period) {
     constexpr double kSlowZone = 0.03;  // it slows down this far before the end of the reach [m]
     constexpr double kWaiting = 0.1;    // a pace below this is none
-    pace = behind > kReferenceLead ? 0.0 : std::clamp(reach_left / kSlowZone, 0.0, 1.0);
+    const double slow_zone = scale.length * kSlowZone;
+    pace = behind > reference_lead() ? 0.0 : std::clamp(reach_left / slow_zone, 0.0, 1.0);
     stuck_for = std::max(0.0, stuck_for + (pace < kWaiting ? period : -period));
   }
   /// Has it waited for so long that there is no ground within reach?
-  [[nodiscard]] bool is_stuck() const { return stuck_for > 0.3; }
+  [[nodiscard]] bool is_stuck() const { return stuck_for > scale.time() * 0.3; }
 
+  Scale scale{};           ///< of the robot
   double pace = 1.0;       ///< 1: at touchdown speed, 0: the search waits
   double stuck_for = 0.0;  ///< how long it has waited [s]
 };
@@ -42,13 +46,15 @@ struct SearchPace {
 /// Phase, reference and force limits of one leg, and the tests that end its phases.
 class LegMotion {
  public:
-  /// `period` of the control loop [s].
-  LegMotion(const PlannerOptions& options, double period)
+  /// `period` of the control loop [s], `scale` of the robot.
+  LegMotion(const PlannerOptions& options, double period, const Scale& scale = {})
       : swing_(options.swing),
         touchdown_(options.contact),
         force_(options.force),
         reflex_(options.reflex),
         period_(period),
+        scale_(scale),
+        search_{scale},
         impact_(options.contact, period) {}
 
   /// Stands at p from `time` on; `loaded` from long before (no ramp).
@@ -88,8 +94,8 @@ class LegMotion {
   [[nodiscard]] bool is_caught(double time, const LegObservation& seen);
   /// Unit vector of where the foot is asked to go, without its way down; 0 if nowhere.
   [[nodiscard]] Vec3 way(const Motion<Vec3>& asked) const;
-  /// Distance of the foot from its reference along the ground [m].
-  [[nodiscard]] double beside(double time, const Vec3& p_WF) const;
+  /// Is the foot so far from its reference, along the ground, that it could not follow?
+  [[nodiscard]] bool strays(double time, const Vec3& p_WF) const;
   [[nodiscard]] bool touches(double time, const LegObservation& seen);
   [[nodiscard]] LegEvent observe_search(double time, const Vec3& p_WF);
   [[nodiscard]] Motion<Vec3> reference(double time) const;
@@ -100,6 +106,7 @@ class LegMotion {
   ForceOptions force_;
   ReflexOptions reflex_;
   double period_;
+  Scale scale_;
   LegPhase phase_ = LegPhase::stance;
   double begin_ = 0.0, lift_off_time_ = kNever;  // [s]
   Vec3 foothold_ = Vec3::Zero();
@@ -118,7 +125,8 @@ class LegMotion {
 /// The motion of all legs.
 class Legs {
  public:
-  Legs(const PlannerOptions& options, double period) : legs_(per_leg(LegMotion(options, period))) {}
+  Legs(const PlannerOptions& options, double period, const Scale& scale)
+      : legs_(per_leg(LegMotion(options, period, scale))) {}
 
   [[nodiscard]] LegMotion& operator[](Leg leg) { return legs_[index(leg)]; }
   [[nodiscard]] const LegMotion& operator[](Leg leg) const { return legs_[index(leg)]; }

@@ -58,12 +58,12 @@ Vec2 Strides::stride(Leg leg, const UserCommand& user, double cycle_duration) co
 
 double Strides::tallest(const UserCommand& user, const PerLeg<Vec2>& hips,
                         double cycle_duration) const {
-  const double length = swing_.reach_max - kSpareReach;
+  const double length = swing_.reach_max - length_ * kSpareReach;
   double height = length;
   for (const Leg leg : kLegs) {
     const Vec2 half = 0.5 * stride(leg, user, cycle_duration);
     const Vec2 from_hip = nominal_offset(stance_, leg) - hips[index(leg)];
-    const Vec2 most = from_hip.cwiseAbs() + half.cwiseAbs() + Vec2(0.0, kSway);
+    const Vec2 most = from_hip.cwiseAbs() + half.cwiseAbs() + Vec2(0.0, length_ * kSway);
     const double furthest = most.norm();
     height = std::min(height, std::sqrt(std::max(0.0, length * length - furthest * furthest)));
   }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "surefoot/base/scale.hpp"
 #include "surefoot/gaits/parts/leg_limits.hpp"
 #include "surefoot/signals/user_command.hpp"
 
@@ -9,11 +10,13 @@ namespace surefoot::gaits {
 /// stride is velocity × cycle. Hips are about the torso's centre, in heading axes [m].
 class Strides {
  public:
-  explicit Strides(const PlannerOptions& options)
+  /// `scale` of the robot.
+  explicit Strides(const PlannerOptions& options, const Scale& scale = {})
       : stance_(options.stance),
         foothold_(options.foothold),
         swing_(options.swing),
-        swing_duration_(options.gait.swing_duration) {}
+        swing_duration_(options.gait.swing_duration),
+        length_(scale.length) {}
 
   /// Share of the commanded velocity, at most 1, that the strides of all legs allow with the hips
   /// at a `height` over the feet [m]:
@@ -54,6 +57,7 @@ class Strides {
   FootholdOptions foothold_;
   SwingOptions swing_;
   double swing_duration_;  // [s]
+  double length_;          // that its lengths go with, as a ratio
 };
 
 }  // namespace surefoot::gaits

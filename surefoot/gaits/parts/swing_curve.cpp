@@ -17,7 +17,7 @@ constexpr int kPeakSamples = 40;
 
 }  // namespace
 
-SwingCurve::SwingCurve(const SwingTarget& target, const SwingOptions& options)
+SwingCurve::SwingCurve(const SwingTarget& target, const SwingOptions& options, const Scale& scale)
     : target_(target), touchdown_speed_(options.touchdown_speed) {
   const Vec3 difference = target.goal - target.start;
   rise_ = target.normal.dot(difference);
@@ -27,12 +27,13 @@ SwingCurve::SwingCurve(const SwingTarget& target, const SwingOptions& options)
   horizontal_start_ = options.horizontal_start;
   horizontal_end_ = options.horizontal_end;
   apex_share_ = kApexShare;
-  if (rise_ > kStepHeight || target.back > 0.0) {
+  const double step_height = scale.length * kStepHeight;
+  if (rise_ > step_height || target.back > 0.0) {
     const double start = std::min(kUpstairsStart, horizontal_end_ - kShortestWindow);
     horizontal_start_ = std::max(horizontal_start_, start);
     apex_share_ = kUpstairsApexShare;
   }
-  if (rise_ < -kStepHeight && target.back == 0.0) {
+  if (rise_ < -step_height && target.back == 0.0) {
     const double end = std::max(kDownstairsEnd, horizontal_start_ + kShortestWindow);
     horizontal_end_ = std::min(horizontal_end_, end);
   }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "surefoot/base/scale.hpp"
 #include "surefoot/gaits/planner_options.hpp"
 #include "surefoot/math/quintic.hpp"
 #include "surefoot/signals/leg.hpp"
@@ -24,7 +25,8 @@ struct SwingTarget {
 class SwingCurve {
  public:
   SwingCurve() = default;
-  SwingCurve(const SwingTarget& target, const SwingOptions& options);
+  /// `scale` of the robot.
+  SwingCurve(const SwingTarget& target, const SwingOptions& options, const Scale& scale = {});
 
   /// Position, velocity and acceleration t after lift-off, in W. Beyond the duration: the search.
   [[nodiscard]] Motion<Vec3> at(double t) const;

@@ -25,7 +25,7 @@ Action go_on_for_good(const Situation& now, PlanEvent event, Leg k, const SwingT
 }
 
 bool is_folded(const Situation& now, Leg k) {
-  return now.dynamics.hip[index(k)].p.z() - now.foot(k).z() < kFolded;
+  return now.dynamics.hip[index(k)].p.z() - now.foot(k).z() < now.body.scale.length * kFolded;
 }
 
 // A touch well above ground whose height is known is a shin or knee against the edge: up again, and
@@ -41,7 +41,8 @@ std::optional<Action> on_collision(const Situation& now, Leg k) {
   if (is_folded(now, k)) return {};
   const Vec2 step = (expected - leg.foothold()).head<2>();
   Vec3 goal = expected;
-  if (step.norm() > kMinStep) goal.head<2>() += options.probe.beyond * step.normalized();
+  const bool has_direction = step.norm() > body.scale.length * kMinStep;
+  if (has_direction) goal.head<2>() += options.probe.beyond * step.normalized();
   Action action =
       go_on(now, PlanEvent::collision, k,
             {p_WF, goal, body.plane.normal, options.gait.swing_duration, options.swing.apex});
@@ -59,7 +60,8 @@ std::optional<Action> on_caught(const Situation& now, Leg k) {
   const Vec3& p_WF = now.foot(k);
   const SwingTarget& before = body.legs[k].target();
   const Vec2 step = (before.goal - before.start).head<2>();
-  const Vec2 way = step.norm() > kSamePlace ? Vec2(step.normalized()) : body.swing.direction;
+  const bool has_way = step.norm() > body.scale.length * kSamePlace;
+  const Vec2 way = has_way ? Vec2(step.normalized()) : body.swing.direction;
   SwingMemory memory = body.swing;
   if (memory.times_caught == 0) memory.caught_at = p_WF.head<2>();
   memory.times_caught = is_folded(now, k) ? reflex.most + 1 : memory.times_caught + 1;
@@ -74,7 +76,7 @@ std::optional<Action> on_caught(const Situation& now, Leg k) {
     target.goal = body.legs[k].foothold();
     target.goal.head<2>() = p_WF.head<2>() - reflex.back * way;
     target.normal = body.plane.normal;
-    target.apex = kLevel;
+    target.apex = body.scale.length * kLevel;
     target.back = 0.0;
   } else {
     const double beyond = way.dot((before.goal - p_WF).head<2>());
@@ -129,12 +131,13 @@ Action on_no_ground(const Situation& now, Leg k) {
   const Vec3& p_WF = now.foot(k);
   const Vec3& last = body.legs[k].foothold();
   const SwingTarget& target = body.legs[k].target();
-  const double duration = body.options.gait.swing_duration + (p_WF - last).norm() / kRetreatSpeed;
+  const double same = body.scale.length * kSamePlace, speed = body.scale.speed() * kRetreatSpeed;
+  const double duration = body.options.gait.swing_duration + (p_WF - last).norm() / speed;
   Action action =
       go_on_for_good(now, PlanEvent::no_ground, k,
                      {p_WF, last, body.plane.normal, duration, body.options.swing.apex});
-  const bool is_own_ground = target.straight && (target.start - last).norm() < kSamePlace;
-  if (!is_own_ground && (target.goal - last).norm() > kSamePlace) action.avoids = target.goal;
+  const bool is_own_ground = target.straight && (target.start - last).norm() < same;
+  if (!is_own_ground && (target.goal - last).norm() > same) action.avoids = target.goal;
   return action;
 }
 
@@ -193,7 +196,7 @@ std::optional<Action> reach_beyond_edge(const Situation& now) {
   Vec3 goal = p_WF - probe.lift * target.normal;
   goal.head<2>() += probe.beyond * body.swing.direction;
   return go_on_for_good(now, PlanEvent::probe_edge, k,
-                        {p_WF, goal, target.normal, probe.duration, kLevel});
+                        {p_WF, goal, target.normal, probe.duration, body.scale.length * kLevel});
 }
 
 std::optional<Action> abort_lift_off(const Situation& now) {

@@ -10,6 +10,7 @@ namespace {
 constexpr double kWorthAStep = 0.01;  // better balanced with it than without by [m]
 constexpr double kAgility = 45.0;     // that drives give a foot in the air [m/s²]
 constexpr double kAtRest = 0.06;      // a COM that is slower has been caught [m/s]
+constexpr double kFootRoom = 0.12;    // between two feet [m]
 constexpr double kLonger = 1.1;       // a hasty swing takes so many times as long …
 constexpr double kLongest = 2.0;      // … and again, up to about so many times, for its drives
 
@@ -32,6 +33,7 @@ CaptureStep capture_step(const Situation& now, Leg k, double duration) {
   const Body& body = now.body;
   CaptureProblem problem;
   problem.heading = now.yaw;
+  problem.foot_room = body.scale.length * kFootRoom;
   for (const Leg other : kLegs) problem.feet[index(other)] = now.foot(other).head<2>();
   if (!body.legs[k].down())  // its speed takes it on: the least turn is from where it would rest
     problem.feet[index(k)] += 0.5 * duration * now.before.feet[index(k)].v_WF.head<2>();
@@ -43,9 +45,11 @@ CaptureStep capture_step(const Situation& now, Leg k, double duration) {
 
 /// Makes a hasty swing longer until the drives can move a foot like that. `aim` sets its goal.
 template <typename Aim>
-void slow_down(SwingTarget& target, const SwingOptions& options, const Aim& aim) {
+void slow_down(SwingTarget& target, const Body& body, const Aim& aim) {
   const double longest = kLongest * target.duration;
-  const auto is_agile = [&] { return SwingCurve(target, options).peak_acceleration() < kAgility; };
+  const auto is_agile = [&] {
+    return SwingCurve(target, body.options.swing, body.scale).peak_acceleration() < kAgility;
+  };
   for (aim(); !is_agile() && target.duration < longest; aim()) target.duration *= kLonger;
 }
 
@@ -88,7 +92,7 @@ Action put_foot_down(const Situation& now, Leg k) {
                      .duration = body.options.push.foot_down_duration,
                      .straight = true,
                      .velocity = plan.v_WF};
-  slow_down(target, body.options.swing, [&] {
+  slow_down(target, body, [&] {
     target.goal.head<2>() = capture_step(now, k, target.duration).goal;
     target.goal.z() = body.plane.height(target.goal.head<2>());
   });
@@ -135,11 +139,11 @@ std::optional<Action> step_to_recover(const Situation& now) {
   if (!best) return {};
   const auto& [k, step] = *best;
   const double without = margin < 0.0 ? balance.growth(push.step_duration) * margin : margin;
-  if (step.margin < without + kWorthAStep) return {};
+  if (step.margin < without + body.scale.length * kWorthAStep) return {};
   SwingTarget target{now.foot(k), Vec3::Zero(), body.plane.normal, push.step_duration,
                      push.step_apex};
   target.goal << step.goal, body.plane.height(step.goal);
-  slow_down(target, body.options.swing, [] {});
+  slow_down(target, body, [] {});
   Action action{.memory = body.swing.begun(),
                 .swing = SwingOrder{k, target},
                 .steps_out_of_turn = true,
@@ -153,7 +157,7 @@ std::optional<Action> step_to_recover(const Situation& now) {
 std::optional<Action> go_on_if_calm(const Situation& now) {
   const Body& body = now.body;
   const bool is_calm = body.legs.all_down() && body.balance.is_steady() &&
-                       now.dynamics.com.v.head<2>().norm() < kAtRest &&
+                       now.dynamics.com.v.head<2>().norm() < body.scale.speed() * kAtRest &&
                        balance_margin(now) > body.options.push.calm_margin;
   if (!is_calm) return {};
   return Action{.support = body.options.gait.switch_duration, .recovers = false, .replans = true};

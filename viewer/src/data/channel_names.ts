@@ -3,25 +3,25 @@ import { digits, seen } from "./numbers.ts";
 import { hasBodies, LEGS, type Schema } from "./schema.ts";
 import type { Series } from "./source.ts";
 
-/** A component's name among those of its channel; "" where it is the only one. */
+/** Name of a component; "": it is the only one. */
 function componentOf({ size, labels }: Pick<ChannelInfo, "size" | "labels">, index: number): string {
   return size === 1 ? "" : (labels?.[index] ?? String(index));
 }
 
-/** The leg that a name speaks of: by its number; undefined: none. */
+/** Number of the leg in a name; undefined: none. */
 export function legIn(name: string): number | undefined {
   const leg = LEGS.findIndex((one) => name.split(/[._]/).includes(one));
   return leg < 0 ? undefined : leg;
 }
 
-/** Parts of the name of a line: `command.torque` and its second joint are command, torque, LF_HFE. */
+/** Parts of a line's name: command, torque, LF_HFE. */
 export function partsOf({ channel, index }: Series, schema: Schema): string[] {
   const info = schema.channel(channel);
   const component = info === undefined ? "" : componentOf(info, index);
   return [...channel.split("."), ...(component === "" ? [] : [component])];
 }
 
-/** What lines have in common, and what tells them apart. */
+/** The common part of the names of lines, and the rest of each. */
 export function namesOf(series: Series[], schema: Schema): { title: string; labels: string[] } {
   const all = series.map((one) => partsOf(one, schema));
   const [first = []] = all;
@@ -38,39 +38,39 @@ export function namesOf(series: Series[], schema: Schema): { title: string; labe
   };
 }
 
-/** The unit of all lines; undefined where they have several. */
+/** The unit of all lines; undefined: they differ. */
 export function unitOf(series: Series[], schema: Schema): string | undefined {
   const units = new Set(series.map(({ channel }) => schema.channel(channel)?.unit ?? ""));
   return units.size === 1 ? [...units][0] : undefined;
 }
 
-/** The words that the numbers of all lines stand for; undefined where they are numbers, or words of several lists. */
+/** The words that the numbers of all lines stand for; undefined: quantities, or different words. */
 export function wordsOf(series: Series[], schema: Schema): string[] | undefined {
   const lists = series.map(({ channel }) => schema.channel(channel)?.values);
   const [first] = lists;
   return first !== undefined && lists.every((one) => one?.join("\n") === first.join("\n")) ? first : undefined;
 }
 
-/** A number of a line as people read it: its word, where it stands for one. */
+/** A number of a line as text, or its word. */
 export function valueText({ channel }: Series, value: number, schema: Schema): string {
   const info = schema.channel(channel);
   return info?.values?.[value] ?? digits(seen(value, info?.unit ?? ""));
 }
 
-/** Some lines that can be chosen together, as a user calls them. */
+/** Lines that can be chosen together, with a name. */
 export interface Choice {
   name: string;
   series: Series[];
 }
 
-/** Of what pushes from outside: the force on each body, before the torques. */
+/** Choices of outside forces: the force on each body, then the torques. */
 function pushChoices({ name }: ChannelInfo, { bodies }: Schema): Choice[] {
   const part = (what: string, begin: number): Choice[] =>
     bodies.map((body, k) => ({ name: `${what} on ${body}`, series: [0, 1, 2].map((i) => ({ channel: name, index: 6 * (k + 1) + begin + i })) }));
   return [...part("force", 0), ...part("torque", 3)];
 }
 
-/** What can be plotted of a channel beside all of it: single components, and where a name has to do with legs, what goes together. */
+/** Parts of a channel that can be plotted: single components, and groups by leg. */
 export function choicesOf(channel: ChannelInfo, schema: Schema): Choice[] {
   const { name, size } = channel;
   if (hasBodies(channel, schema)) return pushChoices(channel, schema);
@@ -80,7 +80,7 @@ export function choicesOf(channel: ChannelInfo, schema: Schema): Choice[] {
   return [...single, ...legs.filter(({ series }) => series.length > 1), ...overLegs(channel, schema)];
 }
 
-/** Of a channel that each leg has: the same of all legs. */
+/** The same component of all legs, for a channel that each leg has. */
 function overLegs(channel: ChannelInfo, schema: Schema): Choice[] {
   const leg = legIn(channel.name);
   if (leg === undefined) return [];

@@ -1,14 +1,14 @@
 import { withoutRoundOff } from "./numbers.ts";
 
-/** Least and greatest of each stretch of time, for a line that loses no spike. */
+/** Least and greatest of each time bucket, so that a line loses no spike. */
 export class Envelope {
   readonly x: Float64Array;
   readonly y: Float64Array[];
-  /** Buckets in which lines break, as ticks are not known there. */
+  /** Buckets in which lines break, because ticks are missing. */
   private readonly broken = new Set<number>();
   private seen = NaN;
 
-  /** Two points a bucket: where the stretch begins and its middle. */
+  /** Two points a bucket: its beginning and its middle. */
   constructor(
     readonly from: number,
     readonly to: number,
@@ -25,7 +25,7 @@ export class Envelope {
     return Math.min(this.buckets - 1, Math.max(0, Math.floor(share * this.buckets)));
   }
 
-  /** A frame, in order of time: lines break where it comes more than `most` after the one before. */
+  /** Call it for each frame in order: lines break after a gap of more than `most`. */
   see(time: number, most: number): void {
     const before = this.seen;
     this.seen = time;
@@ -44,7 +44,7 @@ export class Envelope {
     if (!(high >= value)) y[2 * bucket + 1] = value;
   }
 
-  /** For uPlot: empty buckets between known ones are left out, so that lines join; null breaks them. */
+  /** Columns for uPlot: empty buckets are left out, so that lines join; null breaks them. */
   columns(): [Float64Array, ...(number | null)[][]] {
     const kept: number[] = [];
     for (let i = 0; i < this.x.length; ++i) if (this.breaksAt(i) || this.y.some((y) => !Number.isNaN(y[i] as number))) kept.push(i);

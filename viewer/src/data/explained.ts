@@ -1,31 +1,31 @@
-import { NoAnswer } from "../protocol/ask.ts";
+import { NoAnswer, pause } from "../protocol/ask.ts";
 import type { Schema } from "./schema.ts";
 
 /** What `/api/explain` answers of a tick (docs/view_protocol.md). */
 export interface ExplainAnswer {
-  /** `told`: so many of the rows are worth telling. */
-  gave_way?: { level: string; to: ToldRow[]; told: number }[];
+  /** `told`: number of rows to show. */
+  gave_way?: { level: string; to: AnswerRow[]; told: number }[];
   costs_are_exact?: boolean;
 }
 
-interface ToldRow {
+interface AnswerRow {
   level: string;
   row: string;
   cost: number | null;
   same?: { level: string; row: string }[];
 }
 
-/** A row that holds a level back, and what the level would gain without it; NaN: not known. */
+/** A row that holds a level back; `cost`: what the level would gain without it, NaN: not known. */
 export interface ExactRow {
   by: number;
   row: string;
   cost: number;
 }
 
-/** Exactly what holds each level back, by its name; of what costs most limits first, then by cost. */
+/** Exact rows that hold each level back, by its name, sorted by cost. */
 export type Explained = ReadonlyMap<string, { rows: ExactRow[]; others: number }>;
 
-/** None where the costs are estimates, as those of the frames. */
+/** Undefined where the costs are estimates. */
 export function readExplained(answer: ExplainAnswer, schema: Pick<Schema, "levels">): Explained | undefined {
   if (answer.costs_are_exact !== true) return undefined;
   return new Map((answer.gave_way ?? []).map(({ level, to, told }) => {
@@ -37,30 +37,30 @@ export function readExplained(answer: ExplainAnswer, schema: Pick<Schema, "level
   }));
 }
 
-/** How long a tick is looked at until it is asked for, and again while the answer is computed [ms]. */
+/** Pause before the first request for a tick, and before each further one [ms]. */
 const STILL = 300, AGAIN = 400;
-/** So many are kept. */
+/** Number of explanations kept. */
 const KEPT = 64;
 
-/** Has ticks explained at which the page stands still. */
+/** Requests explanations of ticks at which the page stands still. */
 export class Explainer {
-  /** A tick is asked for, or its answer has come. */
+  /** Called when a tick is requested, and when its answer has arrived. */
   onChange: () => void = () => {};
   private asked = false;
   private readonly known = new Map<number, Explained | undefined>();
   private tick = -1;
-  private timer: ReturnType<typeof setTimeout> | undefined;
+  private looks = 0;
 
-  /** `ask`: undefined while it is computed. */
+  /** `ask`: returns undefined while the answer is computed. */
   constructor(private readonly ask: (tick: number) => Promise<ExplainAnswer | undefined>, private readonly schema: Pick<Schema, "levels">) {}
 
-  /** What is known of the tick that is looked at; asks for it if it is looked at for long. */
+  /** The explanation of the shown tick, if known; requests it if the tick stays shown. */
   at(tick: number): Explained | undefined {
-    if (tick !== this.tick) this.look(tick);
+    if (tick !== this.tick) void this.look(tick);
     return this.known.get(tick);
   }
 
-  /** Whether the tick that is looked at is being explained. */
+  /** Whether the shown tick is being explained. */
   isComputing(tick: number): boolean {
     return this.asked && tick === this.tick && !this.known.has(tick);
   }
@@ -71,35 +71,31 @@ export class Explainer {
     this.known.set(tick, explained);
   }
 
-  private look(tick: number): void {
+  private async look(tick: number): Promise<void> {
     this.tick = tick;
     this.asked = false;
-    clearTimeout(this.timer);
-    if (!this.known.has(tick)) this.timer = setTimeout(() => void this.fetch(tick), STILL);
-  }
-
-  private async fetch(tick: number): Promise<void> {
-    clearTimeout(this.timer); // of a look at it before this one
-    if (!this.asked) {
-      this.asked = true;
-      this.onChange();
-    }
-    let answer: ExplainAnswer | undefined;
-    try {
-      answer = await this.ask(tick);
-    } catch (error) {
-      if (tick !== this.tick) return;
-      if (error instanceof NoAnswer) this.timer = setTimeout(() => void this.fetch(tick), AGAIN);
-      else {
-        this.keep(tick, undefined); // the frames' estimates stay
+    const look = ++this.looks;
+    if (this.known.has(tick)) return;
+    for (let ms = STILL; ; ms = AGAIN) {
+      await pause(ms);
+      if (look !== this.looks) return;
+      if (!this.asked) {
+        this.asked = true;
         this.onChange();
       }
-      return;
+      if (!this.known.has(tick)) await this.fetch(tick);
+      if (look !== this.looks) return;
+      if (this.known.has(tick)) return this.onChange();
     }
-    if (answer !== undefined) this.keep(tick, readExplained(answer, this.schema));
-    if (tick !== this.tick) return;
-    if (answer !== undefined) return this.onChange();
-    clearTimeout(this.timer);
-    this.timer = setTimeout(() => void this.fetch(tick), AGAIN);
+  }
+
+  /** Keeps the answer, if there is one yet; after a refusal the frames' estimates stay. */
+  private async fetch(tick: number): Promise<void> {
+    try {
+      const answer = await this.ask(tick);
+      if (answer !== undefined) this.keep(tick, readExplained(answer, this.schema));
+    } catch (error) {
+      if (!(error instanceof NoAnswer)) this.keep(tick, undefined);
+    }
   }
 }

@@ -37,13 +37,13 @@ export function scalar(frame: Frame, name: string, index = 0): number {
   return offset < 0 ? NaN : (frame.values[offset + index] ?? NaN);
 }
 
-/** A word of the frame, of those that the channel's `values` list; "" where it has none. */
+/** A word of the frame, from the channel's `values`; "": none. */
 export function word(frame: Frame, name: string): string {
   const value = scalar(frame, name);
   return Number.isNaN(value) ? "" : (frame.schema.channel(name)?.values?.[value] ?? "");
 }
 
-/** Copies the numbers of a channel; false where there is none or one is not known. */
+/** Copies the numbers of a channel; false: there is none, or one is NaN. */
 export function read(frame: Frame, name: string, out: number[], size = out.length): boolean {
   const offset = frame.schema.offset(name);
   if (offset < 0) return false;

@@ -5,13 +5,13 @@ import type { Schema } from "./schema.ts";
 import type { FrameSource, Mark, Series } from "./source.ts";
 import { FrameTable } from "./table.ts";
 
-/** How far back a live run can be looked at [s]. */
+/** How far back a live run is kept [s]. */
 export const LIVE_SECONDS = 120;
 
-/** Frames of ticks `first` to `first + ticks - 1`, which the program still has. */
+/** Opens frames of ticks `first` to `first + ticks - 1`, which the program keeps. */
 export type OpenBefore = (first: number, ticks: number) => FrameSource;
 
-/** Each mark once, in the order of time; those of one time as they came. */
+/** Each mark once, sorted by time. */
 function inOrder(marks: Mark[]): Mark[] {
   const known = new Map<string, Mark>();
   for (const mark of marks) {
@@ -21,9 +21,9 @@ function inOrder(marks: Mark[]): Mark[] {
   return [...known.values()].sort((a, b) => a.time - b.time);
 }
 
-/** The last two minutes of a live run: what came, and what the program still knows of the time before. */
+/** The last two minutes of a live run: received frames, and those that the program keeps from before. */
 export class LiveSource implements FrameSource {
-  /** Called when the run has begun again, and nothing of the one before is left. */
+  /** Called when the run has begun again and the old one is cleared. */
   onRestart: () => void = () => {};
   marks: Mark[] = [];
   private readonly ring = new FrameRing(LIVE_SECONDS);
@@ -34,7 +34,7 @@ export class LiveSource implements FrameSource {
 
   constructor(public schema: Schema) {}
 
-  /** The run that goes on began with generation `begun`: of one before it nothing is left. */
+  /** The present run began at generation `begun`: clears an older one. */
   follow(begun: number): void {
     const known = this.begun;
     if (known !== undefined && begun <= known) return;
@@ -46,17 +46,17 @@ export class LiveSource implements FrameSource {
     this.onRestart();
   }
 
-  /** With which generation the run began that goes on. */
+  /** Generation at which the present run began. */
   get run(): number | undefined {
     return this.begun;
   }
 
-  /** Whether frames of this generation are of a run before. */
+  /** Whether frames of this generation belong to an earlier run. */
   isOld(generation: number): boolean {
     return this.begun !== undefined && generation < this.begun;
   }
 
-  /** What comes from now on is of the run that began with `begun`, behind ticks that can be asked for, from `oldest` on. Frames that came before are forgotten. */
+  /** Begins with frames of the run that began at `begun`; earlier ticks from `oldest` on can be requested. Clears received frames. */
   begin(begun: number, oldest: number, openBefore: OpenBefore): void {
     this.follow(begun);
     this.forget();
@@ -75,7 +75,7 @@ export class LiveSource implements FrameSource {
     this.before = undefined;
   }
 
-  /** Something happened, of which some may be known; what is from before the frames is forgotten. */
+  /** Adds marks; known ones and those before the frames are dropped. */
   mark(...marks: Mark[]): void {
     this.marks = inOrder([...this.marks, ...marks]).filter(({ time }) => !(time < this.first));
   }
@@ -88,7 +88,7 @@ export class LiveSource implements FrameSource {
     return this.ring.last;
   }
 
-  /** Where frames from before the ring are asked for, if any are. */
+  /** Source of frames before the ring, if there is one. */
   private beforeFor(time: number): FrameSource | undefined {
     return time < this.ring.first - 1e-6 ? this.before : undefined;
   }
@@ -119,10 +119,10 @@ export class LiveSource implements FrameSource {
   }
 }
 
-/** Steps further than this many usual ones are gaps. */
+/** A gap is longer than this many usual steps. */
 const MOST_STEPS = 3;
 
-/** Adds frames [begin, end) of a table to the envelope; `step`: time between frames where none is lost, at least. */
+/** Adds frames [begin, end) of a table to the envelope; `step`: least time between frames. */
 export function fillFrom(table: FrameTable, begin: number, end: number, envelope: Envelope, series: Series[], step: number): void {
   const most = MOST_STEPS * Math.max(step, usualStep(table, step));
   for (let i = begin; i < end; ++i) if (table.knows(i)) envelope.see(table.times[i] as number, most);
@@ -133,7 +133,7 @@ export function fillFrom(table: FrameTable, begin: number, end: number, envelope
   });
 }
 
-/** Time that most frames of a table come after the one before; a log's summary has fewer of them than were asked for. */
+/** Usual time between frames of a table; a log's summary may have fewer frames than were requested. */
 function usualStep(table: FrameTable, least: number): number {
   const usual = (table.last - table.first) / (table.size - 1);
   if (!(usual > 1.01 * least)) return least;

@@ -1,19 +1,19 @@
 import { secondsText } from "./numbers.ts";
 import type { Mark } from "./source.ts";
 
-/** What a mark on the time bar is worth: where two fall together, the one that is worth more is seen. */
+/** Importance of a mark on the time bar: the weightier of two in one place is drawn. */
 export type Weight = "usual" | "change" | "notable" | "grave";
 
 const WEIGHTS: readonly Weight[] = ["usual", "change", "notable", "grave"];
 
-/** Events that are no part of a usual walk. */
+/** Events outside a usual walk. */
 const NOTABLE = /slide|push|lost|no ground|abort|met something/;
 
 export function endingText(why: string): string {
   return `ended: ${why}`;
 }
 
-/** Ends of a run that went as it should, as the program calls them. */
+/** The program's texts for a regular end. */
 const PLAIN_ENDS = ["ran to its end", "the whole duration", "goal reached"].map(endingText); // the second in older logs
 
 export function weightOf({ kind, text }: Pick<Mark, "kind" | "text">): Weight {
@@ -23,13 +23,13 @@ export function weightOf({ kind, text }: Pick<Mark, "kind" | "text">): Weight {
   return kind === "force" || NOTABLE.test(text) ? "notable" : "usual";
 }
 
-/** Some marks that are too near to each other to be told apart. */
+/** Marks that are drawn as one. */
 export interface MarkColumn {
   /** Number of the column, from the left. */
   at: number;
-  /** How many usual events. */
+  /** Number of usual events. */
   usual: number;
-  /** What else there is of most weight, and how often; undefined: nothing. */
+  /** The weightiest other mark, and how many of that weight; undefined: none. */
   other: { weight: Weight; mark: Mark; count: number } | undefined;
 }
 
@@ -53,7 +53,7 @@ function see(column: MarkColumn, mark: Mark, weight: Weight): void {
   else if (other === undefined || WEIGHTS.indexOf(weight) > WEIGHTS.indexOf(other.weight)) column.other = { weight, mark, count: 1 };
 }
 
-/** What stands beside the pointer: the weightiest near `time`, of these the nearest, and how many more there are. */
+/** Hint at the pointer: the weightiest mark near `time`, of these the nearest, and how many more there are. */
 export function hintOf(marks: Mark[], time: number, reach: number): string {
   const near = marks.filter((mark) => Math.abs(mark.time - time) < reach);
   near.sort((a, b) => WEIGHTS.indexOf(weightOf(b)) - WEIGHTS.indexOf(weightOf(a)) || Math.abs(a.time - time) - Math.abs(b.time - time));

@@ -3,12 +3,12 @@ import type { Mark } from "./source.ts";
 
 export type RawEvent = [time: number, event: number, leg: string | null] | { time: number; kind: "mode" | "change" | "damage" | "force"; text: string };
 
-/** The end of a run, and why it came. */
+/** Mark of the end of a run, with its reason. */
 export function endOf(time: number, why: string): Mark {
   return { time, text: endingText(why), leg: "", kind: "end" };
 }
 
-/** What the program says of what happened, as marks. */
+/** The program's events as marks. */
 export function marksOf(raw: RawEvent[], events: string[]): Mark[] {
   return raw.map((entry) => {
     if (!Array.isArray(entry)) return { time: entry.time, text: entry.text, leg: "", kind: entry.kind };

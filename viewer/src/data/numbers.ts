@@ -1,17 +1,8 @@
 const minus = (text: string): string => text.replace("-", "−");
 
-/** With so many decimals, where what is rounded to nothing has no sign. */
+/** With so many decimals; 0 has no sign. */
 export function fixed(value: number, decimals: number): string {
   return minus(value.toFixed(decimals).replace(/^-(?=[0.]*$)/, ""));
-}
-
-/** In plain decimals with this many digits that count. */
-export function rounded(value: number, count: number): string {
-  if (!Number.isFinite(value)) return "–";
-  if (value === 0) return "0";
-  const short = Number(value.toPrecision(count));
-  const decimals = Math.max(0, count - 1 - Math.floor(Math.log10(Math.abs(short))));
-  return minus(short.toFixed(decimals));
 }
 
 const RAISED = "⁰¹²³⁴⁵⁶⁷⁸⁹";
@@ -22,29 +13,28 @@ function withPower(value: number): string {
   return `${minus(factor)}·10${raised}`;
 }
 
-/** A number with two to four digits that count; only the tiniest and the greatest as powers of ten. */
+/** Two to four significant digits; very small and large numbers as powers of ten. */
 export function digits(value: number): string {
   if (!Number.isFinite(value)) return "–";
   const size = Math.abs(value);
   if (size === 0) return "0";
   if (size < 1e-6 || size >= 1e7) return withPower(value);
-  if (size < 1e-3) return rounded(value, 2);
-  const decimals = size >= 100 ? 0 : size >= 10 ? 1 : size >= 1 ? 2 : 3;
+  const decimals = size >= 100 ? 0 : size >= 10 ? 1 : size >= 1 ? 2 : size >= 1e-3 ? 3 : 1 - Math.floor(Math.log10(Number(size.toPrecision(2))));
   return minus(value.toFixed(decimals));
 }
 
-/** What is nearer to 0 than this is round-off. */
+/** Smaller values are round-off. */
 const ROUND_OFF = 1e-9;
 
 export function withoutRoundOff(value: number): number {
   return Math.abs(value) < ROUND_OFF ? 0 : value;
 }
 
-/** Of lengths, angles and forces, and of what they are made into, less than this is nothing to anybody. */
+/** Smaller lengths, angles, forces and derived quantities are shown as 0. */
 const LEAST_SEEN = 1e-6;
 const MECHANICAL = /^(m|rad|N)(?!\p{L})/u;
 
-/** A measure in this unit; 0 where it is too small to mean anything. */
+/** A value in this unit; 0 where it is negligible. */
 export function seen(value: number, unit: string): number {
   return MECHANICAL.test(unit) && Math.abs(value) < LEAST_SEEN ? 0 : withoutRoundOff(value);
 }
@@ -53,7 +43,7 @@ export function quantity(value: number, unit: string): string {
   return unit === "" ? digits(value) : `${digits(value)} ${unit}`;
 }
 
-/** A time of the run as all of the page, the terminal and exports tell it: ticks of 400 Hz and 1 kHz come out exactly. */
+/** A time of the run, as in the terminal and in exports; exact for ticks of 400 Hz and 1 kHz. */
 export function secondsText(time: number): string {
   return `${time.toFixed(4)} s`;
 }

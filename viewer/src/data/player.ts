@@ -2,10 +2,10 @@ import type { FrameSource } from "./source.ts";
 
 /** How far behind the newest frame a live picture runs, so that it moves evenly [s of wall clock]. */
 const LIVE_LAG = 0.05;
-/** A picture further off than this jumps instead of catching up [s of wall clock]. */
+/** With a larger lag the picture jumps instead of catching up [s of wall clock]. */
 const JUMP = 0.4;
 
-/** The time that is shown, and how it goes on. */
+/** The shown time, and how it advances. */
 export class Player {
   time = NaN;
   playing = true;
@@ -20,12 +20,12 @@ export class Player {
     this.following = live;
   }
 
-  /** Of a live run: what is shown was before, while the run goes its own way. */
+  /** Whether the past of a live run is shown. */
   get past(): boolean {
     return this.live && !this.following;
   }
 
-  /** Goes on by `dt` seconds of wall clock; `liveRate`: seconds of simulation that come in a second. */
+  /** Advances by `dt` seconds of wall clock; `liveRate`: speed of the live run. */
   advance(dt: number, liveRate: number): void {
     const { first, last } = this.source;
     if (Number.isNaN(first)) return;
@@ -49,12 +49,12 @@ export class Player {
     else this.playing = false;
   }
 
-  /** Nothing is there yet that could be looked at instead of what comes first. */
+  /** There are no frames yet. */
   private get isEmpty(): boolean {
     return Number.isNaN(this.source.first);
   }
 
-  /** Shows another time, and stays there unless it plays a log. */
+  /** Shows another time; a live run stays there, a log plays on. */
   seek(time: number): void {
     if (this.isEmpty) return;
     this.time = Math.min(Math.max(time, this.source.first), this.source.last);
@@ -77,7 +77,7 @@ export class Player {
     this.playing = true;
   }
 
-  /** The run begins again: its first picture is the next. */
+  /** The run begins again. */
   restart(): void {
     this.time = NaN;
     this.goLive();

@@ -1,7 +1,7 @@
 import { read, type Frame } from "./frame.ts";
 import { PUSHES } from "./schema.ts";
 
-/** Less is of a step that a push touches by rounding [N]. */
+/** Smaller forces are rounding errors [N]. */
 const LEAST_PUSH = 1e-6;
 
 type Three = [number, number, number];
@@ -14,8 +14,8 @@ export interface Push {
 }
 
 /**
- * From the body's centre of mass to the line in which the force acts, the shortest way in W [m]: r = f × τ / |f|². A torque that no force within
- * `reach` of it could have is another's: then zero.
+ * Shortest vector from the body's centre of mass to the force's line of action, in W [m]: r = f × τ / |f|². Zero if longer than `reach`: the torque
+ * then has another cause.
  */
 export function leverOf({ force, torque }: Push, reach: number): Three {
   const [fx, fy, fz] = force, [tx, ty, tz] = torque;
@@ -24,13 +24,13 @@ export function leverOf({ force, torque }: Push, reach: number): Three {
   return Math.hypot(...lever) <= reach ? lever : [0, 0, 0];
 }
 
-/** What pushes the robot from outside; undefined where nobody knows. */
+/** Outside forces on the robot; undefined: not known. */
 export function pushesOf(frame: Frame): Push[] | undefined {
   const size = frame.schema.channel(PUSHES)?.size ?? 0;
   const numbers = Array<number>(size).fill(0);
   if (!read(frame, PUSHES, numbers)) return undefined;
   const pushes: Push[] = [];
-  for (let begin = 6; begin + 6 <= size; begin += 6) { // the world's own stand first
+  for (let begin = 6; begin + 6 <= size; begin += 6) { // the world comes first
     const force = numbers.slice(begin, begin + 3) as Three;
     if (Math.hypot(...force) >= LEAST_PUSH) pushes.push({ body: begin / 6 - 1, force, torque: numbers.slice(begin + 3, begin + 6) as Three });
   }

@@ -1,11 +1,11 @@
 import { scalar, type Frame } from "./frame.ts";
-import { LEG_CHANNELS } from "./schema.ts";
+import type { LegChannels } from "./schema.ts";
 
-/** A foot that carries less than this share of the robot's weight uses next to nothing, whatever share of its pyramid that is. */
+/** Least share of the robot's weight on a foot, below which its friction use means nothing. */
 const CARRIES = 0.02;
 
-/** Share that foot `k` uses of its friction pyramid; NaN where it carries nothing worth the name. */
-export function pyramidUse(frame: Frame, k: number): number {
-  const normal = scalar(frame, LEG_CHANNELS.normalForce[k] as string);
-  return normal < CARRIES * frame.schema.weight ? NaN : scalar(frame, LEG_CHANNELS.frictionUse[k] as string);
+/** Share of its friction pyramid that a foot uses; NaN where it carries almost nothing. */
+export function pyramidUse(frame: Frame, leg: LegChannels): number {
+  const normal = scalar(frame, leg.normalForce);
+  return normal < CARRIES * frame.schema.weight ? NaN : scalar(frame, leg.frictionUse);
 }

@@ -7,13 +7,13 @@ import type { FrameSource, Mark, Series } from "./source.ts";
 import type { FrameTable } from "./table.ts";
 import { TILE_FRAMES, TileCache, type FetchBlock, type TileKey } from "./tiles.ts";
 
-/** Memory for pieces of a log [bytes]. */
+/** Memory for tiles [bytes]. */
 const CACHE_BYTES = 160e6;
 
-/** Ticks between the frames that a log's summary has, at least. */
+/** Least ticks between frames of a log's summary. */
 const STRETCH = 64;
 
-/** A log, of which only what is looked at is loaded. */
+/** A log; only what is shown is loaded. */
 export class ReplaySource implements FrameSource {
   marks: Mark[] = [];
   readonly cache: TileCache;
@@ -38,7 +38,7 @@ export class ReplaySource implements FrameSource {
     return (this.firstTick + this.ticks - 1) * this.period;
   }
 
-  /** More of the log is summarised by now: `ticks` from the first on. */
+  /** `ticks` of the log are summarised by now. */
   summarise(ticks: number): void {
     this.cache.renewUnfinished();
     this.cache.summarised = ticks >= this.ticks ? Infinity : ticks;
@@ -57,9 +57,14 @@ export class ReplaySource implements FrameSource {
     return Math.min(Math.max(tick, 0), this.ticks - 1);
   }
 
+  /** A tile with every tick, if it is here. */
+  private fine(index: number): FrameTable | undefined {
+    return this.cache.get({ stride: 1, index, minMax: false });
+  }
+
   at(time: number): Frame | undefined {
     const index = Math.floor(this.tick(time) / TILE_FRAMES);
-    const fine = this.cache.get({ stride: 1, index, minMax: false });
+    const fine = this.fine(index);
     const table = fine ?? this.cache.get({ stride: this.coarseStride, index: 0, minMax: false });
     if (table === undefined || table.size === 0) return undefined;
     const i = table.indexAt(time + 1e-6);
@@ -67,7 +72,7 @@ export class ReplaySource implements FrameSource {
     return fine !== undefined || off <= 2 * Math.max(this.coarseStride, STRETCH) ? table.frame(i) : undefined;
   }
 
-  /** Goes on over ticks that can't be read, as far as is known, where there is one behind them. */
+  /** Skips unreadable ticks, as far as they are known. */
   neighbour(time: number, steps: number): number {
     const from = Math.min(Math.max(this.tick(time) + steps, 0), this.ticks - 1);
     let tick = from;
@@ -79,9 +84,9 @@ export class ReplaySource implements FrameSource {
     return this.isLost(this.tick(time));
   }
 
-  /** Whether the piece with this tick is here, and has no such tick. */
+  /** Whether the tile of this tick is here and lacks the tick. */
   private isLost(tick: number): boolean {
-    const table = this.cache.get({ stride: 1, index: Math.floor(tick / TILE_FRAMES), minMax: false });
+    const table = this.fine(Math.floor(tick / TILE_FRAMES));
     if (table === undefined) return false;
     return table.size === 0 || table.ticks[table.indexAt((this.firstTick + tick) * this.period + 1e-6)] !== this.firstTick + tick;
   }
@@ -90,7 +95,7 @@ export class ReplaySource implements FrameSource {
     const ahead = rate * 2; // what the next two seconds will show
     const begin = Math.floor(this.tick(Math.min(time, time + ahead)) / TILE_FRAMES);
     const end = Math.floor(this.tick(Math.max(time, time + ahead)) / TILE_FRAMES);
-    for (let index = end; index >= begin; --index) this.cache.get({ stride: 1, index, minMax: false });
+    for (let index = end; index >= begin; --index) this.fine(index);
   }
 
   fill(envelope: Envelope, series: Series[]): void {
@@ -107,7 +112,7 @@ export class ReplaySource implements FrameSource {
     const begin = Math.floor(this.tick(from) / TILE_FRAMES);
     const end = Math.floor(this.tick(to) / TILE_FRAMES);
     for (let index = begin; index <= end; ++index) {
-      const table = this.cache.get({ stride: 1, index, minMax: false });
+      const table = this.fine(index);
       if (table === undefined) continue;
       for (let i = 0; i < table.size; ++i) {
         const time = table.times[i] as number;

@@ -5,7 +5,7 @@ import { FrameTable } from "./table.ts";
 /** Frames of a segment: about one second. */
 const SEGMENT = 400;
 
-/** The last `seconds` of a live run. Memory grows by segments; the oldest is used again. */
+/** The last `seconds` of a live run, in segments; the oldest segment is reused. */
 export class FrameRing {
   private readonly segments: FrameTable[] = [];
 
@@ -49,7 +49,7 @@ export class FrameRing {
     return segment?.frame(segment.indexAt(time));
   }
 
-  /** Time of the frame `steps` behind (or, negative, before) that at `time`. */
+  /** Time of the frame `steps` after (negative: before) that at `time`. */
   neighbour(time: number, steps: number): number {
     let s = this.segmentAt(time);
     let segment = this.segments[s];

@@ -2,55 +2,56 @@ import type { ChannelInfo, Order, Session } from "../protocol/session.ts";
 
 export const LEGS = ["LF", "RF", "LH", "RH"] as const;
 
-/** The channels of the legs, by their number; made once, as the picture looks for many of them again and again. */
-export const LEG_CHANNELS = {
-  phase: ofLegs((leg) => `plan.feet.${leg}.phase`),
-  friction: ofLegs((leg) => `plan.feet.${leg}.friction`),
-  frictionUse: ofLegs((leg) => `commanded.friction_use.${leg}`),
-  normalForce: ofLegs((leg) => `commanded.normal_force.${leg}`),
-  beyond: ofLegs((leg) => `told.beyond.${leg}`),
-  pyramid: ofLegs((leg) => `commanded.q_WP.${leg}`),
-  pyramidFriction: ofLegs((leg) => `commanded.pyramid_friction.${leg}`),
-  plannedFoot: ofLegs((leg) => `plan.feet.${leg}.p_WF`),
-  foot: ofLegs((leg) => `model.p_WF.${leg}`),
-  hip: ofLegs((leg) => `model.p_WH.${leg}`),
-  force: ofLegs((leg) => `model.force.${leg}`),
-  touching: ofLegs((leg) => `truth.feet.${leg}.touching`),
-  trueForce: ofLegs((leg) => `truth.feet.${leg}.force`),
-  truePoint: ofLegs((leg) => `truth.feet.${leg}.point`),
-};
-
-function ofLegs(name: (leg: string) => string): string[] {
-  return LEGS.map(name);
+/** Names of a leg's channels. */
+function channelsOf(name: (typeof LEGS)[number]) {
+  return {
+    name,
+    phase: `plan.feet.${name}.phase`,
+    friction: `plan.feet.${name}.friction`,
+    plannedFoot: `plan.feet.${name}.p_WF`,
+    frictionUse: `commanded.friction_use.${name}`,
+    normalForce: `commanded.normal_force.${name}`,
+    pyramid: `commanded.q_WP.${name}`,
+    pyramidFriction: `commanded.pyramid_friction.${name}`,
+    beyond: `told.beyond.${name}`,
+    foot: `model.p_WF.${name}`,
+    hip: `model.p_WH.${name}`,
+    force: `model.force.${name}`,
+    touching: `truth.feet.${name}.touching`,
+    trueForce: `truth.feet.${name}.force`,
+    truePoint: `truth.feet.${name}.point`,
+  };
 }
+export type LegChannels = ReturnType<typeof channelsOf>;
+export const LEG_CHANNELS = LEGS.map(channelsOf);
 
-/** A level's residual has the unit of its rows, which the header says. */
+/** Gives a level's residual the unit of its rows, from the header. */
 function withUnit(channel: ChannelInfo, { header }: Session): ChannelInfo {
   const level = /^hierarchy\.level\.(.+)\.residual$/.exec(channel.name)?.[1];
   const unit = level === undefined ? undefined : header.level_units[header.level_names.indexOf(level)];
   return unit === undefined || channel.unit !== "" ? channel : { ...channel, unit };
 }
 
-/** What pushes from outside: a force and a torque on each body, the world's first. */
+/** Outside force and torque on each body, the world first. */
 export const PUSHES = "truth.xfrc_applied";
 const PUSH_PARTS = ["Fx [N]", "Fy [N]", "Fz [N]", "Tx [N·m]", "Ty [N·m]", "Tz [N·m]"];
 
-/** Whether a channel is what pushes from outside, and the names of all its bodies are known. */
+/** Whether a channel has outside forces, and the names of all its bodies are known. */
 export function hasBodies({ name, size }: ChannelInfo, { bodies }: Pick<Session, "bodies">): boolean {
   return name === PUSHES && bodies.length > 0 && size === 6 * (bodies.length + 1);
 }
 
-/** Its numbers by the names of the bodies, found by how people call it. */
+/** Labels outside forces by bodies, and adds words for the search. */
 function withBodies(channel: ChannelInfo, { bodies }: Session): ChannelInfo {
   if (!hasBodies(channel, { bodies })) return channel;
   const labels = ["world", ...bodies].flatMap((body) => PUSH_PARTS.map((part) => `${body}.${part}`));
   return { ...channel, labels, about: `push, outside force on each body (${channel.about})` };
 }
 
-/** Of a robot [N]. */
+/** Weight of a robot [N]. */
 export const newtonsOf = ({ mass }: { mass: number }): number => 9.81 * mass;
 
-/** Where the numbers of a frame stand, and the names of levels and rows that go with them. */
+/** Layout of a frame, and the names of levels and rows. */
 export class Schema {
   readonly channels: ChannelInfo[];
   readonly frameFloats: number;
@@ -63,7 +64,7 @@ export class Schema {
   readonly rows: string[][];
   orders: Order[];
   readonly events: string[];
-  /** All that can be pushed, in the order of the physics. */
+  /** Bodies that can be pushed, in the order of the physics. */
   readonly bodies: string[];
   private readonly byName = new Map<string, ChannelInfo>();
 

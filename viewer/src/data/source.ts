@@ -3,7 +3,7 @@ import type { Frame } from "./frame.ts";
 import type { Envelope } from "./envelope.ts";
 import type { Schema } from "./schema.ts";
 
-/** Something that happened, for the marks on the time bar. */
+/** A mark on the time bar. */
 export interface Mark {
   time: number;
   text: string;
@@ -17,27 +17,27 @@ export interface Series {
   index: number;
 }
 
-/** Where frames come from: a live run's last minutes, or a log. */
+/** A source of frames: a live run's last minutes, or a log. */
 export interface FrameSource {
   readonly schema: Schema;
   /** Times of the first and last frame there is [s]; NaN: none. */
   readonly first: number;
   readonly last: number;
   readonly marks: Mark[];
-  /** The frame at `time`, or what is nearest and already here. */
+  /** The frame at `time`, or the nearest one here. */
   at(time: number): Frame | undefined;
   /** Time of the frame `steps` further on. */
   neighbour(time: number, steps: number): number;
-  /** Of a log: whether the tick at `time` can't be read, as far as is known; another is shown then. */
+  /** Of a log: whether the tick at `time` is known to be unreadable; another is shown then. */
   isUnreadable?(time: number): boolean;
-  /** Exactly what holds back which level at a tick that is looked at, once that is known: of a log. */
+  /** Of a log: exact rows that hold levels back at the shown tick, once they are known. */
   explained?(tick: number): Explained | undefined;
-  /** … and whether that is being found out. */
+  /** Of a log: whether these are being computed. */
   isComputing?(tick: number): boolean;
-  /** Fills the envelope with what is here, and asks for the rest. */
+  /** Fills the envelope with what is here, and requests the rest. */
   fill(envelope: Envelope, series: Series[]): void;
   /** Frames within [from, to] that are here, at most about `count` of them. */
   sample(from: number, to: number, count: number, call: (frame: Frame) => void): void;
-  /** What will be asked for soon: the clock is at `time` and runs at `rate` seconds a second. */
+  /** Requests what is needed soon: the clock is at `time` and runs at `rate` seconds a second. */
   expect(time: number, rate: number): void;
 }

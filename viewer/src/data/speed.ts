@@ -1,19 +1,19 @@
 import { rateOf, type Status } from "../protocol/connection.ts";
 
-/** A run that is slower than this share of what was asked for is told. */
+/** A run below this share of the requested speed counts as slow. */
 const SLOW = 0.9;
-/** One that is no slower than this share of it goes as was asked for. */
+/** A run above this share has the requested speed. */
 const AS_ASKED = 0.98;
-/** More than this times what was asked for is a run that hurries, as while the robot calibrates before somebody looks. */
+/** A run above this share hurries, as in a calibration before a page is open. */
 const HURRIED = 1.2;
 
-/** Text of a speed factor: 1/32× … 8×, and what else may have been asked for. */
+/** Text of a speed factor: 1/32× … 8×, or any other. */
 export function speedText(factor: number): string {
   const part = Math.round(1 / factor);
   return factor < 1 && Math.abs(part * factor - 1) < 1e-6 ? `1/${part}×` : `${Number(factor.toFixed(3))}×`;
 }
 
-/** How fast the run goes, and that it can't go as fast as was asked for. */
+/** Speed of the run, and whether it is below the requested speed. */
 export function paceText(status: Pick<Status, "paused" | "ended" | "speed" | "real_factor">): string {
   const rate = rateOf(status);
   if (rate === 0) return "";

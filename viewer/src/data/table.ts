@@ -60,20 +60,20 @@ export class FrameTable {
     return this.values[i * this.schema.frameFloats + offset] as number;
   }
 
-  /** Whether anything of the frame is known; of a damaged stretch a log's summary says nothing. */
+  /** Whether any number of the frame is known; a log's summary has none for damaged stretches. */
   knows(i: number): boolean {
     for (let offset = 0; offset < this.schema.frameFloats; ++offset) if (!Number.isNaN(this.value(i, offset))) return true;
     return false;
   }
 
-  /** Makes it empty, for frames of another schema of the same size. */
+  /** Empties it, for another schema of the same size. */
   reuse(schema: Schema): void {
     this.schema = schema;
     this.size = 0;
   }
 }
 
-/** Most frames are read for their numbers only: rows are unpacked when someone asks. */
+/** Rows are unpacked on demand: most frames are read for their numbers only. */
 class TableFrame implements Frame {
   private unpacked: Pick<Frame, "active" | "blocking"> | undefined;
 
@@ -93,7 +93,7 @@ class TableFrame implements Frame {
   }
 }
 
-/** Entries of rows as they stand in a block. */
+/** Unpacks rows as they stand in a block. */
 function unpackRows(rows: Uint8Array | undefined): { active: ActiveRow[]; blocking: BlockingRow[] } {
   const active: ActiveRow[] = [];
   const blocking: BlockingRow[] = [];

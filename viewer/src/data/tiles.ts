@@ -1,3 +1,4 @@
+import { pause } from "../protocol/ask.ts";
 import { readBlock } from "../protocol/block.ts";
 import type { Schema } from "./schema.ts";
 import { FrameTable } from "./table.ts";
@@ -5,7 +6,7 @@ import { FrameTable } from "./table.ts";
 /** Frames that one request asks for. */
 export const TILE_FRAMES = 512;
 
-/** A piece of the log: `TILE_FRAMES` frames of every `stride`th tick, or least and greatest of each stride. */
+/** A tile of the log: `TILE_FRAMES` frames of every `stride`th tick, or least and greatest of each stride. */
 export interface TileKey {
   stride: number;
   index: number;
@@ -14,19 +15,19 @@ export interface TileKey {
 
 export type FetchBlock = (url: string) => Promise<ArrayBuffer>;
 
-/** Pieces of a log that are here, least recently used thrown away; asks for others a few at a time. */
+/** A cache of tiles that drops the least recently used; requests a few at a time. */
 export class TileCache {
   private readonly tiles = new Map<string, FrameTable>();
   private readonly wanted = new Map<string, TileKey>();
   private readonly running = new Set<string>();
-  /** Asked for before all of them was summarised. */
+  /** Requested before they were fully summarised. */
   private readonly unfinished = new Set<string>();
-  /** Of these, more is known by now: they stand until what is asked for again has come. */
+  /** More is known by now: kept until the new answer arrives. */
   private readonly stale = new Set<string>();
   private readonly capacity: number;
-  /** Ticks from the first on that are summarised: what long strides are answered from. */
+  /** Summarised ticks from the first on; long strides are answered from the summary. */
   summarised = Infinity;
-  /** Called when a tile came. */
+  /** Called when a tile arrived. */
   onTile: () => void = () => {};
   onError: (error: Error) => void = () => {};
 
@@ -45,7 +46,7 @@ export class TileCache {
     return key.minMax ? (TILE_FRAMES / 2) * key.stride : TILE_FRAMES * key.stride;
   }
 
-  /** The tile if it is here; otherwise, and where more of it is known by now, it is asked for. */
+  /** The tile if it is here. A missing or stale tile is requested. */
   get(key: TileKey): FrameTable | undefined {
     const name = `${key.stride}:${key.index}:${key.minMax}`;
     const tile = this.tiles.get(name);
@@ -61,7 +62,7 @@ export class TileCache {
     return tile;
   }
 
-  /** More is summarised: pieces that were asked for before all of them was known, also those on their way, are asked for again. */
+  /** More is summarised: unfinished tiles become stale, also those on their way. */
   renewUnfinished(): void {
     for (const name of this.unfinished) this.stale.add(name);
     this.unfinished.clear();
@@ -73,7 +74,7 @@ export class TileCache {
 
   private pump(): void {
     while (this.running.size < this.mostRunning && this.wanted.size > 0) {
-      const [name, key] = [...this.wanted].at(-1) as [string, TileKey]; // what was asked for last matters most
+      const [name, key] = [...this.wanted].at(-1) as [string, TileKey]; // the latest request matters most
       this.wanted.delete(name);
       this.running.add(name);
       void this.load(name, key);
@@ -98,7 +99,7 @@ export class TileCache {
     } catch (error) {
       this.stale.add(name);
       this.onError(error as Error);
-      await new Promise((resolve) => setTimeout(resolve, 1000)); // asked for again, but not at once
+      await pause(1000); // requested again, but not at once
     }
     this.running.delete(name);
     this.pump();

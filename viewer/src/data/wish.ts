@@ -1,7 +1,7 @@
-/** How long a wish stands for what is, unless it comes true before [ms]. */
+/** How long a wish is shown instead of the state [ms]. */
 export const WISH_LASTS = 2000;
 
-/** What was last asked for: it counts until the program says the same, or doesn't for a while. */
+/** The last request: shown until the program reports the same, or for a while. */
 export class Wish<T> {
   private wanted: T | undefined;
   private asked = -Infinity;
@@ -17,7 +17,7 @@ export class Wish<T> {
     this.wanted = undefined;
   }
 
-  /** The wish while it stands, otherwise what `is`; `held`: it can't come true yet, and stands meanwhile. */
+  /** The wish while it lasts, otherwise `is`; `held`: it can't take effect yet, and lasts meanwhile. */
   or<U>(is: T | U, held = false): T | U {
     if (this.wanted === undefined) return is;
     if (held) this.asked = this.clock();

@@ -1,14 +1,14 @@
-/** What these keys do goes on while they are held; all others count once a press. */
+/** Keys that repeat while they are held; all others act once a press. */
 const GO_ON = new Set([",", ".", "[", "]", "ArrowLeft", "ArrowRight", "w", "s", "a", "d", "q", "e", "PageUp", "PageDown"]);
-/** Keys by which a slider is moved. */
+/** Keys that move a slider. */
 const SLIDER_KEYS = new Set(["ArrowLeft", "ArrowRight", "ArrowUp", "ArrowDown", "PageUp", "PageDown", "Home", "End"]);
-/** The slider of the run's time: arrows move that time anyway, in steps that the help tells. */
+/** The time slider: its arrows move the time in the page's own steps. */
 const TIME_SLIDER = "scrub";
 
-/** Keys by which one goes from tab to tab. */
+/** Keys that move between tabs. */
 const TAB_KEYS = new Set(["ArrowLeft", "ArrowRight", "Home", "End"]);
 
-/** Whether what has the focus needs the key itself. */
+/** Whether the focused element needs the key itself. */
 export function keeps(focused: Pick<Element, "localName" | "id" | "getAttribute">, key: string): boolean {
   const { localName, id } = focused;
   if (localName === "input") {
@@ -23,14 +23,14 @@ export function keeps(focused: Pick<Element, "localName" | "id" | "getAttribute"
   return key === " " && (localName === "button" || localName === "summary" || isTab);
 }
 
-/** Whether the key is one of the browser's or the system's; on some keyboards brackets need AltGr, which counts as both of its parts. */
+/** Whether the key is the browser's or the system's. AltGr, which some keyboards need for brackets, reports Ctrl and Alt too. */
 function isForOthers(event: KeyboardEvent): boolean {
   return event.metaKey || ((event.ctrlKey || event.altKey) && !event.getModifierState("AltGraph"));
 }
 
 export type KeyActions = Record<string, (event: KeyboardEvent) => void>;
 
-/** Calls by key; keys that are typed into a field, or move a slider, are left alone, but Escape leaves a search. */
+/** Calls the action of a key. Keys for a field or slider are left to it; Escape leaves a search. */
 export function listenToKeys(actions: KeyActions): void {
   let byPointer = false;
   document.addEventListener("pointerdown", () => (byPointer = true), { capture: true });
@@ -46,7 +46,7 @@ export function listenToKeys(actions: KeyActions): void {
     event.preventDefault();
     if (!event.repeat || GO_ON.has(key)) action(event);
   });
-  // What was pressed with a pointer does not keep keys for itself.
+  // An element pressed with a pointer gives up the focus, and with it its keys.
   const leave = (event: Event, what: string): void => {
     if (byPointer) (event.target as HTMLElement).closest<HTMLElement>(what)?.blur();
   };

@@ -2,7 +2,7 @@ import { rotate } from "./geometry.ts";
 
 export type UseClass = "good" | "near" | "bad";
 
-/** Of the share of its friction pyramid that a force uses; 1: at a face. */
+/** Class of the share of its friction pyramid that a force uses; 1: at a face. */
 export function useClass(use: number): UseClass {
   return use < 0.6 ? "good" : use < 0.9 ? "near" : "bad";
 }
@@ -16,15 +16,15 @@ export function pyramidCorners(q_WP: number[], mu: number, normal: number): numb
   return [[half, half], [-half, half], [-half, -half], [half, -half]].map(([x, y]) => rotate(q_WP, [x as number, y as number, normal]));
 }
 
-/** A pyramid is no lower [m]: it is worst where next to no force is left, and its colour is to be seen there, too. */
+/** Least height of a pyramid, so that its colour stays visible under a small force [m]. */
 const LEAST_HEIGHT = 0.1;
 
-/** How high a pyramid is drawn [m]: as the force along its axis, at most as the robot's weight; `newton`: metres of one. */
+/** Height of a pyramid [m]: the force along its axis, at most the robot's weight; `newton`: length of 1 N [m/N]. */
 export function pyramidHeight(normal: number, weight: number, newton: number): number {
   return Math.max(newton * Math.min(normal, weight), LEAST_HEIGHT);
 }
 
-/** A share as the page tells it. */
+/** A share in percent, as text. */
 export function percent(share: number): string {
   return `${(100 * share).toFixed(0)} %`;
 }

@@ -23,7 +23,7 @@ export class Arrows {
     private readonly radius: number,
     capacity: number,
     order = 3,
-    /** From one head to the other, of an arrow that is cut short [m]. */
+    /** Distance between the two heads of a shortened arrow [m]. */
     private readonly twice = 5.4 * radius,
   ) {
     this.shafts = new Copies(SHAFT, material, capacity);
@@ -37,7 +37,7 @@ export class Arrows {
     this.heads.begin();
   }
 
-  /** From `start` along `vector` [m], no longer than `most`: then with two heads. Left out where it is too short to see. */
+  /** From `start` along `vector` [m]; one longer than `most` is shortened and gets two heads. False where it is too short to see. */
   add(start: THREE.Vector3, vector: THREE.Vector3, colour: THREE.Color, most = Infinity): boolean {
     const whole = vector.length(), length = Math.min(whole, most);
     if (!(length > 0.01)) return false;
@@ -59,7 +59,7 @@ export class Arrows {
   }
 }
 
-/** Of one colour: which side comes first is not seen. */
+/** For translucent surfaces of one colour: the order of their sides does not matter. */
 export const SEEN_THROUGH = { transparent: true, depthWrite: false, side: THREE.DoubleSide, forceSinglePass: true } as const;
 
 /** Paint that keeps its colour in any light. */
@@ -71,8 +71,8 @@ export function paint(opacity = 1): THREE.MeshBasicMaterial {
 export const GROUND_ORDER = -2;
 export const ON_GROUND_ORDER = -1;
 
-/** Of what lies on the ground as the controller believes it: the ground as it is never hides that, the robot does. Blended by itself, as
- * what is transparent is drawn last; the picture stays opaque. */
+/** For marks on the ground that the controller believes: the true ground never hides them, the robot does. They blend without `transparent`,
+ * since three.js draws transparent objects last. */
 export const ON_GROUND = {
   depthTest: false, depthWrite: false, side: THREE.DoubleSide, fog: false,
   blending: THREE.CustomBlending, blendSrcAlpha: THREE.OneFactor, blendDstAlpha: THREE.OneMinusSrcAlphaFactor,
@@ -82,7 +82,7 @@ export function paintOnGround(opacity = 1): THREE.MeshBasicMaterial {
   return new THREE.MeshBasicMaterial({ ...ON_GROUND, opacity });
 }
 
-/** Paint that no body hides: for what begins inside the robot. */
+/** Paint that no body hides, for arrows that begin inside the robot. */
 export function paintOverBodies(opacity = 1): THREE.MeshBasicMaterial {
   return new THREE.MeshBasicMaterial({ transparent: true, depthTest: false, depthWrite: false, opacity, fog: false });
 }

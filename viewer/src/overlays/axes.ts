@@ -1,21 +1,21 @@
 import type * as THREE from "three";
 import { svg } from "../panels/dom.ts";
 
-/** Where an axis of W goes in the picture: to the right, up, and towards who looks; at most 1 each. */
-export type Course = [right: number, up: number, nearer: number];
+/** Direction of an axis of W in the picture, a unit vector: right, up, towards the camera. */
+export type AxisDirection = [right: number, up: number, nearer: number];
 
-/** Those of x, y and z, as a camera sees them. */
-export function coursesOf(camera: THREE.Camera): Course[] {
+/** The directions of x, y and z for a camera. */
+export function axisDirections(camera: THREE.Camera): AxisDirection[] {
   const { elements } = camera.matrixWorldInverse;
-  return [0, 4, 8].map((column) => [elements[column], elements[column + 1], elements[column + 2]] as Course);
+  return [0, 4, 8].map((column) => [elements[column], elements[column + 1], elements[column + 2]] as AxisDirection);
 }
 
-/** Lengths in the drawing, which is as large in the page [pixels]. */
+/** Lengths in the drawing [pixels]. */
 const SIZE = 60, MIDDLE = 0.5 * SIZE, ARM = 18, LETTER = 25;
 
 const NAMES = ["x", "y", "z"];
 
-/** The world's axes in a corner of the picture: directions of pushes are told by them. */
+/** The world's axes in a corner of the picture; directions of pushes refer to them. */
 export class Axes {
   readonly root = svg("svg", { id: "axes", viewBox: `0 0 ${SIZE} ${SIZE}`, "aria-hidden": "true" });
   private readonly arms = NAMES.map(() => svg("path", {}));
@@ -28,7 +28,7 @@ export class Axes {
   }
 
   turn(camera: THREE.Camera): void {
-    const places = coursesOf(camera).map(([right, up, nearer]) => [right.toFixed(3), (-up).toFixed(3), nearer < -0.3 ? "away" : ""] as const);
+    const places = axisDirections(camera).map(([right, up, nearer]) => [right.toFixed(3), (-up).toFixed(3), nearer < -0.3 ? "away" : ""] as const);
     if (places.join() === this.drawn) return;
     this.drawn = places.join();
     places.forEach(([x, y, kind], k) => {

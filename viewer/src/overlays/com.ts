@@ -8,15 +8,15 @@ import { BelievedPlane, standing } from "./ground_marks.ts";
 import { vector, type Overlay, type Picture } from "./overlay.ts";
 import { Pen, Trails } from "./trail.ts";
 
-/** How much of the past and, of what is already known, the future a trail shows [s]. */
+/** A trail shows this much of the past and, as far as it is known, of the future [s]. */
 export const TRAIL_SECONDS = 3;
 
-/** Nearer to the support polygon's edge is on it [m]. */
+/** A point this near to the support polygon counts as inside [m]. */
 const ON_EDGE = 0.001;
 const PLUMB = new THREE.CylinderGeometry(1, 1, 1, 8).rotateX(Math.PI / 2).translate(0, 0, 0.5);
 
-/** Centre of mass with its plumb line, and its plan on the ground. The plumb line ends in a disc over the support polygon and beside it in a ring with a
- * number; no body hides it. */
+/** Centre of mass with its plumb line, and its plan on the ground. The plumb line ends in a disc inside the support polygon, and outside it in a
+ * ring with the distance. No body hides it. */
 export class CentreOfMass implements Overlay {
   readonly space = "belief";
   readonly root = new THREE.Group();
@@ -27,14 +27,12 @@ export class CentreOfMass implements Overlay {
   private readonly inside = new THREE.Mesh(new THREE.CircleGeometry(0.016, 24), this.material);
   private readonly outside = new THREE.Mesh(new THREE.RingGeometry(0.018, 0.026, 32), this.material);
   private readonly ring = new THREE.Mesh(new THREE.RingGeometry(0.016, 0.022, 32), this.planMaterial);
-  private readonly colour = new THREE.Color();
-  private readonly planColour = new THREE.Color();
-  /** The plan, seen while somebody follows it. */
+  /** The plan, visible while the robot follows it. */
   private readonly planned = new THREE.Group();
   private readonly planTrail = new Trails(1, 255, true);
   private readonly pastTrail = new Trails(0.7, 255, true);
-  private readonly planPen = new Pen(this.planTrail, this.planColour);
-  private readonly pastPen = new Pen(this.pastTrail, this.colour);
+  private readonly planPen = new Pen(this.planTrail);
+  private readonly pastPen = new Pen(this.pastTrail);
   private readonly plane = new BelievedPlane();
   private readonly com = new THREE.Vector3();
   private readonly point = new THREE.Vector3();
@@ -48,11 +46,9 @@ export class CentreOfMass implements Overlay {
     this.root.add(this.ball, this.plumb, this.inside, this.outside, this.planned, this.pastTrail.lines);
   }
 
-  wear(palette: Palette): void {
+  recolour(palette: Palette): void {
     this.material.color.set(palette.com);
-    this.colour.set(palette.com);
     this.planMaterial.color.set(palette.plan);
-    this.planColour.set(palette.plan);
   }
 
   update(picture: Picture): void {
@@ -70,7 +66,7 @@ export class CentreOfMass implements Overlay {
     if (picture.trails) this.drawTrails(picture);
   }
 
-  /** The plumb line, and what it ends in. */
+  /** Places the plumb line and its end. */
   private drop(picture: Picture, ground: number): void {
     const { x, y, z } = this.com;
     for (const mesh of [this.plumb, this.inside, this.outside]) mesh.position.set(x, y, ground);
@@ -83,11 +79,11 @@ export class CentreOfMass implements Overlay {
     picture.labels.put(this.point, `COM ${(100 * distance).toFixed(1)} cm outside`, "com");
   }
 
-  private drawTrails({ frame, source }: Picture): void {
+  private drawTrails({ frame, source, colours }: Picture): void {
     this.planTrail.begin();
     this.pastTrail.begin();
-    this.planPen.lift();
-    this.pastPen.lift();
+    this.planPen.begin(colours.plan);
+    this.pastPen.begin(colours.com);
     source.sample(frame.time - TRAIL_SECONDS, frame.time + TRAIL_SECONDS, 240, (one) => {
       if (!isFollowed(one)) this.planPen.lift();
       else if (read(one, "plan.com.p", this.plan)) {

@@ -5,7 +5,7 @@ export class Copies {
   readonly mesh: THREE.InstancedMesh;
   private readonly colours: THREE.InstancedBufferAttribute;
 
-  /** The material's own colour stays white. */
+  /** The material must be white. */
   constructor(geometry: THREE.BufferGeometry, material: THREE.MeshBasicMaterial, capacity: number) {
     this.mesh = new THREE.InstancedMesh(geometry, material, capacity);
     this.colours = new THREE.InstancedBufferAttribute(new Float32Array(3 * capacity), 3);

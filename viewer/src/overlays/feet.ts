@@ -2,7 +2,6 @@ import * as THREE from "three";
 import { scalar, type Frame } from "../data/frame.ts";
 import { isFollowed } from "../data/hierarchy.ts";
 import { LEG_CHANNELS, LEGS } from "../data/schema.ts";
-import type { Palette } from "../scene/palette.ts";
 import { paint } from "./arrow.ts";
 import { TRAIL_SECONDS } from "./com.ts";
 import { Copies } from "./copies.ts";
@@ -11,17 +10,16 @@ import { Pen, Trails } from "./trail.ts";
 
 const X = new THREE.Vector3(1, 0, 0);
 
-/** Ways of the feet: the references (thin) with the planned way ahead as far as it is known, and where they really went. */
+/** Paths of the feet: references (thin), ahead as far as they are known, and the paths that the feet took. */
 export class SwingCurves implements Overlay {
   readonly space = "belief";
   readonly root = new THREE.Group();
   private readonly planned = new Trails(0.55, 1020);
-  /** Seen while somebody follows it. */
+  /** Visible while the robot follows it. */
   private readonly plan = new THREE.Group();
   private readonly real = new Trails(1, 1020);
-  private readonly colours = LEGS.map(() => new THREE.Color());
-  private readonly plannedPens = this.colours.map((colour) => new Pen(this.planned, colour));
-  private readonly realPens = this.colours.map((colour) => new Pen(this.real, colour));
+  private readonly plannedPens = LEGS.map(() => new Pen(this.planned));
+  private readonly realPens = LEGS.map(() => new Pen(this.real));
   private readonly targets = new Copies(new THREE.SphereGeometry(0.009, 12, 8), paint(), LEGS.length);
   private readonly foot = new THREE.Vector3();
   private readonly place = new THREE.Matrix4();
@@ -31,47 +29,42 @@ export class SwingCurves implements Overlay {
     this.root.add(this.plan, this.real.lines);
   }
 
-  wear(palette: Palette): void {
-    this.colours.forEach((colour, k) => colour.set(palette.legs[k] as number));
-  }
-
   update(picture: Picture): void {
-    const { frame } = picture;
+    const { frame, colours } = picture;
     this.plan.visible = isFollowed(frame);
     this.targets.begin();
-    if (this.plan.visible) LEGS.forEach((_, k) => {
-      if (scalar(frame, LEG_CHANNELS.phase[k] as string) >= 2 && vector(frame, LEG_CHANNELS.plannedFoot[k] as string, this.foot))
-        this.targets.add(this.place.setPosition(this.foot), this.colours[k] as THREE.Color);
+    if (this.plan.visible) LEG_CHANNELS.forEach(({ phase, plannedFoot }, k) => {
+      if (scalar(frame, phase) >= 2 && vector(frame, plannedFoot, this.foot)) this.targets.add(this.place.setPosition(this.foot), colours.legs[k] as THREE.Color);
     });
     this.targets.end();
     if (picture.trails) this.drawTrails(picture);
   }
 
-  private drawTrails({ frame, source }: Picture): void {
+  private drawTrails({ frame, source, colours }: Picture): void {
     this.planned.begin();
     this.real.begin();
-    for (const pen of [...this.plannedPens, ...this.realPens]) pen.lift();
+    for (const pens of [this.plannedPens, this.realPens]) pens.forEach((pen, k) => pen.begin(colours.legs[k] as THREE.Color));
     source.sample(frame.time - TRAIL_SECONDS, frame.time + TRAIL_SECONDS, 240, (one) => {
       const isPlanned = isFollowed(one);
-      for (let k = 0; k < LEGS.length; ++k) {
-        if (!isPlanned) (this.plannedPens[k] as Pen).lift();
-        else if (vector(one, LEG_CHANNELS.plannedFoot[k] as string, this.foot)) (this.plannedPens[k] as Pen).to(this.foot);
-        if (one.time <= frame.time && vector(one, LEG_CHANNELS.foot[k] as string, this.foot)) (this.realPens[k] as Pen).to(this.foot);
-      }
+      LEG_CHANNELS.forEach(({ plannedFoot, foot }, k) => {
+        const planned = this.plannedPens[k] as Pen;
+        if (!isPlanned) planned.lift();
+        else if (vector(one, plannedFoot, this.foot)) planned.to(this.foot);
+        if (one.time <= frame.time && vector(one, foot, this.foot)) (this.realPens[k] as Pen).to(this.foot);
+      });
     });
     this.planned.end();
     this.real.end();
   }
 }
 
-/** Prints where feet stand, stood, and (where the future is known) will stand, as planned. */
+/** Planned footholds: present, past and, as far as they are known, future. */
 export class Footholds implements Overlay {
   readonly space = "belief";
   readonly root = new THREE.Group();
   private readonly perLeg = 6;
   private readonly discs = new Copies(new THREE.RingGeometry(0.02, 0.031, 28), paint(0.6), this.perLeg * LEGS.length);
-  private readonly colours = LEGS.map(() => new THREE.Color());
-  /** Of each leg the latest, its own over and over. */
+  /** The latest of each leg; the oldest is reused. */
   private readonly prints = LEGS.map(() => Array.from({ length: this.perLeg }, () => new THREE.Vector3()));
   private readonly counts = LEGS.map(() => 0);
   private readonly last = LEGS.map(() => new THREE.Vector3());
@@ -82,17 +75,13 @@ export class Footholds implements Overlay {
     this.root.add(this.discs.mesh);
   }
 
-  wear(palette: Palette): void {
-    this.colours.forEach((colour, k) => colour.set(palette.legs[k] as number));
-  }
-
   update(picture: Picture): void {
     this.root.visible = isFollowed(picture.frame);
     if (!picture.trails) return;
     this.collect(picture);
     this.discs.begin();
     this.prints.forEach((prints, k) => {
-      for (const print of prints.slice(0, this.counts[k])) this.discs.add(this.place.setPosition(print), this.colours[k] as THREE.Color);
+      for (const print of prints.slice(0, this.counts[k])) this.discs.add(this.place.setPosition(print), picture.colours.legs[k] as THREE.Color);
     });
     this.discs.end();
   }
@@ -101,49 +90,48 @@ export class Footholds implements Overlay {
     this.counts.fill(0);
     source.sample(frame.time - 4 * TRAIL_SECONDS, frame.time + TRAIL_SECONDS, 120, (one) => {
       if (!isFollowed(one)) return;
-      for (let k = 0; k < LEGS.length; ++k) {
-        if (!(scalar(one, LEG_CHANNELS.phase[k] as string) <= 1) || !vector(one, LEG_CHANNELS.plannedFoot[k] as string, this.foot)) continue;
+      LEG_CHANNELS.forEach(({ phase, plannedFoot }, k) => {
+        if (!(scalar(one, phase) <= 1) || !vector(one, plannedFoot, this.foot)) return;
         const count = this.counts[k] as number;
         const last = this.last[k] as THREE.Vector3;
-        if (count > 0 && this.foot.distanceTo(last) < 0.03) continue;
+        if (count > 0 && this.foot.distanceTo(last) < 0.03) return;
         this.counts[k] = count + 1;
         last.copy(this.foot);
         const print = (this.prints[k] as THREE.Vector3[])[count % this.perLeg] as THREE.Vector3;
         print.copy(this.foot).setZ(this.foot.z - header.robot.foot_radius + 0.003);
-      }
+      });
     });
   }
 }
 
-/** Nearer to a limit than this is at it: less can't be told in 0.1 cm [m]. */
+/** A leg this near to a limit is at it: labels have 0.1 cm [m]. */
 const AT_LIMIT = 0.0005;
 
 type Brake = "" | "braked" | "not braked enough";
 
-/** What is left between a leg's length and the nearer of its limits, in words; `brake`: of a limit that acts already, so that it is not exceeded. */
+/** Text of a leg's length and of the room to its nearer limit; `brake`: how the limit acts before it is reached. */
 export function limbText(leg: string, length: number, room: number, brake: Brake = ""): string {
   const cm = (metres: number): string => `${(100 * metres).toFixed(1)} cm`;
   const left = !Number.isFinite(room) ? "" : Math.abs(room) < AT_LIMIT ? ", at limit" : room >= 0 ? `, ${cm(room)} left` : `, ${cm(-room)} beyond`;
   return `${leg} ${cm(length)}${left}${brake !== "" && room >= AT_LIMIT ? `, ${brake}` : ""}`;
 }
 
-/** What the controller's rows of these limits are called after their leg. */
+/** Names of the controller's rows of these limits end with this. */
 export const LIMB_ROW = " extension";
 
-/** How the limit of this leg acts, which bounds the acceleration before the leg is as long as it may be: its row is kept, or violated. */
+/** How a leg's limit acts: it bounds the acceleration before the leg reaches its length, and its row is kept or violated. */
 export function brakeOf({ active, schema }: Frame, leg: string, limits: number): Brake {
   const acting = active.filter(({ level, row }) => level === limits && schema.rowName(level, row).includes(leg + LIMB_ROW));
   if (acting.length === 0) return "";
   return acting.some(({ state }) => Math.abs(state) > 1) ? "not braked enough" : "braked";
 }
 
-/** Spheres around the hips between which the feet must stay, of each leg in its colour; plainer the nearer a foot is to one. */
+/** Spheres around the hips between which the feet must stay; more opaque the nearer a foot is to one. */
 export class LimbLimits implements Overlay {
   readonly space = "belief";
   readonly root = new THREE.Group();
   private readonly shells = LEGS.map(() => ({ min: shell(), max: shell() }));
   private readonly lines = new Trails(1, LEGS.length);
-  private readonly colours = LEGS.map(() => new THREE.Color());
   private readonly hip = new THREE.Vector3();
   private readonly foot = new THREE.Vector3();
 
@@ -152,27 +140,22 @@ export class LimbLimits implements Overlay {
     this.root.add(this.lines.lines);
   }
 
-  wear(palette: Palette): void {
-    this.colours.forEach((colour, k) => colour.set(palette.legs[k] as number));
-  }
-
-  update({ frame, header, labels, beliefToWorld }: Picture): void {
+  update({ frame, header, labels, colours, beliefToWorld }: Picture): void {
     const { min, max, form } = header.limb;
     this.lines.begin();
-    LEGS.forEach((leg, k) => {
+    LEG_CHANNELS.forEach(({ name, hip, foot }, k) => {
       const shells = this.shells[k] as { min: Shell; max: Shell };
-      const known =
-        vector(frame, LEG_CHANNELS.hip[k] as string, this.hip) && vector(frame, LEG_CHANNELS.foot[k] as string, this.foot);
+      const known = vector(frame, hip, this.hip) && vector(frame, foot, this.foot);
       shells.min.visible = known && min !== null;
       shells.max.visible = known && max !== null;
       if (!known) return;
       const length = form === "vertical" ? Math.abs(this.hip.z - this.foot.z) : this.hip.distanceTo(this.foot);
       const [above, below] = [max === null ? Infinity : max - length, min === null ? Infinity : length - min];
-      const colour = this.colours[k] as THREE.Color;
+      const colour = colours.legs[k] as THREE.Color;
       place(shells.max, this.hip, max ?? 0, above, colour);
       place(shells.min, this.hip, min ?? 0, below, colour);
       this.lines.add(this.hip, this.foot, colour);
-      labels.put(this.hip.lerp(this.foot, 0.5).applyMatrix4(beliefToWorld), limbText(leg, length, Math.min(above, below), brakeOf(frame, leg, header.limb.level)), `limb leg${k}`);
+      labels.put(this.hip.lerp(this.foot, 0.5).applyMatrix4(beliefToWorld), limbText(name, length, Math.min(above, below), brakeOf(frame, name, header.limb.level)), `limb leg${k}`);
     });
     this.lines.end();
   }

@@ -3,17 +3,15 @@ import { scalar } from "../data/frame.ts";
 import { isFollowed } from "../data/hierarchy.ts";
 import { digits } from "../data/numbers.ts";
 import { leverOf, pushesOf, type Push } from "../data/pushes.ts";
-import { LEG_CHANNELS, LEGS } from "../data/schema.ts";
-import type { Palette } from "../scene/palette.ts";
+import { LEG_CHANNELS } from "../data/schema.ts";
 import { Arrows, paint, paintOverBodies } from "./arrow.ts";
 import { vector, type Overlay, type Picture } from "./overlay.ts";
 
-/** Forces of the ground on the feet as they are; their size in N stands under the foot, where no leg is. */
+/** True forces of the ground on the feet; the size in N stands under the foot. */
 export class GroundForces implements Overlay {
   readonly space = "world";
   readonly root = new THREE.Group();
-  private readonly arrows = new Arrows(paint(), 0.0075, LEGS.length);
-  private readonly colours = LEGS.map(() => new THREE.Color());
+  private readonly arrows = new Arrows(paint(), 0.0075, LEG_CHANNELS.length);
   private readonly force = new THREE.Vector3();
   private readonly point = new THREE.Vector3();
 
@@ -21,19 +19,13 @@ export class GroundForces implements Overlay {
     this.root.add(this.arrows.root);
   }
 
-  wear(palette: Palette): void {
-    this.colours.forEach((colour, k) => colour.set(palette.legs[k] as number));
-  }
-
-  update({ frame, labels, newton, longest }: Picture): void {
+  update({ frame, labels, colours, newton, longest }: Picture): void {
     this.arrows.begin();
-    LEGS.forEach((leg, k) => {
-      if (!(scalar(frame, LEG_CHANNELS.touching[k] as string) > 0)) return;
-      if (!vector(frame, LEG_CHANNELS.trueForce[k] as string, this.force)) return;
-      if (!vector(frame, LEG_CHANNELS.truePoint[k] as string, this.point)) return;
+    LEG_CHANNELS.forEach(({ name, touching, trueForce, truePoint }, k) => {
+      if (!(scalar(frame, touching) > 0) || !vector(frame, trueForce, this.force) || !vector(frame, truePoint, this.point)) return;
       const newtons = this.force.length();
-      if (this.arrows.add(this.point, this.force.multiplyScalar(newton), this.colours[k] as THREE.Color, longest))
-        labels.put(this.point, `${leg} ${newtons.toFixed(0)} N`, `leg${k}`, true);
+      if (this.arrows.add(this.point, this.force.multiplyScalar(newton), colours.legs[k] as THREE.Color, longest))
+        labels.put(this.point, `${name} ${newtons.toFixed(0)} N`, `leg${k}`, true);
     });
     this.arrows.end();
   }
@@ -43,8 +35,7 @@ export class GroundForces implements Overlay {
 export class WantedForces implements Overlay {
   readonly space = "belief";
   readonly root = new THREE.Group();
-  private readonly arrows = new Arrows(paint(), 0.003, LEGS.length);
-  private readonly colour = new THREE.Color();
+  private readonly arrows = new Arrows(paint(), 0.003, LEG_CHANNELS.length);
   private readonly force = new THREE.Vector3();
   private readonly point = new THREE.Vector3();
 
@@ -52,44 +43,34 @@ export class WantedForces implements Overlay {
     this.root.add(this.arrows.root);
   }
 
-  wear(palette: Palette): void {
-    this.colour.set(palette.com);
-  }
-
-  update({ frame, header, newton, longest }: Picture): void {
+  update({ frame, header, colours, newton, longest }: Picture): void {
     this.arrows.begin();
-    if (isFollowed(frame)) LEGS.forEach((_, k) => {
-      if (!vector(frame, LEG_CHANNELS.force[k] as string, this.force)) return;
-      if (!vector(frame, LEG_CHANNELS.foot[k] as string, this.point)) return;
+    if (isFollowed(frame)) for (const { force, foot } of LEG_CHANNELS) {
+      if (!vector(frame, force, this.force) || !vector(frame, foot, this.point)) continue;
       this.point.z -= header.robot.foot_radius;
-      this.arrows.add(this.point, this.force.multiplyScalar(newton), this.colour, longest);
-    });
+      this.arrows.add(this.point, this.force.multiplyScalar(newton), colours.com, longest);
+    }
     this.arrows.end();
   }
 }
 
-/** So much longer an arrow is that would be short beside the torso [m]: its number says how great a push is. */
+/** Every arrow of a push is longer by this, or the torso would dwarf it [m]; the label has its size. */
 const SEEN_LENGTH = 0.2;
-/** Its number stands this far over its tip, so that it hides none of it [m]. */
+/** Height of the label over the tip, so that it does not cover the arrow [m]. */
 const NUMBER_OVER = 0.12;
-/** How far its edge goes beyond it [m]. */
+/** Width of the outline [m]. */
 const EDGE = 0.006;
-/** Less is in what the controller believes where nobody pushes [N]. */
+/** Estimates below this are noise [N]. */
 const LEAST_BELIEVED = 1;
-/** As many bodies can be pushed at once. */
+/** Pushes drawn at once. */
 const MOST_PUSHES = 32;
-/** No body reaches further from its centre of mass [m]. */
+/** Greatest distance of a point of a body from its centre of mass [m]. */
 const BODY_REACH = 1;
 
-/**
- * What pushes the robot beside the ground, each in the line in which it acts, and their sum as the controller believes it. Has an edge, as it is
- * seen over bodies of any colour.
- */
+/** Outside forces on the robot, each in its line of action, and the sum that the controller estimates. Outlined, to stand out from any colour. */
 export class OutsideForce implements Overlay {
   readonly space = "world";
   readonly root = new THREE.Group();
-  private readonly colour = new THREE.Color();
-  private readonly edgeColour = new THREE.Color();
   private readonly believed = new Arrows(paintOverBodies(0.45), 0.009, 1, 2);
   private readonly edges = new Arrows(paintOverBodies(), 0.02, MOST_PUSHES, 3, 0.08);
   private readonly arrows = new Arrows(paintOverBodies(), 0.015, MOST_PUSHES, 4, 0.08);
@@ -103,11 +84,6 @@ export class OutsideForce implements Overlay {
     this.root.add(this.believed.root, this.edges.root, this.arrows.root);
   }
 
-  wear(palette: Palette): void {
-    this.colour.set(palette.push);
-    this.edgeColour.set(palette.halo);
-  }
-
   update(picture: Picture): void {
     const all = [this.arrows, this.edges, this.believed];
     for (const arrows of all) arrows.begin();
@@ -116,27 +92,27 @@ export class OutsideForce implements Overlay {
     for (const arrows of all) arrows.end();
   }
 
-  /** How a force is drawn [m]. */
+  /** The arrow of `this.force` [m]. */
   private stretch(newton: number): THREE.Vector3 {
     return this.force.setLength(SEEN_LENGTH + newton * this.force.length());
   }
 
-  private draw(push: Push, { frame, labels, newton, longest, centreOf }: Picture): void {
+  private draw(push: Push, { frame, labels, colours, newton, longest, centreOf }: Picture): void {
     if (centreOf(frame.schema.bodies[push.body] ?? "", this.start)) this.start.add(this.point.fromArray(leverOf(push, BODY_REACH)));
     else if (!vector(frame, "truth.p_WCom", this.start)) return;
     const newtons = this.force.fromArray(push.force).length();
-    this.arrows.add(this.start, this.stretch(newton), this.colour, longest);
+    this.arrows.add(this.start, this.stretch(newton), colours.push, longest);
     this.point.copy(this.arrows.tip).z += NUMBER_OVER;
     labels.put(this.point, `push ${newtons < 10 ? digits(newtons) : newtons.toFixed(0)} N`, "push");
     this.over.copy(this.force).setLength(EDGE);
-    this.edges.add(this.start.sub(this.over), this.force.addScaledVector(this.over, 2.5), this.edgeColour, longest + 2.5 * EDGE);
+    this.edges.add(this.start.sub(this.over), this.force.addScaledVector(this.over, 2.5), colours.halo, longest + 2.5 * EDGE);
   }
 
-  private drawBelieved({ frame, labels, newton, longest, beliefToWorld }: Picture): void {
+  private drawBelieved({ frame, labels, colours, newton, longest, beliefToWorld }: Picture): void {
     if (!vector(frame, "truth.p_WCom", this.start)) return;
     if (!vector(frame, "state.external_force", this.force) || this.force.length() < LEAST_BELIEVED) return;
     const newtons = this.force.applyMatrix4(this.turn.extractRotation(beliefToWorld)).length();
-    this.believed.add(this.start, this.stretch(newton), this.colour, longest);
+    this.believed.add(this.start, this.stretch(newton), colours.push, longest);
     labels.put(this.believed.tip, `believed ${newtons.toFixed(0)} N`, "believed");
   }
 }

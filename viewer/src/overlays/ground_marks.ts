@@ -1,13 +1,13 @@
 import * as THREE from "three";
 import { read, scalar } from "../data/frame.ts";
 import { isFollowed } from "../data/hierarchy.ts";
-import { LEG_CHANNELS, LEGS } from "../data/schema.ts";
+import { LEG_CHANNELS } from "../data/schema.ts";
 import { centreOfPressure, convexHull, planeHeight, type Point3 } from "../math/geometry.ts";
 import type { Palette } from "../scene/palette.ts";
 import { ON_GROUND, ON_GROUND_ORDER, paint, paintOnGround } from "./arrow.ts";
 import { vector, type Overlay, type Picture } from "./overlay.ts";
 
-/** What is drawn on the ground floats this far over it [m]. */
+/** Height of marks over the ground [m]. */
 const OVER = 0.004;
 
 /** The plane that the controller believes the ground to be. */
@@ -30,20 +30,20 @@ export class BelievedPlane {
   }
 }
 
-/** Where the feet stand that are to carry and, where the truth is known, touch the ground; at the ground under them. */
+/** Ground points of the feet that are in stance and, where the truth is known, touch the ground. */
 export function standing({ frame, header }: Picture): Point3[] {
   const points: Point3[] = [];
   if (!isFollowed(frame)) return points;
-  for (let k = 0; k < LEGS.length; ++k) {
+  for (const leg of LEG_CHANNELS) {
     const foot: Point3 = [0, 0, 0];
-    if (!(scalar(frame, LEG_CHANNELS.phase[k] as string) <= 1) || scalar(frame, LEG_CHANNELS.touching[k] as string) === 0 || !read(frame, LEG_CHANNELS.foot[k] as string, foot)) continue;
+    if (!(scalar(frame, leg.phase) <= 1) || scalar(frame, leg.touching) === 0 || !read(frame, leg.foot, foot)) continue;
     foot[2] += OVER - header.robot.foot_radius;
     points.push(foot);
   }
   return points;
 }
 
-/** Convex hull of the feet that carry. */
+/** Convex hull of the stance feet. */
 export class SupportPolygon implements Overlay {
   readonly space = "belief";
   readonly root = new THREE.Group();
@@ -61,7 +61,7 @@ export class SupportPolygon implements Overlay {
     this.root.renderOrder = ON_GROUND_ORDER;
   }
 
-  wear(palette: Palette): void {
+  recolour(palette: Palette): void {
     this.fill.color.set(palette.support);
     this.line.color.set(palette.support);
   }
@@ -76,7 +76,7 @@ export class SupportPolygon implements Overlay {
   }
 }
 
-/** Zero-moment point: of the plan (a square on its corner) and of the forces there are (a ring). */
+/** Zero-moment point of the plan (a square) and of the true forces (a ring). */
 export class ZeroMomentPoint implements Overlay {
   readonly space = "belief";
   readonly root = new THREE.Group();
@@ -92,7 +92,7 @@ export class ZeroMomentPoint implements Overlay {
     this.root.renderOrder = ON_GROUND_ORDER;
   }
 
-  wear(palette: Palette): void {
+  recolour(palette: Palette): void {
     this.material.color.set(palette.zmp);
   }
 
@@ -103,12 +103,10 @@ export class ZeroMomentPoint implements Overlay {
     if (known) this.planned.position.set(x, y, this.plane.height(x, y) + 0.002);
     const points: number[][] = [];
     const forces: number[][] = [];
-    for (let k = 0; k < LEGS.length; ++k) {
+    for (const { touching, truePoint, trueForce } of LEG_CHANNELS) {
       const point = [0, 0, 0];
       const force = [0, 0, 0];
-      if (!(scalar(picture.frame, LEG_CHANNELS.touching[k] as string) > 0)) continue;
-      if (!read(picture.frame, LEG_CHANNELS.truePoint[k] as string, point)) continue;
-      if (!read(picture.frame, LEG_CHANNELS.trueForce[k] as string, force)) continue;
+      if (!(scalar(picture.frame, touching) > 0) || !read(picture.frame, truePoint, point) || !read(picture.frame, trueForce, force)) continue;
       points.push(point);
       forces.push(force);
     }
@@ -120,7 +118,7 @@ export class ZeroMomentPoint implements Overlay {
   }
 }
 
-/** A piece of the plane that the controller walks by, with its normal. */
+/** A piece of the controller's terrain plane, with its normal. */
 export class TerrainPlane implements Overlay {
   readonly space = "belief";
   readonly root = new THREE.Group();
@@ -139,7 +137,7 @@ export class TerrainPlane implements Overlay {
     this.root.add(new THREE.Mesh(new THREE.PlaneGeometry(1.2, 1.2), this.fill), this.grid, normal);
   }
 
-  wear(palette: Palette): void {
+  recolour(palette: Palette): void {
     this.fill.color.set(palette.plane);
     const colours = this.grid.geometry.getAttribute("color") as THREE.BufferAttribute;
     const colour = new THREE.Color(palette.plane);

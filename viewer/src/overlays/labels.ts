@@ -12,25 +12,24 @@ interface Label {
   leader: string;
 }
 
-/** Size of a text without asking the browser, which would lay the page out anew [pixels]. */
+/** Estimated size of a text; measuring would force a layout [pixels]. */
 const LETTER = 8;
 const PADDING = 12;
 const HEIGHT = 16;
 
-/** What is pushed comes before what carries, that before lengths of legs, what is believed and shares of friction, which colours tell as well. */
+/** Order of placing: pushes, ground forces, leg lengths, estimates, and friction use, which colours show as well. */
 function rankOf(className: string): number {
   return className === "push" ? 0 : className.startsWith("limb ") ? 2 : className === "believed" ? 3 : className.startsWith("use ") ? 4 : 1;
 }
 
-/** Forces whose arrows end beyond the picture have their numbers at its edge: half of its width or height further, at most. All else has its text where
- * its point is, or none. */
+/** Labels of forces whose arrows leave the picture stand at its edge, if they end within half its width or height of it. Others vanish. */
 const BEYOND = 2;
 export const reachOf = (className: string): number => (className === "push" || className.startsWith("leg") ? BEYOND : 1);
 
-/** Around what lies over the picture [pixels]. */
+/** Margin around elements over the picture [pixels]. */
 const AROUND = 8;
 
-/** What points in W cover of a picture of this size; those behind the camera are left out, undefined: all are. */
+/** Bounding box of points in W, in a picture of this size; undefined where all are behind the camera. */
 export function boxOf(points_W: THREE.Vector3[], camera: THREE.Camera, width: number, height: number): Box | undefined {
   const seen = points_W.map((p_W) => p_W.clone().project(camera)).filter(({ z }) => z <= 1);
   if (seen.length === 0) return undefined;
@@ -38,7 +37,7 @@ export function boxOf(points_W: THREE.Vector3[], camera: THREE.Camera, width: nu
   return { left: Math.min(...x), right: Math.max(...x), top: Math.min(...y), bottom: Math.max(...y) };
 }
 
-/** Short texts over the picture, near points of the scene, none over another. Made once, moved without a new layout, and hidden. */
+/** Short texts near points of the scene that do not overlap. Elements are reused and moved without a layout. */
 export class Labels {
   private readonly pool: Label[] = [];
   private readonly wanted: Wanted[] = [];
@@ -48,7 +47,7 @@ export class Labels {
   private covers: Box[] = [];
   private readonly marks: Box[] = [];
 
-  /** `over`: what lies over the picture at its upper edge. */
+  /** `over`: elements over the picture at its upper edge. */
   constructor(
     private readonly layer: HTMLElement,
     over: Element[],
@@ -59,7 +58,7 @@ export class Labels {
     for (const one of [layer, ...over]) observer.observe(one);
   }
 
-  /** What of the picture it covers; nothing where it is empty, or beside the picture. */
+  /** The part of the picture that an element covers, if any. */
   private coverOf(one: Element): Box[] {
     const picture = this.layer.getBoundingClientRect(), box = one.getBoundingClientRect();
     if (box.height === 0 || box.top > picture.top + 0.5 * picture.height) return [];
@@ -67,14 +66,14 @@ export class Labels {
     return [{ left, top, right, bottom }];
   }
 
-  /** Of the picture [pixels of the page]. */
+  /** `width`, `height`: of the picture [pixels of the page]. */
   begin(width: number, height: number): void {
     this.wanted.length = this.marks.length = 0;
     this.width = width;
     this.height = height;
   }
 
-  /** What lies between these points of the scene, in W, is to be seen beside the texts. */
+  /** Texts should leave the box of these points of W free. */
   spare(points_W: THREE.Vector3[]): void {
     const box = boxOf(points_W, this.camera, this.width, this.height);
     if (box !== undefined) this.marks.push(box);
@@ -106,7 +105,7 @@ export class Labels {
     });
   }
 
-  /** Whose text it is that stands away from its point. */
+  /** Draws the line from a text to its point. */
   private lead(label: Label, leader: Leader | undefined): void {
     if (label.line.hidden !== (leader === undefined)) label.line.hidden = leader === undefined;
     if (leader === undefined) return;

@@ -2,33 +2,35 @@ import * as THREE from "three";
 import type { Frame } from "../data/frame.ts";
 import type { FrameSource } from "../data/source.ts";
 import type { Header } from "../protocol/session.ts";
-import type { Palette } from "../scene/palette.ts";
+import type { Colours, Palette } from "../scene/palette.ts";
 import type { Labels } from "./labels.ts";
 
-/** What overlays know of a picture. */
+/** What overlays need to draw a picture. */
 export interface Picture {
   frame: Frame;
   source: FrameSource;
   header: Header;
   labels: Labels;
+  colours: Colours;
   /** Length of an arrow of 1 N [m/N]. */
   newton: number;
-  /** An arrow of a force is drawn no longer [m]: those of a fall would leave the picture. */
+  /** Longest arrow of a force [m]: those of a fall would leave the picture. */
   longest: number;
-  /** Takes what was planned and believed to where the robot really is. */
+  /** Moves what is planned and believed to the true robot. */
   beliefToWorld: THREE.Matrix4;
   /** Centre of mass of a body in W; false: there is no such body. */
   centreOf: (body: string, out: THREE.Vector3) => boolean;
-  /** Trails are drawn anew in this picture. */
+  /** Trails are drawn again in this picture. */
   trails: boolean;
 }
 
-/** Something that is drawn over the robot and can be switched off. */
+/** A drawing over the robot that can be switched off. */
 export interface Overlay {
-  /** In the coordinates of W as the controller believes them, or as they are. */
+  /** Whether its coordinates are in the believed or in the true W. */
   readonly space: "belief" | "world";
   readonly root: THREE.Object3D;
-  wear(palette: Palette): void;
+  /** Sets the colours of its materials. */
+  recolour?(palette: Palette): void;
   update(picture: Picture): void;
 }
 

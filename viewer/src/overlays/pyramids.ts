@@ -1,16 +1,15 @@
 import * as THREE from "three";
 import { read, scalar } from "../data/frame.ts";
 import { pyramidUse } from "../data/pyramid_use.ts";
-import { LEG_CHANNELS, LEGS } from "../data/schema.ts";
+import { LEG_CHANNELS } from "../data/schema.ts";
 import { percent, pyramidCorners, pyramidHeight, useClass } from "../math/friction.ts";
-import type { Palette } from "../scene/palette.ts";
 import { SEEN_THROUGH } from "./arrow.ts";
 import { vector, type Overlay, type Picture } from "./overlay.ts";
 import { attribute } from "./trail.ts";
 
 /** Sides as triangles: tip 0, corners 1 … 4. */
 const SIDES = [0, 1, 2, 0, 2, 3, 0, 3, 4, 0, 4, 1];
-/** How dense the sides are: the more is used, the denser. */
+/** Opacity of the sides. */
 const DENSITY = { good: 0.18, near: 0.35, bad: 0.55 };
 const EDGES = [0, 1, 0, 2, 0, 3, 0, 4, 1, 2, 2, 3, 3, 4, 4, 1];
 
@@ -64,17 +63,14 @@ class Pyramids {
 }
 
 /**
- * The friction pyramids that held the solution's forces, as high as the normal force, within what can be seen: where the tip of a force lies in
- * the square, or inside, friction holds it. Coloured, and numbered under the foot, by the share of the pyramid that is used; those that are nearly used up are seen
- * through the leg that they stand at.
+ * The friction pyramids of the solution, as high as the normal force: friction holds a force that ends inside the square. Colour and label show the
+ * share of the pyramid that is used. Pyramids that are nearly used up are visible through their leg.
  */
 export class FrictionPyramids implements Overlay {
   readonly space = "belief";
   readonly root = new THREE.Group();
-  private readonly pyramids = new Pyramids(LEGS.length);
-  private readonly alarms = new Pyramids(LEGS.length, true);
-  private readonly colours = { good: new THREE.Color(), near: new THREE.Color(), bad: new THREE.Color() };
-  private readonly alarmEdge = new THREE.Color();
+  private readonly pyramids = new Pyramids(LEG_CHANNELS.length);
+  private readonly alarms = new Pyramids(LEG_CHANNELS.length, true);
   private readonly tip = new THREE.Vector3();
   private readonly outline = Array.from({ length: 5 }, () => new THREE.Vector3());
   private readonly q_WP = [1, 0, 0, 0];
@@ -83,32 +79,26 @@ export class FrictionPyramids implements Overlay {
     this.root.add(this.pyramids.root, this.alarms.root);
   }
 
-  wear(palette: Palette): void {
-    for (const use of ["good", "near", "bad"] as const) this.colours[use].set(palette.margin[use]);
-    this.alarmEdge.set(palette.alarmEdge);
-  }
-
-  update({ frame, header, labels, newton, beliefToWorld }: Picture): void {
+  update({ frame, header, labels, colours, newton, beliefToWorld }: Picture): void {
     this.pyramids.begin();
     this.alarms.begin();
-    LEGS.forEach((leg, k) => {
-      const use = pyramidUse(frame, k);
-      if (Number.isNaN(use)) return;
-      if (!read(frame, LEG_CHANNELS.pyramid[k] as string, this.q_WP) || !vector(frame, LEG_CHANNELS.foot[k] as string, this.tip)) return;
+    LEG_CHANNELS.forEach((leg, k) => {
+      const use = pyramidUse(frame, leg);
+      if (Number.isNaN(use) || !read(frame, leg.pyramid, this.q_WP) || !vector(frame, leg.foot, this.tip)) return;
       this.tip.z -= header.robot.foot_radius;
-      const height = pyramidHeight(scalar(frame, LEG_CHANNELS.normalForce[k] as string), frame.schema.weight, newton);
-      const corners = pyramidCorners(this.q_WP, scalar(frame, LEG_CHANNELS.pyramidFriction[k] as string), height);
+      const height = pyramidHeight(scalar(frame, leg.normalForce), frame.schema.weight, newton);
+      const corners = pyramidCorners(this.q_WP, scalar(frame, leg.pyramidFriction), height);
       const kind = useClass(use);
-      if (kind === "bad") this.alarms.add(this.tip, corners, this.colours[kind], DENSITY[kind], this.alarmEdge);
-      else this.pyramids.add(this.tip, corners, this.colours[kind], DENSITY[kind]);
+      if (kind === "bad") this.alarms.add(this.tip, corners, colours.margin.bad, DENSITY.bad, colours.alarmEdge);
+      else this.pyramids.add(this.tip, corners, colours.margin[kind], DENSITY[kind]);
       labels.spare(this.outlineOf(corners, beliefToWorld));
-      labels.put(this.tip.applyMatrix4(beliefToWorld), `${leg} ${percent(use)}`, `use leg${k} ${kind}`, true);
+      labels.put(this.tip.applyMatrix4(beliefToWorld), `${leg.name} ${percent(use)}`, `use leg${k} ${kind}`, true);
     });
     this.pyramids.end();
     this.alarms.end();
   }
 
-  /** Tip and corners, where they are drawn. */
+  /** Tip and corners in W. */
   private outlineOf(corners: number[][], beliefToWorld: THREE.Matrix4): THREE.Vector3[] {
     this.outline.forEach((point, k) => point.fromArray(corners[k] ?? [0, 0, 0]).add(this.tip).applyMatrix4(beliefToWorld));
     return this.outline;

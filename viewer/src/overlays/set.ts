@@ -1,7 +1,7 @@
 import * as THREE from "three";
 import { read, type Frame } from "../data/frame.ts";
 import { wrap, yawOf } from "../math/geometry.ts";
-import type { Palette } from "../scene/palette.ts";
+import { coloursOf, paletteOf, type Palette } from "../scene/palette.ts";
 import { CentreOfMass } from "./com.ts";
 import { Footholds, LimbLimits, SwingCurves } from "./feet.ts";
 import { GroundForces, OutsideForce, WantedForces } from "./forces.ts";
@@ -30,10 +30,11 @@ const ENTRIES: [id: string, name: string, about: string, on: boolean, make: () =
   ["plane", "Terrain plane", "that the controller walks by", false, () => new TerrainPlane()],
 ];
 
-/** All that is drawn over the robot. What the controller believes is moved to where the robot really is. */
+/** All overlays. What the controller believes is moved to the true robot. */
 export class OverlaySet {
   readonly root = new THREE.Group();
-  readonly beliefToWorld = new THREE.Matrix4();
+  private readonly beliefToWorld = new THREE.Matrix4();
+  private colours = coloursOf(paletteOf(false));
   readonly switches: OverlaySwitch[];
   private readonly overlays: Overlay[];
   private readonly holders: THREE.Group[] = [];
@@ -57,8 +58,9 @@ export class OverlaySet {
     }
   }
 
-  wear(palette: Palette): void {
-    for (const overlay of this.overlays) overlay.wear(palette);
+  recolour(palette: Palette): void {
+    this.colours = coloursOf(palette);
+    for (const overlay of this.overlays) overlay.recolour?.(palette);
   }
 
   toggle(id: string): void {
@@ -68,7 +70,8 @@ export class OverlaySet {
     this.fresh = new Set(this.overlays);
   }
 
-  update(picture: Picture): void {
+  update(seen: Omit<Picture, "colours" | "beliefToWorld">): void {
+    const picture = { ...seen, colours: this.colours, beliefToWorld: this.beliefToWorld };
     this.align(picture.frame);
     this.belief.matrix.copy(this.beliefToWorld);
     this.belief.matrixWorldNeedsUpdate = true;
@@ -80,7 +83,7 @@ export class OverlaySet {
     this.fresh.clear();
   }
 
-  /** Turn about z and shift that take the believed base to the true one. */
+  /** Sets the turn about z and the shift that take the believed base to the true one. */
   private align(frame: Frame): void {
     this.beliefToWorld.identity();
     if (!read(frame, "truth.p_WB", this.p_true) || !read(frame, "truth.q_WB", this.q_true)) return;

@@ -1,7 +1,7 @@
 import * as THREE from "three";
 import { ON_GROUND, ON_GROUND_ORDER } from "./arrow.ts";
 
-/** Lines through points that change, each in its colour, drawn in one call; made once for at most `capacity` pieces. */
+/** Coloured line segments, at most `capacity`, drawn in one call. */
 export class Trails {
   readonly lines: THREE.LineSegments<THREE.BufferGeometry, THREE.LineBasicMaterial>;
   private readonly points: THREE.BufferAttribute;
@@ -39,12 +39,19 @@ export class Trails {
   }
 }
 
-/** A line point by point, as a part of some trails. */
+/** Adds a line to trails, point by point. */
 export class Pen {
   private readonly last = new THREE.Vector3();
   private down = false;
+  private colour = new THREE.Color();
 
-  constructor(private readonly trails: Trails, private readonly colour: THREE.Color) {}
+  constructor(private readonly trails: Trails) {}
+
+  /** Begins a line in this colour. */
+  begin(colour: THREE.Color): void {
+    this.colour = colour;
+    this.lift();
+  }
 
   lift(): void {
     this.down = false;
@@ -57,7 +64,7 @@ export class Pen {
   }
 }
 
-/** Numbers that are others in each picture. */
+/** An attribute whose numbers change with each picture. */
 export function attribute(count: number, size = 3): THREE.BufferAttribute {
   return new THREE.BufferAttribute(new Float32Array(size * count), size).setUsage(THREE.DynamicDrawUsage);
 }

@@ -1,16 +1,16 @@
 import { againText, logText, recordingText } from "../data/log_words.ts";
 import type { Session } from "../protocol/session.ts";
 
-/** What of a run becomes known only as it goes on. */
+/** Facts that become known only during a run. */
 export interface Progress {
   /** The log of a live run; "": it is not recorded. */
   recording: string;
   hasEnded: boolean;
-  /** Why, in words. */
+  /** Why it ended. */
   ended: string;
-  /** Something was changed from outside. */
+  /** The run was changed from outside. */
   isSteered: boolean;
-  /** Which meshes of the robot are missing, in words. */
+  /** Text on missing meshes. */
   missing: string;
 }
 
@@ -21,6 +21,8 @@ export function aboutRun({ header, version, source, cut, damage }: Session, { re
     ["Scenario", `${header.scenario}: ${header.description}`], ["Seed", String(header.seed)], ["Stack", header.stack],
     ["Robot", `${header.robot.name}, ${header.robot.mass.toFixed(1)} kg`], ["Estimation", header.estimation],
     ["Log", !isLog ? recordingText(recording, hasEnded) : logText(source, cut, damage)],
-    ["Ended", ended !== "" || cut === "" ? ended : "not known: see Log"], ["Meshes", missing], ["Again", againText(header.command, source || recording, cut === "", isSteered, isLog || hasEnded)], ["Version", version],
+    ["Ended", ended !== "" || cut === "" ? ended : "not known: see Log"], ["Meshes", missing],
+    ["Again", againText(header.command, source || recording, cut === "", isSteered, isLog || hasEnded)],
+    ["Version", version],
   ];
 }

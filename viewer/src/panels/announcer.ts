@@ -1,18 +1,18 @@
-/** What is new is said no more often than this, in which it can be read out [ms]. */
+/** Shortest time between two announcements, in which one can be read out [ms]. */
 const PERIOD = 3000;
 
-/** Says to screen readers what has changed: of what changes faster than it can be read out, only how it is then. */
+/** Announces changes to screen readers, and skips those that are over before they could be read out. */
 export class Announcer {
-  private said = "";
+  private announced = "";
   private at = -Infinity;
 
-  constructor(private readonly say: (text: string) => void) {}
+  constructor(private readonly announce: (text: string) => void) {}
 
-  /** Called again and again with how it is; `now` [ms]. */
-  tell(text: string, now: number): void {
-    if (text === this.said || now - this.at < PERIOD) return;
-    this.said = text;
+  /** Called regularly with the present state; `now` [ms]. */
+  update(text: string, now: number): void {
+    if (text === this.announced || now - this.at < PERIOD) return;
+    this.announced = text;
     this.at = now;
-    this.say(text);
+    this.announce(text);
   }
 }

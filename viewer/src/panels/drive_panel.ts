@@ -1,10 +1,10 @@
 import { asSentence } from "../data/log_words.ts";
 import { fixed } from "../data/numbers.ts";
 import { Wish } from "../data/wish.ts";
-import { VIEW_ONLY, type Ask, type Walk } from "../protocol/commands.ts";
+import { VIEW_ONLY, type Ask } from "../protocol/commands.ts";
 import type { Status } from "../protocol/connection.ts";
 import type { Limits } from "../protocol/session.ts";
-import { h, say } from "./dom.ts";
+import { h, setText } from "./dom.ts";
 import { takeNumber } from "./number_field.ts";
 import type { Report } from "./tune_panel.ts";
 
@@ -13,25 +13,16 @@ const WALK_STEPS = { forward: 0.01, left: 0.01, turn: 0.02, height: 0.005 };
 
 export type Axis = keyof typeof WALK_STEPS;
 
-/** The most that can be asked for. */
-function walkLimits(limits: Limits): Record<Axis, number> {
-  return { forward: limits.walk_velocity, left: limits.walk_velocity, turn: limits.walk_yaw_rate, height: limits.walk_height };
-}
+/** A command of the walk, in these units. */
+export type Walk = Record<Axis, number> & { walk: boolean };
 
-/** Changes one part of what is asked for, within its limits. */
+/** Changes one axis of a command, within its limits. */
 export function nudged(walk: Walk, axis: Axis, steps: number, limits: Record<Axis, number>): Walk {
-  const next: Walk = { ...walk, velocity: [...walk.velocity], walk: true };
-  const limit = limits[axis];
-  const add = (value: number): number =>
-    Number(Math.min(Math.max(value + steps * WALK_STEPS[axis], -limit), limit).toFixed(4));
-  if (axis === "forward") next.velocity[0] = add(next.velocity[0]);
-  else if (axis === "left") next.velocity[1] = add(next.velocity[1]);
-  else if (axis === "turn") next.yaw_rate = add(next.yaw_rate);
-  else next.height = add(next.height);
-  return next;
+  const value = Math.min(Math.max(walk[axis] + steps * WALK_STEPS[axis], -limits[axis]), limits[axis]);
+  return { ...walk, walk: true, [axis]: Number(value.toFixed(4)) };
 }
 
-/** A direction in the plane, counted from the world's x towards its y; along an axis it is called by that, too. */
+/** A direction in the plane, from the world's x towards its y; along an axis with its name. */
 export function worldDirection(degrees: number): string {
   const axis = ["+x", "+y", "−x", "−y"][(((degrees / 90) % 4) + 4) % 4];
   return `${String(degrees).replace("-", "−")}°${axis === undefined ? "" : ` (${axis})`}`;
@@ -42,12 +33,12 @@ function askedText({ by, walk }: Status["command"]): string {
   return `${by === "operator" ? "You command" : "The scenario commands"}: ${walk ? "walk" : "stand"}.`;
 }
 
-/** Pushes by a button, and what the robot is asked to walk. */
+/** Pushes, and commands of the walk. */
 export class DrivePanel {
-  /** Something is asked for that acts on the run as it is now. */
+  /** Called before each command. */
   onAct: () => void = () => {};
-  walk: Walk = { walk: false, velocity: [0, 0], yaw_rate: 0, height: 0 };
-  readonly most: Record<Axis, number>;
+  walk: Walk = { walk: false, forward: 0, left: 0, turn: 0, height: 0 };
+  private readonly most: Record<Axis, number>;
   private readonly wish = new Wish<Walk>();
   private readonly asked = h("p", { id: "asked", class: "asked" });
   private readonly values = new Map<Axis, HTMLElement>();
@@ -59,7 +50,7 @@ export class DrivePanel {
   private readonly viewOnly = h("p", { class: "soft view-only", hidden: true }, asSentence(VIEW_ONLY));
 
   constructor(root: HTMLElement, private readonly askRun: Ask, limits: Limits, private readonly report: Report) {
-    this.most = walkLimits(limits);
+    this.most = { forward: limits.walk_velocity, left: limits.walk_velocity, turn: limits.walk_yaw_rate, height: limits.walk_height };
     const number = (id: string, value: number, max: number, step: number): HTMLInputElement =>
       h("input", { type: "number", id, value, min: 0, max, step });
     this.impulse = number("push-impulse", Math.min(15, limits.push_newton_seconds), limits.push_newton_seconds, 1);
@@ -82,7 +73,7 @@ export class DrivePanel {
     root.append(this.viewOnly, this.controls);
   }
 
-  /** Whether this page may command at all, and whether there is something to command `now`. */
+  /** `allowed`: this page may command; `now`: there is a run to command. */
   allow(allowed: boolean, now: boolean): void {
     this.viewOnly.hidden = allowed;
     this.controls.disabled = !allowed || !now;
@@ -103,7 +94,7 @@ export class DrivePanel {
 
   private showDirection(): void {
     const text = worldDirection(Number(this.direction.value));
-    say(this.directionText, text);
+    setText(this.directionText, text);
     this.direction.setAttribute("aria-valuetext", text);
   }
 
@@ -116,7 +107,7 @@ export class DrivePanel {
     this.send("push", { body: "base", impulse, duration });
   }
 
-  /** What a field of the push has; undefined, and told, where there is no push of that size. */
+  /** The number in a field of the push; undefined, with a message, where it is not positive. */
   private take(field: HTMLInputElement, name: string, unit: string, help = ""): number | undefined {
     const given = field.value;
     const value = takeNumber(field, Number(field.defaultValue));
@@ -132,17 +123,17 @@ export class DrivePanel {
   }
 
   stand(): void {
-    this.ask({ ...this.walk, walk: false, velocity: [0, 0], yaw_rate: 0 });
+    this.ask({ ...this.walk, walk: false, forward: 0, left: 0, turn: 0 });
   }
 
-  ask(walk: Walk): void {
-    this.walk = { walk: walk.walk, velocity: walk.velocity, yaw_rate: walk.yaw_rate, height: walk.height };
-    this.wish.ask(this.walk);
-    this.send("walk", walk, this.wish);
+  private ask(command: Walk): void {
+    const { walk, forward, left, turn, height } = (this.walk = command);
+    this.wish.ask(command);
+    this.send("walk", { walk, velocity: [forward, left], yaw_rate: turn, height }, this.wish);
     this.showValues();
   }
 
-  /** The run begins again, by its scenario's commands. */
+  /** The run begins again, with its scenario's commands. */
   restart(): void {
     this.wish.drop();
   }
@@ -160,15 +151,13 @@ export class DrivePanel {
   show(status: Status): void {
     const { command } = status;
     const [forward = 0, left = 0] = command.velocity;
-    this.walk = this.wish.or({ walk: command.walk, velocity: [forward, left], yaw_rate: command.yaw_rate, height: command.height });
-    if (status.ended !== null) say(this.asked, "The run has ended: a reset begins it again.");
-    else say(this.asked, askedText(command));
+    this.walk = this.wish.or({ walk: command.walk, forward, left, turn: command.yaw_rate, height: command.height });
+    if (status.ended !== null) setText(this.asked, "The run has ended: a reset begins it again.");
+    else setText(this.asked, askedText(command));
     this.showValues();
   }
 
   private showValues(): void {
-    const { velocity, yaw_rate, height } = this.walk;
-    const values = { forward: velocity[0], left: velocity[1], turn: yaw_rate, height };
-    for (const [axis, element] of this.values) say(element, fixed(values[axis], axis === "height" ? 3 : 2));
+    for (const [axis, element] of this.values) setText(element, fixed(this.walk[axis], axis === "height" ? 3 : 2));
   }
 }

@@ -27,10 +27,10 @@ const DRIVING: Key[] = [
   ["p", "push, as the panel Drive says"],
 ];
 
-/** What can be pressed: of a live run more than of a log. */
+/** Keys of a live run or a log. */
 const keysOf = (live: boolean): Key[] => [...LOOKING, ...(live ? DRIVING : [])];
 
-/** Fills the help dialogue of a live run or a log; returns what opens and closes it. */
+/** Fills the help dialogue; returns its toggle. */
 export function makeHelp(live: boolean): () => void {
   const dialog = part<HTMLDialogElement>("help");
   const close = h("button", { class: "small", "aria-label": "close", onclick: () => dialog.close() }, "×");

@@ -2,34 +2,34 @@ import { scalar, type Frame } from "../data/frame.ts";
 import { accountAt, levelStates, type LevelState } from "../data/hierarchy.ts";
 import { Wish } from "../data/wish.ts";
 import { counted, digits } from "../data/numbers.ts";
-import { AccountView } from "./account_view.ts";
-import { h, say } from "./dom.ts";
+import { h, setText } from "./dom.ts";
 import { LevelCard } from "./level_card.ts";
 
 /** The levels in order: how each came out, which rows are active, and what held it back. */
 export class HierarchyPanel {
   onOrder: (levels: string[]) => void = () => {};
-  private readonly account = new AccountView();
+  private readonly line = h("p", { class: "account-line" });
+  private readonly account = h("div", { class: "account", id: "account" }, this.line);
   private readonly facts = h("p", { class: "facts" });
   private readonly list = h("ol", { class: "levels", "aria-label": "levels, highest priority first" });
   private cards: LevelCard[] = [];
   private names = "";
-  /** The order that the program had last, and what was asked of it since. */
+  /** Last order of the program. */
   newest: string[] = [];
   readonly wish = new Wish<string[]>();
-  /** Whether the run stands, so that no order comes to effect. */
+  /** Whether the run is paused, so that no order takes effect. */
   paused = false;
 
-  /** `isCut`: of a log without its end, which has the times of all ticks. */
+  /** `isCut`: the log lacks its end, where the times of the ticks stand. */
   constructor(root: HTMLElement, private readonly isCut = false) {
-    root.append(this.account.root, this.facts, this.list);
+    root.append(this.account, this.facts, this.list);
     this.clear();
   }
 
-  /** The run begins again, with the order of its scenario: nothing is said until the next tick. */
+  /** The run begins again, with its scenario's order: hidden until the next tick. */
   clear(): void {
     this.wish.drop();
-    this.account.root.hidden = this.facts.hidden = this.list.hidden = true;
+    this.account.hidden = this.facts.hidden = this.list.hidden = true;
   }
 
   /** Whether the order may be changed here. */
@@ -37,15 +37,15 @@ export class HierarchyPanel {
     this.list.classList.toggle("movable", can);
   }
 
-  /** Gives the line over the levels. */
-  show(frame: Frame, states = levelStates(frame), account = accountAt(frame, states)): string {
+  show(frame: Frame, states = levelStates(frame), account = accountAt(frame, states)): void {
     const names = states.map((state) => state.name).join();
     if (names !== this.names) this.build(states, names);
     states.forEach((state, k) => this.cards[k]?.show(state, states));
-    this.account.root.hidden = this.facts.hidden = this.list.hidden = false;
-    this.account.show(account);
-    say(this.facts, effortOf(scalar(frame, "timings.solve"), scalar(frame, "timings.total"), states, this.isCut));
-    return account.line;
+    this.account.hidden = this.facts.hidden = this.list.hidden = false;
+    this.account.dataset["kind"] = account.kind;
+    setText(this.line, account.line);
+    this.line.title = account.line; // three lines are visible
+    setText(this.facts, effortOf(scalar(frame, "timings.solve"), scalar(frame, "timings.total"), states, this.isCut));
   }
 
   private build(states: LevelState[], names: string): void {
@@ -69,7 +69,7 @@ export class HierarchyPanel {
   }
 }
 
-/** The names with one of them `steps` further down; undefined where it can't go there. */
+/** Moves a name `steps` down; undefined where that is not possible. */
 export function moved(names: string[], name: string, steps: number): string[] | undefined {
   const from = names.indexOf(name), to = from + steps;
   if (from < 0 || to < 0 || to >= names.length) return undefined;
@@ -80,7 +80,7 @@ export function moved(names: string[], name: string, steps: number): string[] | 
 
 const NO_TIMES = "no times: they stand at a log's end, and this one has none";
 
-/** What the tick cost: `solve` and `total` [µs], NaN where they aren't known; `isCut`: as the log has no end. */
+/** Text of a tick's times `solve` and `total` [µs], NaN: not known; `isCut`: because the log has no end. */
 export function effortOf(solve: number, total: number, states: Pick<LevelState, "rows" | "iterations">[], isCut = false): string {
   if (states.every(({ rows }) => rows === 0)) return Number.isNaN(total) ? "" : `Tick: ${digits(total)} µs`;
   const iterations = counted(states.reduce((sum, state) => sum + (state.iterations || 0), 0), "iteration");

@@ -1,11 +1,11 @@
 import { nameOf, type LevelState, type RowNote } from "../data/hierarchy.ts";
 import { counted, quantity, seen } from "../data/numbers.ts";
-import { h, plain, say } from "./dom.ts";
+import { h, plain, setText } from "./dom.ts";
 
-/** Sign and word of each status: colour is never the only sign. */
+/** Sign of each status: colour is never the only one. */
 const SIGNS = { met: "✓", "at limit": "▲", "gives way": "✕", minimised: "·", "no rows": "–", "not solved": "–" } as const;
 
-/** A level in two lines: how it came out, and what of it matters most. Open it says all, a line for each kind. */
+/** A level in two lines: its result, and what matters most. When open, all its rows. */
 export class LevelCard {
   readonly root: HTMLLIElement;
   private readonly sign = h("span", { class: "sign", "aria-hidden": "true" });
@@ -19,7 +19,7 @@ export class LevelCard {
   private readonly opener: HTMLButtonElement;
   private readonly movers: HTMLButtonElement[];
 
-  /** `move`: it is to go so many places down. */
+  /** `move`: moves the level so many places down. */
   constructor(readonly name: string, index: number, move: (steps: number) => void) {
     const button = (text: string, steps: number, label: string): HTMLButtonElement =>
       h("button", { class: "small", "aria-label": `${plain(name)}: ${label}`, title: label, onclick: () => move(steps) }, text);
@@ -38,7 +38,7 @@ export class LevelCard {
     this.opener.setAttribute("aria-expanded", String(this.root.classList.toggle("open")));
   }
 
-  /** Is as open as the card of the level that it replaces; the button that has the focus in the place of that card's, if one had it. */
+  /** Opens if the card that it replaces was open; returns the button that takes over the focus, if any. */
   follow(before: LevelCard | undefined): HTMLButtonElement | undefined {
     if (before?.root.classList.contains("open")) this.open();
     if (before?.opener === document.activeElement) return this.opener;
@@ -49,35 +49,39 @@ export class LevelCard {
     const kind = state.status.replaceAll(" ", "-");
     if (this.root.dataset["status"] !== kind) this.root.dataset["status"] = kind;
     this.root.classList.toggle("held", blockers(state).length > 0);
-    say(this.sign, SIGNS[state.status]);
-    say(this.status, state.status);
-    say(this.residual, state.rows === 0 ? "" : quantity(seen(state.residual, state.unit), state.unit));
-    say(this.brief, briefOf(state, all));
+    setText(this.sign, SIGNS[state.status]);
+    setText(this.status, state.status);
+    setText(this.residual, state.rows === 0 ? "" : quantity(seen(state.residual, state.unit), state.unit));
+    setText(this.brief, briefOf(state, all));
     if (this.brief.title !== this.brief.textContent) this.brief.title = this.brief.textContent ?? "";
-    say(this.time, timeOf(state));
-    say(this.rows, rowsOf(state));
-    say(this.blocked, heldText(state, all));
-    say(this.meta, state.rows === 0 ? "" : metaOf(state));
+    setText(this.time, timeOf(state));
+    setText(this.rows, rowsOf(state));
+    setText(this.blocked, heldText(state, all));
+    setText(this.meta, state.rows === 0 ? "" : metaOf(state));
   }
 }
 
-/** What holds a level back that wants more than it gets. */
+/** Rows that hold back a level that gives way or is minimised. */
 function blockers({ status, blocked }: LevelState): LevelState["blocked"] {
   return status === "gives way" || status === "minimised" ? blocked : [];
 }
 
-/** What holds a level back, and at what cost. While nothing else is known, as the control loop estimates it: of where many limits act it can't say. */
+/** What holds a level back, and at what cost; the control loop's estimate until the exact costs are known. */
 export function heldText(state: LevelState, all: LevelState[]): string {
   const rows = blockers(state), { others, unit } = state;
   if (rows.length === 0) return "";
   const isExact = others !== undefined;
-  const amount = (cost: number): string => (Number.isNaN(cost) ? " at a cost that is not known" : cost > 0 ? ` costs ${isExact ? "" : "about "}${quantity(cost, unit)}` : isExact ? " costs nothing alone" : "");
-  const told = rows.map(({ by, row, cost }) => `${nameOf(all, by)}: ${row}${amount(cost)}`);
-  const whole = `held back by ${[...told, ...(others ? [`${others} more`] : [])].join("; ")}`;
+  const amount = (cost: number): string => {
+    if (Number.isNaN(cost)) return " at a cost that is not known";
+    if (cost > 0) return ` costs ${isExact ? "" : "about "}${quantity(cost, unit)}`;
+    return isExact ? " costs nothing alone" : "";
+  };
+  const texts = rows.map(({ by, row, cost }) => `${nameOf(all, by)}: ${row}${amount(cost)}`);
+  const whole = `held back by ${[...texts, ...(others ? [`${others} more`] : [])].join("; ")}`;
   return isExact ? whole : `${whole} (the control loop's estimate)`;
 }
 
-/** Of a level what matters most, in a few words. */
+/** What matters most of a level, in a few words. */
 export function briefOf(state: LevelState, all: LevelState[]): string {
   const [first] = state.active;
   const above = [...new Set(blockers(state).map(({ by }) => nameOf(all, by)))];
@@ -86,13 +90,13 @@ export function briefOf(state: LevelState, all: LevelState[]): string {
   return state.rows === 0 ? "" : counted(state.rows, "row");
 }
 
-/** What a level took by itself: "–" where that was not measured. */
+/** Solving time of a level; "–": not measured. */
 export function timeOf({ rows, time }: Pick<LevelState, "rows" | "time">): string {
   if (rows === 0) return "";
   return Number.isNaN(time) ? "–" : quantity(time, "µs");
 }
 
-/** Size of a level, and what it leaves. */
+/** Size of a level, and the freedom that it leaves. */
 export function metaOf({ rows, freedom, iterations }: LevelState): string {
   return `${counted(rows, "row")} · leaves ${counted(freedom, "degree")} of freedom to the levels below · ${counted(iterations, "iteration")}`;
 }
@@ -101,24 +105,24 @@ function sideOf(bound: number): string {
   return bound <= -3 ? "(below it)" : bound >= 3 ? "(above it)" : bound < 0 ? "(lower)" : "(upper)";
 }
 
-/** Whether its limits are of lengths or angles: these bound accelerations, so that what moves comes to rest before it is beyond. */
+/** Whether the limits are of lengths or angles: these bound accelerations, so that the motion stops before the limit. */
 export function boundsMotion({ unit }: Pick<LevelState, "unit">): boolean {
   return unit.endsWith("/s²");
 }
 
-/** What a row is about: at a limit of lengths or angles there may be something left of it. */
+/** State of a row at its bound; `isMotion`: of a length or angle, which may still have room. */
 export function words(bound: number, isMotion: boolean): string {
   const side = bound < 0 ? "above its lower bound" : "below its upper bound";
   if (isMotion) return Math.abs(bound) >= 3 ? `not kept ${side}` : `kept ${side}`;
   return bound <= -3 ? "below its bound" : bound >= 3 ? "above its bound" : bound < 0 ? "at its lower bound" : "at its upper bound";
 }
 
-/** Of a row beyond its bound, by how much. */
+/** How far a row is beyond its bound. */
 export function amountOf({ state, by }: Pick<RowNote, "state" | "by">, unit: string): string {
   return Math.abs(state) < 3 || Number.isNaN(by) ? "" : ` by ${quantity(Math.abs(by), unit)}`;
 }
 
-/** What its rows do that is worth telling: limits, and what it asked for and did not get. */
+/** Rows at their limits, and equality rows that the level missed. */
 export function rowsOf(state: Pick<LevelState, "active" | "missed" | "status" | "unit">): string {
   const limits = state.active.map((row) => `${row.name} ${words(row.state, boundsMotion(state))}${amountOf(row, state.unit)}`);
   const missed = state.status === "gives way" ? state.missed.map(({ name, by }) => `${name} missed by ${quantity(Math.abs(by), state.unit)}`) : [];

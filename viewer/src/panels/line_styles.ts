@@ -1,21 +1,21 @@
-/** How a plot's line is drawn; the colour by the name of its variable in the style sheet. */
+/** Style of a plot's line; the colour is a variable of the style sheet. */
 export interface LineStyle {
   colour: string;
-  /** Lengths of dashes and gaps [pixels]; none: a line without gaps. */
+  /** Lengths of dashes and gaps [pixels]; none: a solid line. */
   dash: number[];
 }
 
-/** The first four are those of the legs in the picture. */
+/** The first four are the legs' colours. */
 const COLOURS = ["--c0", "--c1", "--c2", "--c3", "--c5", "--soft"];
 const DASHES = [[], [7, 3], [2, 3], [9, 3, 2, 3]];
 
-/** More lines than these can't be told apart. */
+/** Number of distinct styles. */
 export const MOST_LINES = COLOURS.length * DASHES.length;
 
 const style = (colour: number, dash: number): LineStyle => ({ colour: COLOURS[colour] as string, dash: DASHES[dash] as number[] });
 
-/** Styles of lines of which no two are the same. Where all belong to legs, by their numbers, and to several of them, each leg has its colour,
- * and dashes tell its lines apart; otherwise each line has its colour for as long as there are any. */
+/** Distinct styles for lines with these legs. If all lines belong to legs, and to several, each leg has its colour and its lines differ by dashes;
+ * otherwise lines differ by colour first. */
 export function stylesOf(legs: (number | undefined)[]): LineStyle[] {
   const before = legs.map((leg, k) => legs.slice(0, k).filter((other) => other === leg).length);
   const byLeg = new Set(legs).size > 1 && !legs.includes(undefined) && Math.max(...before) < DASHES.length;

@@ -1,19 +1,19 @@
 import { capitalised } from "../data/log_words.ts";
-import { h, part, say } from "./dom.ts";
+import { h, part, setText } from "./dom.ts";
 
-/** More short messages than this push the oldest of them out; errors only where there is nothing else. */
+/** Most short messages; more remove the oldest, errors last. */
 const MOST_SHORT = 5;
 type Kind = "error" | "plain";
 
-/** Short messages in a corner of the picture. Those with a key stay until they are taken away, or somebody has read them. */
+/** Messages in a corner of the picture. Those with a key stay until they are taken back or dismissed. */
 export class Notes {
   private readonly root = part("notes");
   private readonly kept = new Map<string, Note>();
-  /** Texts that somebody took away. */
+  /** Dismissed texts, by key. */
   private readonly dismissed = new Map<string, string>();
   private short: Note[] = [];
 
-  /** What is said again while it still stands there is counted; what is news of the same `topic` takes its place. */
+  /** Shows a short message. A repeated message is counted; a new one of the same `topic` replaces the old. */
   say(text: string, kind: Kind = "plain", topic?: string): void {
     let note = this.short.find((one) => one.kind === kind && (one.text === text || (topic !== undefined && one.topic === topic)));
     if (note === undefined) this.short.push((note = new Note(kind)));
@@ -60,7 +60,7 @@ export class Notes {
   }
 }
 
-/** A message; of a long one the beginning, and the rest when asked for. */
+/** A message; a long one is cut, with a button for the rest. */
 class Note {
   readonly root: HTMLElement;
   text = "";
@@ -77,22 +77,22 @@ class Note {
     this.root = h("p", { class: `note ${kind} ${key === undefined ? "short" : "kept"}`, "data-note": key }, this.words, this.times, this.more, close);
   }
 
-  /** In the page already, so that it is known how much of the text there is room for. */
+  /** Call it when the note is in the page, so that its text can be measured. */
   show(text: string): void {
     if (this.text === text) return;
     this.text = text;
     this.said = 1;
     this.times.hidden = true;
-    say(this.words, capitalised(text));
+    setText(this.words, capitalised(text));
     this.more.hidden = this.words.scrollHeight <= this.words.clientHeight + 1;
   }
 
   count(): void {
     this.times.hidden = false;
-    say(this.times, `× ${++this.said}`);
+    setText(this.times, `× ${++this.said}`);
   }
 
-  /** Goes after a while [ms], unless somebody reads it. */
+  /** Drops the note after a while [ms], unless it is open. */
   forget(drop: () => void, after: number): void {
     this.drop = drop;
     clearTimeout(this.timer);
@@ -103,6 +103,6 @@ class Note {
     const open = this.root.classList.toggle("open");
     if (!open) this.drop();
     this.more.setAttribute("aria-expanded", String(open));
-    say(this.more, open ? "less" : "more");
+    setText(this.more, open ? "less" : "more");
   }
 }

@@ -7,7 +7,7 @@ export function numberIn(text: string): number | undefined {
   return Number.isFinite(value) ? value : undefined;
 }
 
-/** The field's number; where it has none, `kept` comes back. */
+/** The field's number; where it has none, the field gets `kept`. */
 export function takeNumber(input: Pick<HTMLInputElement, "value">, kept: number): number | undefined {
   const value = numberIn(input.value);
   if (value === undefined) input.value = String(kept);
@@ -15,20 +15,20 @@ export function takeNumber(input: Pick<HTMLInputElement, "value">, kept: number)
 }
 
 export interface NumberFieldActions {
-  /** A number was given; the field is to drop one that is not taken. */
+  /** Sends a number; the field drops its wish if that is refused. */
   ask: (value: number, field: NumberField) => void;
-  /** What was given is no number, and the field says again what it said. */
+  /** The input was no number; the field has its old text again. */
   reject: (kept: string) => void;
 }
 
-/** A number of the run. What is being typed stays there, whatever changes meanwhile; what was asked for, until it is so or is not taken. */
+/** A number of the run. It keeps what is being typed, and what was sent until it takes effect or is refused. */
 export class NumberField {
   readonly input: HTMLInputElement;
   private readonly wish = new Wish<number>();
-  /** That of the run. */
+  /** Present number of the run. */
   private now = NaN;
-  /** What the field said before somebody typed. */
-  private said = "";
+  /** Last text that the page wrote. */
+  private written = "";
 
   constructor(attributes: Record<string, string | number>, private readonly actions: NumberFieldActions) {
     this.input = h("input", { type: "number", ...attributes, onchange: () => this.take() });
@@ -36,32 +36,32 @@ export class NumberField {
 
   private take(): void {
     const value = takeNumber(this.input, this.now);
-    this.said = this.input.value;
-    if (value === undefined) return this.actions.reject(this.said);
+    this.written = this.input.value;
+    if (value === undefined) return this.actions.reject(this.written);
     this.wish.ask(value);
     this.actions.ask(value, this);
   }
 
-  /** The number of the run is this one. */
+  /** Shows the present number of the run. */
   show(now: number): void {
     this.now = now;
     this.refresh();
   }
 
-  /** `held`: what was asked for can't come to effect yet. */
+  /** `held`: changes can't take effect yet. */
   refresh(held = false): void {
-    const typing = document.activeElement === this.input && this.input.value !== this.said;
-    if (!typing) this.say(this.wish.or(this.now, held));
+    const typing = document.activeElement === this.input && this.input.value !== this.written;
+    if (!typing) this.write(this.wish.or(this.now, held));
   }
 
-  /** Nothing is asked for any more. */
+  /** Drops the wish. */
   drop(): void {
     this.wish.drop();
-    this.say(this.now);
+    this.write(this.now);
   }
 
-  private say(value: number): void {
-    this.said = String(value);
-    if (this.input.value !== this.said) this.input.value = this.said;
+  private write(value: number): void {
+    this.written = String(value);
+    if (this.input.value !== this.written) this.input.value = this.written;
   }
 }

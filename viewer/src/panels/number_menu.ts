@@ -1,13 +1,13 @@
-import { h, say } from "./dom.ts";
+import { h, setText } from "./dom.ts";
 
 type Attributes = Record<string, string>;
 
-/** A menu of numbers, which also says one that is none of its own while it is that one. */
+/** A menu of numbers that can also show another number. */
 export class NumberMenu {
   readonly select: HTMLSelectElement;
   private readonly other = h("option", { hidden: true });
 
-  /** `textOf`: of a number, as the menu has it; `ask`: somebody chooses it. */
+  /** `textOf`: text of a number; `ask`: called with a chosen number. */
   constructor(attributes: Attributes, private readonly numbers: readonly number[], private readonly textOf: (value: number) => string, ask: (value: number) => void) {
     this.select = h("select", { ...attributes, onchange: () => ask(this.value) },
       ...numbers.map((value) => h("option", { value }, textOf(value))), this.other);
@@ -21,7 +21,7 @@ export class NumberMenu {
     this.other.hidden = this.numbers.includes(value);
     if (!this.other.hidden) {
       this.other.value = String(value);
-      say(this.other, this.textOf(value));
+      setText(this.other, this.textOf(value));
     }
     this.select.value = String(value);
   }

@@ -5,12 +5,12 @@ import { h, part } from "./dom.ts";
 
 const KEYS = "1234567890-";
 
-/** Overlays of one colour, called as it is in the palette. */
+/** Overlays of one colour, named as in the palette. */
 const MARKS = ["support", "com", "zmp", "push", "plane", "ghost"] as const;
 type Mark = (typeof MARKS)[number];
 const isMark = (id: string): id is Mark => (MARKS as readonly string[]).includes(id);
 
-/** Which overlays are drawn, and the picture's quality. */
+/** The menu of overlays, and the legend. */
 export class OverlayMenu {
   private readonly boxes = new Map<string, HTMLInputElement>();
   private readonly ghost: HTMLInputElement;
@@ -19,7 +19,7 @@ export class OverlayMenu {
   constructor(private readonly world: World) {
     const menu = part("overlays");
     const open = part<HTMLButtonElement>("overlays-open");
-    // Over all of the page, so that a low picture cuts nothing off.
+    // Over the whole page, so that a low picture does not cut it off.
     menu.addEventListener("beforetoggle", () => {
       menu.style.left = `${part("view").getBoundingClientRect().left + 8}px`;
       menu.style.setProperty("--top", `${open.getBoundingClientRect().bottom + 6}px`);
@@ -48,7 +48,7 @@ export class OverlayMenu {
     this.world.invalidate();
   }
 
-  /** By the key's place in the menu. */
+  /** Toggles an overlay by its key; false where the key has none. */
   toggleByKey(key: string): boolean {
     const entry = this.world.overlays.switches[KEYS.indexOf(key)];
     if (!KEYS.includes(key) || entry === undefined) return false;
@@ -61,7 +61,7 @@ export class OverlayMenu {
     this.ghost.checked = this.world.ghostShown = !this.world.ghostShown;
   }
 
-  /** Colours of the marks, the legs and of the share of the friction pyramid that is used. */
+  /** Updates the colours of menu and legend. */
   legend(): void {
     const { legs, margin } = this.world.palette;
     for (const [mark, swatch] of this.swatches) swatch.style.background = css(this.world.palette[mark]);

@@ -4,10 +4,10 @@ import { Envelope } from "../data/envelope.ts";
 import { scalar, type Frame } from "../data/frame.ts";
 import type { FrameSource, Series } from "../data/source.ts";
 import type { Schema } from "../data/schema.ts";
-import { h, say, svg } from "./dom.ts";
+import { h, setText, svg } from "./dom.ts";
 import { stylesOf, type LineStyle } from "./line_styles.ts";
 
-/** Of more lines than these the legend has no numbers: there is no room for them. */
+/** With more lines the legend has no numbers. */
 const MOST_NUMBERS = 6;
 
 interface Line {
@@ -18,7 +18,7 @@ interface Line {
   value: HTMLElement;
 }
 
-/** Height of the axis of the time [pixels]. */
+/** Height of the time axis [pixels]. */
 const TIMES_HEIGHT = 22;
 
 /** Some channels over time, with the time of the picture as a line. */
@@ -27,9 +27,9 @@ export class Plot {
   onSeek: (time: number) => void = () => {};
   onZoom: (factor: number, about: number) => void = () => {};
   onRemove: () => void = () => {};
-  /** More lines are to be added here. */
+  /** Called to add lines here. */
   onMore: () => void = () => {};
-  /** It has to be drawn anew. */
+  /** Called when it must be drawn again. */
   onBuilt: () => void = () => {};
   private chart: uPlot | undefined;
   private readonly name = h("span", { class: "plot-name" });
@@ -41,7 +41,7 @@ export class Plot {
   private lines: Line[] = [];
   private time = NaN;
 
-  /** `title`: of these lines; without one it is what their names have in common. */
+  /** `title`: by default what the names have in common. */
   constructor(series: Series[], private readonly schema: Schema, title?: string) {
     this.root = h("figure", { class: "plot" },
       h("figcaption", {}, this.heading,
@@ -56,14 +56,14 @@ export class Plot {
     return this.lines.map(({ series }) => series);
   }
 
-  /** What it shows from now on; lines that are hidden stay so. */
+  /** Sets the lines; hidden ones stay hidden. */
   setSeries(series: Series[], title?: string): void {
     const hidden = this.lines.filter(({ shown }) => !shown).map((line) => line.series);
     const names = namesOf(series, this.schema);
     const unit = unitOf(series, this.schema);
     const styles = stylesOf(series.map((one) => legIn(partsOf(one, this.schema).join("."))));
     this.name.replaceChildren(...breakable(title ?? names.title));
-    say(this.unit, unit ? ` [${unit}]` : "");
+    setText(this.unit, unit ? ` [${unit}]` : "");
     this.lines = series.map((one, k) => ({
       series: one, style: styles[k] as LineStyle, shown: !hidden.includes(one), value: h("output", { "aria-live": "off" }),
       unit: unit === undefined ? (this.schema.channel(one.channel)?.unit ?? "") : "",
@@ -73,7 +73,7 @@ export class Plot {
     if (this.chart !== undefined) this.build();
   }
 
-  /** A line's sign, name and number; a press hides the line or shows it again. */
+  /** Legend entry of a line: sample, name and number; a press toggles the line. */
   private entry(line: Line, label: string): HTMLElement {
     const toggle = (): void => {
       line.shown = !line.shown;
@@ -98,7 +98,7 @@ export class Plot {
 
   clear(): void {
     this.chart?.setData([[], ...this.shown.map(() => [])] as unknown as uPlot.AlignedData);
-    for (const { value } of this.lines) say(value, "");
+    for (const { value } of this.lines) setText(value, "");
   }
 
   build(): void {
@@ -120,7 +120,7 @@ export class Plot {
     this.onBuilt();
   }
 
-  /** Of numbers, or of the words that they stand for. */
+  /** Axis of numbers, or of the words that they stand for. */
   private valueAxis(): Pick<uPlot.Axis, "size" | "splits" | "values"> {
     const words = wordsOf(this.shown.map(({ series }) => series), this.schema);
     if (words === undefined) return { size: 52 };
@@ -183,9 +183,9 @@ export class Plot {
     });
   }
 
-  /** The numbers of this frame, beside the lines' names. */
-  tell(frame: Frame): void {
-    for (const { series, value } of this.lines) say(value, valueText(series, scalar(frame, series.channel, series.index), this.schema));
+  /** Shows a frame's numbers in the legend. */
+  showNumbers(frame: Frame): void {
+    for (const { series, value } of this.lines) setText(value, valueText(series, scalar(frame, series.channel, series.index), this.schema));
   }
 
   private resize(): void {
@@ -194,16 +194,16 @@ export class Plot {
   }
 }
 
-/** Parts of a name that are longer than this may be broken themselves. */
+/** Longer parts of a name may also be broken. */
 const LONG_PART = 20;
 
-/** A name that may go on in the next line behind each of its parts. */
+/** A name with line breaks allowed after each part. */
 function breakable(name: string): Node[] {
   const parts = name.split(/(?<=\.)/).flatMap((part) => (part.length > LONG_PART ? part.split(/(?<=_)/) : [part]));
   return parts.flatMap((part, k) => [...(k > 0 ? [h("wbr", {})] : []), document.createTextNode(part)]);
 }
 
-/** A piece of the line, for the legend. */
+/** A piece of a line, for the legend. */
 function sample({ colour, dash }: LineStyle): SVGElement {
   const line = svg("path", { d: "M0 4H18", "stroke-width": "2.4", "stroke-dasharray": dash.join(" ") || "none" });
   line.style.stroke = `var(${colour})`;

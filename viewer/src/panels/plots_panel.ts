@@ -6,19 +6,19 @@ import type { Series } from "../data/source.ts";
 import { digits } from "../data/numbers.ts";
 import { choicesOf, type Choice } from "../data/channel_names.ts";
 import type { ChannelInfo } from "../protocol/session.ts";
-import { h, say } from "./dom.ts";
+import { h, setText } from "./dom.ts";
 import { MOST_LINES } from "./line_styles.ts";
 import { NumberMenu } from "./number_menu.ts";
 import { Plot } from "./plot.ts";
 
-/** Plots are drawn anew this often while time goes on [s]. */
+/** Plots are drawn again this often [s]. */
 const PERIOD = 0.1;
 const LIVE_SPAN = 10;
-/** How much of time can be chosen to be shown [s]; 0: all. */
+/** Time spans of the menu [s]; 0: all. */
 const SPANS = [2, 10, 30, 120, 0];
 const SPAN_WORDS: Record<number, string> = { 120: "2 min", 0: "all" };
 const LONGEST_LIST = 60;
-/** Of a channel with more components no single ones are offered until one looks for them. */
+/** Channels with more components offer them only when searched for. */
 const MOST_CHOICES = 40;
 const SEARCH = "plot a channel …";
 
@@ -27,14 +27,14 @@ function spanText(seconds: number): string {
   return SPAN_WORDS[seconds] ?? `${number} s`;
 }
 
-/** A channel as it was searched for: what of it is offered beside all of it, and whether only that was meant. */
+/** A found channel with its choices; `isPart`: only choices match. */
 interface Match {
   channel: ChannelInfo;
   choices: Choice[];
   isPart: boolean;
 }
 
-/** The channels, or components of one, whose names and descriptions have every word of what was typed. */
+/** Channels and components whose names and descriptions contain every typed word. */
 export function search(schema: Schema, typed: string): Match[] {
   const words = typed.trim().toLowerCase().split(/\s+/);
   const holds = (text: string): boolean => words.every((word) => text.toLowerCase().includes(word));
@@ -49,10 +49,10 @@ export function search(schema: Schema, typed: string): Match[] {
   return typed.trim() === "" ? found : found.sort((a, b) => rankOf(a.channel.name, words) - rankOf(b.channel.name, words));
 }
 
-/** What people look for first, of channels whose names fit as well. */
+/** Topics in the order of interest, for channels that match equally well. */
 const TOPICS = ["command", "readings", "state", "truth", "plan", "model"];
 
-/** First the channels that are called so, then those that have it in their names, then those that are described so. */
+/** Smaller is better: exact names, then names that contain the words, then descriptions. */
 function rankOf(name: string, words: string[]): number {
   const parts = name.toLowerCase().split(".");
   const end = words.join(".").split(".");
@@ -62,43 +62,43 @@ function rankOf(name: string, words: string[]): number {
   return fit * (TOPICS.length + 1) + (topic < 0 ? TOPICS.length : topic);
 }
 
-/** What is plotted of a channel that is chosen as a whole: of what pushes from outside the best choice, as most of its numbers are always 0. */
+/** Lines of a whole channel; of outside forces only the first choice, as most numbers are always 0. */
 export function allOf(channel: ChannelInfo, choices: Choice[], schema: Schema): Series[] {
   const whole = Array.from({ length: channel.size }, (_, index) => ({ channel: channel.name, index }));
   return hasBodies(channel, schema) ? (choices[0]?.series ?? whole) : whole;
 }
 
-/** Room before the time that is looked at, as a share of what is shown. */
+/** Room before the shown time, as a share of the span. */
 const BEFORE = 0.05;
 
-/** What plots of a live run show while one looks back: the time that is looked at, and all from there to now; at least `span` [s]. */
+/** Range of live plots while the past is shown: from that time to now, at least `span` [s]. */
 export function rangeOfPast(time: number, first: number, last: number, span: number): [number, number] {
   const from = Math.max(first, Math.min(last - span, time - (BEFORE / (1 - BEFORE)) * (last - time)));
   return [from, Math.max(last, from + span)];
 }
 
-/** Where a span begins that has this time in its middle, as far as there are frames. */
+/** Beginning of a span around this time, within the frames. */
 function fromAround(time: number, first: number, last: number, span: number): number {
   return Math.max(first, Math.min(time - 0.5 * span, last - span));
 }
 
-/** Plots of any channel, all over the same stretch of time. */
+/** Plots of any channels over the same time range. */
 export class PlotsPanel {
   private readonly plots: Plot[] = [];
   private readonly row = h("div", { class: "plot-row" });
   private readonly search: HTMLInputElement;
   private readonly found = h("ul", { class: "found popover", "aria-label": "channels", hidden: true });
-  /** The plot to which lines are added while the list is open; none: what is chosen next gets a plot of its own. */
+  /** The plot to which lines are added while the list is open; undefined: the next choice gets its own plot. */
   private target: Plot | undefined;
-  /** The wheel makes spans that are none of the menu's. */
+  /** The wheel can set other spans. */
   private readonly spans = new NumberMenu({ "aria-label": "time shown in the plots", id: "span" }, SPANS, spanText, (span) => this.setSpan(span));
   private schema: Schema;
-  /** Width of what is shown [s]; 0: all of a log. */
+  /** Shown time span [s]; 0: all. */
   private span: number;
   private from = NaN;
   private since = Infinity;
   private sincePicture = Infinity;
-  /** What the plots were drawn of last, and the time of the picture then. */
+  /** Last drawn ranges, and the time of the picture then. */
   private drawn = "";
   private pictured = NaN;
   private readonly progress = h("span", { class: "soft", id: "plots-progress" });
@@ -151,7 +151,7 @@ export class PlotsPanel {
     plot.remove();
   }
 
-  /** What is chosen from now on comes into this plot. */
+  /** Adds the next choices to this plot. */
   private addTo(plot: Plot | undefined): void {
     this.target?.root.classList.remove("target");
     this.target = plot;
@@ -160,7 +160,7 @@ export class PlotsPanel {
     if (plot !== undefined) this.search.focus();
   }
 
-  /** The tab key goes from the search through its list, and on to what is behind both. */
+  /** Closes the list when the focus leaves search and list. */
   private leave(chooser: HTMLElement, { relatedTarget }: FocusEvent): void {
     if (relatedTarget !== null && !chooser.contains(relatedTarget as Node)) this.closeList();
   }
@@ -178,7 +178,7 @@ export class PlotsPanel {
     this.found.hidden = false;
   }
 
-  /** A channel, and below it what of it can be chosen; `first`: of it the return key takes the best. */
+  /** A channel and its choices; `first`: the return key takes its best match. */
   private item({ channel, choices, isPart }: Match, first: boolean): HTMLElement {
     const { name, unit, about } = channel;
     const all = allOf(channel, choices, this.schema);
@@ -190,8 +190,7 @@ export class PlotsPanel {
       chips.length > 0 && h("div", { class: "chips" }, ...chips));
   }
 
-  /** Into the plot that is added to, or one that is from now on, also where the former has no room for lines that can be told apart; the list
-   * stays for more. */
+  /** Adds lines to the target, or to a new plot that becomes the target if there is none or it would have too many lines. */
   private choose(series: Series[]): void {
     const { target } = this;
     const has = (one: Series): boolean => target?.series.some(({ channel, index }) => channel === one.channel && index === one.index) ?? false;
@@ -244,7 +243,7 @@ export class PlotsPanel {
     return [this.from, this.from + span];
   }
 
-  /** Something that plots show has come. */
+  /** New data has arrived. */
   refresh(): void {
     this.since = Infinity;
   }
@@ -260,18 +259,18 @@ export class PlotsPanel {
     this.since = Infinity;
   }
 
-  /** Colours or sizes are others. */
+  /** Colours or sizes have changed. */
   rebuild(): void {
     for (const plot of this.plots) plot.build();
     this.since = Infinity;
   }
 
-  /** How far what they show has come; "": it is here. */
+  /** Shows the loading progress; "": all is here. */
   showProgress(text: string): void {
-    say(this.progress, text);
+    setText(this.progress, text);
   }
 
-  /** `frame`: that of the picture. */
+  /** `frame`: the picture's. */
   update(dt: number, frame: Frame | undefined): void {
     const { time } = this.player;
     const pictured = frame?.time ?? time;
@@ -289,7 +288,7 @@ export class PlotsPanel {
     this.pictured = pictured;
     for (const plot of this.plots) {
       plot.draw(this.player.source, from, to, pictured);
-      if (frame !== undefined) plot.tell(frame);
+      if (frame !== undefined) plot.showNumbers(frame);
     }
   }
 }

@@ -1,23 +1,23 @@
 import type { ConnectionState } from "../protocol/connection.ts";
 import { secondsText } from "../data/numbers.ts";
-import { part, say } from "./dom.ts";
+import { part, setText } from "./dom.ts";
 
-/** How long nothing has come [s]; `timeText` goes on. */
+/** How long nothing has arrived [s]; followed by `timeText`. */
 export function staleText(ago: number): string {
   return `Nothing new for ${ago} s`;
 }
 
-/** Of which time of the run the numbers are that stand there; NaN: there are none. */
+/** Time of the numbers in the panels; NaN: there are none. */
 export function timeText(time: number): string {
   return Number.isNaN(time) ? "" : `: all numbers are from ${secondsText(time)} of the run.`;
 }
 
-/** Said with the numbers: while nothing new comes one may look at any that came. */
+/** Shows the time of the numbers, which may be of the past. */
 export function showTime(time: number): void {
-  say(part("stale-time"), timeText(time));
+  setText(part("stale-time"), timeText(time));
 }
 
-/** What to look at where the program says nothing. */
+/** Advice while the program does not answer. */
 export const NO_ANSWER =
   "The program does not answer. Look in its terminal whether it still runs and is not stopped (^Z); over ssh, whether the port is still forwarded. The page waits for it.";
 
@@ -28,7 +28,7 @@ export interface Link {
   reason: string;
 }
 
-/** What is said above the numbers: why there are none, or that they are old; `last`: time of the newest, NaN: there is none. */
+/** Text above the numbers: why there are none, or that they are old; `last`: time of the newest, NaN: there is none. */
 export function linkText({ state, silence, quiet, reason }: Link, last: number): string {
   const away = silence > 0 || state === "lost";
   if (!Number.isNaN(last)) return away ? staleText(quiet) : "";
@@ -37,10 +37,10 @@ export function linkText({ state, silence, quiet, reason }: Link, last: number):
   return state === "connecting" ? "Connecting to the program …" : "";
 }
 
-/** Says it; the colours of numbers that are `old` are taken away. */
+/** Shows the text; `old` numbers lose their colours. */
 export function showLink(text: string, old: boolean): void {
   const note = part("stale");
   note.hidden = text === "";
-  say(part("stale-text"), text);
+  setText(part("stale-text"), text);
   document.body.classList.toggle("stale", old);
 }

@@ -1,6 +1,6 @@
 import { read, scalar, word, type Frame } from "../data/frame.ts";
 import { accountAt, type Account } from "../data/hierarchy.ts";
-import { LEG_CHANNELS, LEGS } from "../data/schema.ts";
+import { LEG_CHANNELS, type LegChannels } from "../data/schema.ts";
 import { pushesOf } from "../data/pushes.ts";
 import { pyramidUse } from "../data/pyramid_use.ts";
 import { yawOf } from "../math/geometry.ts";
@@ -8,9 +8,9 @@ import { digits, fixed, secondsText, seen } from "../data/numbers.ts";
 import { commandText, faultsText } from "../data/stop.ts";
 import { wishesText } from "../data/wished_forces.ts";
 import { percent } from "../math/friction.ts";
-import { h, say } from "./dom.ts";
+import { h, setText } from "./dom.ts";
 
-/** What a leg is to do: where its foot does so, and where it is to carry and is in the air. */
+/** Texts of a phase: as planned, and with the foot in the air. */
 const PHASES: Record<string, [as_planned: string, in_the_air: string]> = {
   stance: ["stands", "should stand, is in the air"],
   unloading: ["unloads", "should unload, is in the air"],
@@ -18,33 +18,33 @@ const PHASES: Record<string, [as_planned: string, in_the_air: string]> = {
   search: ["searches for ground", "searches for ground"],
 };
 
-/** Commands that are not the solution's: nobody asks of feet what was planned. */
+/** Modes whose command is not the solution's: the plan does not apply to the feet. */
 const WITHOUT_PLAN = ["hold", "sit", "damping", "lifted", "rise"];
 
-/** Of a foot that touches the ground: the size of its force. */
-function sizeText(frame: Frame, k: number): string {
+/** Size of the force on a foot that touches the ground. */
+function sizeText(frame: Frame, leg: LegChannels): string {
   const force = [0, 0, 0];
-  return read(frame, LEG_CHANNELS.trueForce[k] as string, force) ? `, |f| ${digits(Math.hypot(...force))} N` : "";
+  return read(frame, leg.trueForce, force) ? `, |f| ${digits(Math.hypot(...force))} N` : "";
 }
 
-/** What a foot is to do and what it does, with the size of the ground's force on it where it touches. */
-function footText(frame: Frame, leg: string, k: number): string {
-  const [asPlanned, inTheAir] = PHASES[word(frame, LEG_CHANNELS.phase[k] as string)] ?? ["is not known", "is in the air"];
-  const touching = scalar(frame, LEG_CHANNELS.touching[k] as string);
-  if (Number.isNaN(touching)) return `${leg} ${asPlanned}`;
-  if (touching === 0) return `${leg} ${inTheAir}`;
-  return `${leg} ${asPlanned}${asPlanned === "swings" ? ", touches" : ""}${sizeText(frame, k)}`;
+/** What a foot should do and does. */
+function footText(frame: Frame, leg: LegChannels): string {
+  const [asPlanned, inTheAir] = PHASES[word(frame, leg.phase)] ?? ["is not known", "is in the air"];
+  const { name } = leg, touching = scalar(frame, leg.touching);
+  if (Number.isNaN(touching)) return `${name} ${asPlanned}`;
+  if (touching === 0) return `${name} ${inTheAir}`;
+  return `${name} ${asPlanned}${asPlanned === "swings" ? ", touches" : ""}${sizeText(frame, leg)}`;
 }
 
-/** What feet are to do and what they do; of a command that is not the solution's, that nobody asks them for anything. */
+/** What the feet should do and do, or that the mode asks nothing of them. */
 function feetText(frame: Frame): string {
   const mode = word(frame, "command.mode");
-  if (!WITHOUT_PLAN.includes(mode)) return LEGS.map((leg, k) => footText(frame, leg, k)).join("; ");
-  const touching = LEGS.map((_, k) => scalar(frame, LEG_CHANNELS.touching[k] as string));
+  if (!WITHOUT_PLAN.includes(mode)) return LEG_CHANNELS.map((leg) => footText(frame, leg)).join("; ");
+  const touching = LEG_CHANNELS.map((leg) => scalar(frame, leg.touching));
   const asked = `nothing is asked of them (${mode})`;
   if (touching.some(Number.isNaN)) return asked;
   if (!touching.some((one) => one > 0)) return `${asked}; all are in the air`;
-  return [asked, ...LEGS.map((leg, k) => `${leg} ${(touching[k] as number) > 0 ? `touches${sizeText(frame, k)}` : "is in the air"}`)].join("; ");
+  return [asked, ...LEG_CHANNELS.map((leg, k) => `${leg.name} ${(touching[k] as number) > 0 ? `touches${sizeText(frame, leg)}` : "is in the air"}`)].join("; ");
 }
 
 /** Velocity of the base in the plane. */
@@ -53,7 +53,7 @@ function speedText(frame: Frame, topic: string): string {
   return read(frame, `${topic}.v_WB`, v) ? `${digits(seen(Math.hypot(...v), "m/s"))} m/s` : "";
 }
 
-/** Position and heading of a base in words; "" where they aren't known. */
+/** Position and heading of a base; "": not known. */
 function whereabouts(frame: Frame, topic: string): string {
   const p = [0, 0, 0];
   const q = [1, 0, 0, 0];
@@ -62,20 +62,20 @@ function whereabouts(frame: Frame, topic: string): string {
   return `x ${x} m, y ${y} m, z ${z} m, heading ${fixed((yawOf(q) * 180) / Math.PI, 2)}°`;
 }
 
-/** How far the estimate has drifted since the run's first tick, in words. */
+/** Drift of the estimate since the first tick. */
 function estimateError(frame: Frame): string {
   const [distance, heading] = [scalar(frame, "estimate.position_error"), scalar(frame, "estimate.heading_error")];
   if (Number.isNaN(distance + heading)) return "";
   return `${digits(100 * distance)} cm and ${digits((Math.abs(heading) * 180) / Math.PI)}° in heading since the start`;
 }
 
-/** What each foot that carries uses of its friction pyramid, in words. */
+/** Friction use of each foot that carries. */
 function pyramidUses(frame: Frame): string {
-  const uses = LEGS.map((leg, k) => [leg, pyramidUse(frame, k)] as const);
+  const uses = LEG_CHANNELS.map((leg) => [leg.name, pyramidUse(frame, leg)] as const);
   return uses.filter(([, use]) => !Number.isNaN(use)).map(([leg, use]) => `${leg} ${percent(use)}`).join(", ");
 }
 
-/** What pushes the robot from outside; "" where nobody knows. */
+/** Outside forces on the robot; "": not known. */
 function pushText(frame: Frame): string {
   const pushes = pushesOf(frame);
   if (pushes === undefined) return "";
@@ -84,8 +84,8 @@ function pushText(frame: Frame): string {
   return forces.length === 0 ? "nothing" : `${forces.join("; ")} (truth: the controller is not told)`;
 }
 
-/** The state in sentences: what a picture shows to those who see it; "" of what there is nothing to say now. */
-function allSentences(frame: Frame, account: Account): [string, string][] {
+/** The state in sentences, as the picture shows it; "": there is nothing to say of this now. */
+export function sentences(frame: Frame, account = accountAt(frame)): [string, string][] {
   const truth = whereabouts(frame, "truth");
   return [
     ["Time", `${secondsText(frame.time)}, tick ${frame.tick}`],
@@ -102,56 +102,55 @@ function allSentences(frame: Frame, account: Account): [string, string][] {
   ];
 }
 
-/** Those that say something. */
-export function sentences(frame: Frame, account = accountAt(frame)): [string, string][] {
-  return allSentences(frame, account).filter(([, text]) => text !== "");
-}
-
-/** The state in words, and what the run is. */
-export class StatePanel {
-  private readonly list = h("dl", { id: "state", "aria-live": "off" });
+/** Names with texts; a name whose text is "" is hidden and keeps its place. */
+class TextList {
+  readonly root: HTMLElement;
   private readonly rows = new Map<string, { name: HTMLElement; text: HTMLElement }>();
-  private readonly facts = new Map<string, { name: HTMLElement; text: HTMLElement }>();
 
-  constructor(root: HTMLElement, facts: [string, string][], notes: string[]) {
-    const about = h("dl", {});
-    for (const [name, text] of facts) {
-      const row = { name: h("dt", {}, name), text: h("dd", {}) };
-      this.facts.set(name, row);
-      about.append(row.name, row.text);
-      this.fact(name, text);
-    }
-    root.append(h("h2", {}, "Now"), this.list, h("h2", {}, "Run"), about);
-    if (notes.length > 0) root.append(h("h2", {}, "Notes"), h("ul", {}, ...notes.map((note) => h("li", {}, note))));
+  constructor(attributes: Record<string, string> = {}) {
+    this.root = h("dl", attributes);
   }
 
-  /** What the run is, where that has become known only later; "": nothing is known of it. */
-  fact(name: string, text: string): void {
-    const row = this.facts.get(name);
-    if (row === undefined) return;
+  show(name: string, text: string): void {
+    const row = this.rows.get(name) ?? this.add(name);
     row.name.hidden = row.text.hidden = text === "";
-    say(row.text, text);
+    setText(row.text, text);
   }
 
   clear(): void {
     this.rows.clear();
-    this.list.replaceChildren();
+    this.root.replaceChildren();
   }
 
-  /** Rows that this frame has nothing for are hidden, and have their place. */
+  private add(name: string): { name: HTMLElement; text: HTMLElement } {
+    const row = { name: h("dt", {}, name), text: h("dd", {}) };
+    this.rows.set(name, row);
+    this.root.append(row.name, row.text);
+    return row;
+  }
+}
+
+/** The state in words, and what the run is. */
+export class StatePanel {
+  private readonly state = new TextList({ id: "state", "aria-live": "off" });
+  private readonly run = new TextList();
+
+  constructor(root: HTMLElement, facts: [string, string][], notes: string[]) {
+    this.showRun(facts);
+    root.append(h("h2", {}, "Now"), this.state.root, h("h2", {}, "Run"), this.run.root);
+    if (notes.length > 0) root.append(h("h2", {}, "Notes"), h("ul", {}, ...notes.map((note) => h("li", {}, note))));
+  }
+
+  /** What the run is, some of which becomes known only later. */
+  showRun(facts: [string, string][]): void {
+    for (const [name, text] of facts) this.run.show(name, text);
+  }
+
+  clear(): void {
+    this.state.clear();
+  }
+
   show(frame: Frame, account: Account): void {
-    const all = allSentences(frame, account);
-    const told = new Map(all.filter(([, text]) => text !== ""));
-    for (const [name] of all) if (!this.rows.has(name)) this.add(name);
-    for (const [row, { name, text }] of this.rows) {
-      name.hidden = text.hidden = !told.has(row);
-      say(text, told.get(row) ?? "");
-    }
-  }
-
-  private add(row: string): void {
-    const made = { name: h("dt", {}, row), text: h("dd", {}) };
-    this.rows.set(row, made);
-    this.list.append(made.name, made.text);
+    for (const [name, text] of sentences(frame, account)) this.state.show(name, text);
   }
 }

@@ -3,27 +3,17 @@ import { h, part } from "./dom.ts";
 interface Page {
   tab: HTMLButtonElement;
   panel: HTMLElement;
-  /** How far it was scrolled when it was left. */
+  /** Scroll position when it was left. */
   scrolled: number;
 }
 
-/** Which tab a key leads to from that at `place`; undefined: the key is none of theirs. */
+/** Tab to which a key leads from `place`; undefined: not a key of tabs. */
 function placeAfter(key: string, place: number, count: number): number | undefined {
-  switch (key) {
-    case "ArrowRight":
-      return (place + 1) % count;
-    case "ArrowLeft":
-      return (place + count - 1) % count;
-    case "Home":
-      return 0;
-    case "End":
-      return count - 1;
-    default:
-      return undefined;
-  }
+  const places: Record<string, number> = { ArrowRight: (place + 1) % count, ArrowLeft: (place + count - 1) % count, Home: 0, End: count - 1 };
+  return places[key];
 }
 
-/** Panels of which one is seen at a time. The tab key goes to the tab of that, arrows from there to others. */
+/** Panels, one visible at a time. The tab key focuses its tab, arrows move to others. */
 export class Tabs {
   private readonly pages: Page[] = [];
   private shown: Page | undefined;
@@ -32,7 +22,7 @@ export class Tabs {
     part("tabs").addEventListener("keydown", (event) => this.press(event));
   }
 
-  /** An empty panel under a new tab; the first is shown. */
+  /** Adds an empty panel under a new tab; the first is shown. */
   add(id: string, title: string): HTMLElement {
     const panel = h("div", { class: "panel", role: "tabpanel", id: `panel-${id}`, "aria-labelledby": `tab-${id}`, hidden: true });
     const tab = h("button", { role: "tab", id: `tab-${id}`, "aria-controls": `panel-${id}`, onclick: () => this.show(page) }, title);
@@ -45,7 +35,7 @@ export class Tabs {
     return panel;
   }
 
-  /** Which of them is shown. */
+  /** Shows the chosen panel. */
   private mark(): void {
     for (const page of this.pages) {
       const isShown = page === this.shown;

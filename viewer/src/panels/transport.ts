@@ -6,26 +6,26 @@ import { secondsText } from "../data/numbers.ts";
 import { Wish } from "../data/wish.ts";
 import { VIEW_ONLY } from "../protocol/commands.ts";
 import type { Status } from "../protocol/connection.ts";
-import { h, say } from "./dom.ts";
+import { h, setText } from "./dom.ts";
 import { NumberMenu } from "./number_menu.ts";
 
-/** Marks nearer than this to each other are drawn as one [pixels]. */
+/** Marks within this width are drawn as one [pixels]. */
 const COLUMN = 4;
-/** How a mark is drawn: its colour, none of them a leg's, its width [pixels], and its height as a share of the bar's. */
+/** Style of a mark: colour (no leg's), width [pixels], and height as a share of the bar's. */
 interface MarkStyle {
   paint: string;
   wide: number;
   tall: number;
 }
-/** The more one weighs the more there is of it, so that it is told by more than its colour. */
+/** Weightier marks are larger, so that colour is not the only difference. */
 const STYLES: Record<Weight, MarkStyle> = {
-  usual: { paint: "--soft", wide: 1.5, tall: 0.35 }, // and higher where there are several
+  usual: { paint: "--soft", wide: 1.5, tall: 0.35 }, // higher where there are several
   change: { paint: "--ink", wide: 2, tall: 0.7 },
   notable: { paint: "--near", wide: 2.5, tall: 0.85 },
   grave: { paint: "--bad", wide: COLUMN, tall: 1 },
 };
 
-/** Of so many usual events that are drawn as one. */
+/** Height of so many usual events that are drawn as one. */
 const tallOf = (usual: number): number => Math.min(STYLES.usual.tall + 0.06 * Math.log2(usual), 0.6);
 
 const RESET = "begin again (r)", SPEED = "speed ([ and ])", PAST_SPEED = "speed of what is played again ([ and ])";
@@ -37,48 +37,48 @@ export interface TransportActions {
   reset: () => void;
 }
 
-/** The next speed of the menu above or below what is. */
+/** The next speed of the menu above or below `now`. */
 export function nextSpeed(speeds: number[], now: number, steps: number): number | undefined {
   const further = steps > 0 ? speeds.filter((speed) => speed > now) : speeds.filter((speed) => speed < now).reverse();
   return further[Math.min(Math.abs(steps), further.length) - 1];
 }
 
-/** The time that is shown, of a log with the whole. */
+/** The shown time; of a log also its length. */
 export function clockText(time: number, whole: number | undefined): string {
   return whole === undefined ? secondsText(time) : `${secondsText(time).replace(" s", "")} / ${secondsText(whole)}`;
 }
 
-/** How a run goes on, as far as the page knows; `unheard`: nobody says, and it has not ended before. */
-export type Course = "runs" | "paused" | "ended" | "unheard";
+/** State of a run; `unheard`: the program does not answer, and the run had not ended. */
+export type RunState = "runs" | "paused" | "ended" | "unheard";
 
-export function courseOf(status: Pick<Status, "paused" | "ended"> | undefined, heard: boolean): Course {
-  if (status !== undefined && status.ended !== null) return "ended"; // and stays so, whoever is heard
+export function runStateOf(status: Pick<Status, "paused" | "ended"> | undefined, heard: boolean): RunState {
+  if (status !== undefined && status.ended !== null) return "ended"; // final, even without an answer
   if (!heard || status === undefined) return "unheard";
   return status.paused ? "paused" : "runs";
 }
 
-const COURSES: Record<Course, string> = { runs: "the run is at", paused: "the run is paused at", ended: "the run ended at", unheard: "the newest is" };
+const STATE_TEXTS: Record<RunState, string> = { runs: "the run is at", paused: "the run is paused at", ended: "the run ended at", unheard: "the newest is" };
 
-/** Of a live run: why it has ended, where that is known. */
-export const endedText = (why: string, course: Course): string => why || (course === "unheard" ? "not known" : "not yet");
+/** Why a live run has ended, where that is known. */
+export const endedText = (why: string, runState: RunState): string => why || (runState === "unheard" ? "not known" : "not yet");
 
-/** Beside a time of the past: where the run itself is. */
-export function pastText(newest: number, course: Course): string {
-  return `past; ${COURSES[course]} ${newest.toFixed(1)} s`;
+/** Shown with a past time: where the run is. */
+export function pastText(newest: number, runState: RunState): string {
+  return `past; ${STATE_TEXTS[runState]} ${newest.toFixed(1)} s`;
 }
 
-/** The button that leads to the newest picture, and what it does. */
-export function newestText(past: boolean, course: Course): [text: string, title: string] {
-  if (course === "ended") return past ? ["To the end", "to the last picture of the run (l)"] : ["The end", "the last picture of the run (l)"];
-  if (course === "unheard") return past ? ["To newest", "to the newest picture that has come (l)"] : ["Newest", "the newest picture that has come (l)"];
+/** Text and title of the button to the newest picture. */
+export function newestText(past: boolean, runState: RunState): [text: string, title: string] {
+  if (runState === "ended") return past ? ["To the end", "to the last picture of the run (l)"] : ["The end", "the last picture of the run (l)"];
+  if (runState === "unheard") return past ? ["To newest", "to the newest picture that has come (l)"] : ["Newest", "the newest picture that has come (l)"];
   return [past ? "To now" : "Live", "to the newest picture (l)"];
 }
 
-/** What the space bar and its button do; `mayCommand`: this page may change the run. */
-export function playText(player: Pick<Player, "live" | "past">, running: boolean, mayCommand = true, course: Course = "runs"): string {
+/** Title of the play button; `mayCommand`: this page may change the run. */
+export function playText(player: Pick<Player, "live" | "past">, running: boolean, mayCommand = true, runState: RunState = "runs"): string {
   const now = player.live && !player.past;
-  if (now && course === "ended") return mayCommand ? "the run has ended; ↺ begins it again" : "the run has ended";
-  if (now && course === "unheard") return "the program says nothing: the run can't be paused";
+  if (now && runState === "ended") return mayCommand ? "the run has ended; ↺ begins it again" : "the run has ended";
+  if (now && runState === "unheard") return "the program says nothing: the run can't be paused";
   if (player.past || (player.live && !mayCommand)) return running ? "stop here; the run is left alone (space)" : "play on from here; the run is left alone (space)";
   if (player.live) return running ? "pause the run (space)" : "let the run go on (space)";
   return running ? "pause (space)" : "play (space)";
@@ -87,7 +87,7 @@ export function playText(player: Pick<Player, "live" | "past">, running: boolean
 /** Pause, step, speed, and the bar of the run's time with marks of what happened. */
 export class Transport {
   private readonly playButton: HTMLButtonElement;
-  /** The run may have a speed that is none of the menu's. */
+  /** The run may have a speed outside the menu. */
   private readonly speedMenu: NumberMenu;
   private readonly liveButton: HTMLButtonElement;
   private readonly slider: HTMLInputElement;
@@ -146,42 +146,42 @@ export class Transport {
     this.actions.speed(speed);
   }
 
-  /** The time of the picture. */
-  tell({ time }: Frame): void {
+  /** Shows the time of the picture. */
+  showTime({ time }: Frame): void {
     const { live, source } = this.player;
-    say(this.clock, clockText(time, live ? undefined : source.last));
+    setText(this.clock, clockText(time, live ? undefined : source.last));
   }
 
-  /** No time, until there is a picture again. */
+  /** Shows no time until there is a picture again. */
   clear(): void {
-    say(this.clock, "");
+    setText(this.clock, "");
   }
 
-  /** The page has other colours. */
-  wear(): void {
+  /** The colours have changed. */
+  recolour(): void {
     this.marksSeen = "";
   }
 
-  /** `heard`: the program says how the run goes on. */
+  /** `heard`: the program answers. */
   update(status: Status | undefined, heard: boolean): void {
     const { player } = this;
-    const size = [this.canvas.clientWidth, this.canvas.clientHeight, devicePixelRatio].join(); // before anything changes, so that nothing is laid out twice
+    const size = [this.canvas.clientWidth, this.canvas.clientHeight, devicePixelRatio].join(); // read first, to avoid a second layout
     const { first, last, marks } = player.source;
-    const course = courseOf(status, heard);
-    const running = player.following ? course === "runs" || (course === "unheard" && !(status?.paused ?? false)) : player.playing;
-    say(this.playButton, running ? "❚❚" : "▶");
-    name(this.playButton, playText(player, running, this.mayCommand, course));
-    this.playButton.disabled = player.following && (course === "ended" || course === "unheard");
+    const runState = runStateOf(status, heard);
+    const running = player.following ? runState === "runs" || (runState === "unheard" && !(status?.paused ?? false)) : player.playing;
+    setText(this.playButton, running ? "❚❚" : "▶");
+    name(this.playButton, playText(player, running, this.mayCommand, runState));
+    this.playButton.disabled = player.following && (runState === "ended" || runState === "unheard");
     const speed = player.live && player.following ? this.wish.or(status?.speed ?? 1) : player.speed;
     if (document.activeElement !== this.speedMenu.select) this.speedMenu.show(speed);
     this.liveButton.classList.toggle("on", player.following);
     this.liveButton.classList.toggle("primary", player.past);
-    const [newest, title] = newestText(player.past, course);
-    say(this.liveButton, newest);
+    const [newest, title] = newestText(player.past, runState);
+    setText(this.liveButton, newest);
     name(this.liveButton, title);
     this.forbid(this.resetButton, player.live && !this.mayCommand, RESET);
     this.forbid(this.speedMenu.select, player.following && !this.mayCommand, player.past ? PAST_SPEED : SPEED);
-    say(this.past, player.past && !Number.isNaN(last) ? pastText(last, course) : "");
+    setText(this.past, player.past && !Number.isNaN(last) ? pastText(last, runState) : "");
     if (Number.isNaN(first)) return;
     this.slider.min = String(first);
     this.slider.max = String(last);
@@ -227,14 +227,14 @@ export class Transport {
     const text = hintOf(marks, time, (5 / box.width) * (last - first));
     this.hint.hidden = text === "";
     if (text === "") return;
-    say(this.hint, text);
+    setText(this.hint, text);
     const half = 0.5 * this.hint.offsetWidth + 4;
     const x = Math.min(Math.max(event.clientX, half), innerWidth - half);
     this.hint.style.left = `${x - (box.left - this.canvas.offsetLeft)}px`;
   }
 }
 
-/** For those who hover, and those who hear. */
+/** Sets title and label. */
 function name(button: HTMLButtonElement, words: string): void {
   if (button.title === words) return;
   button.title = words;

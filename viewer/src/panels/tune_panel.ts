@@ -2,19 +2,19 @@ import type { Ask } from "../protocol/commands.ts";
 import { orderOf, type Session, type TaskInfo, type TaskNumber } from "../protocol/session.ts";
 import { LEGS } from "../data/schema.ts";
 import type { Status } from "../protocol/connection.ts";
-import { h, plain, say } from "./dom.ts";
+import { h, plain, setText } from "./dom.ts";
 import { NumberField } from "./number_field.ts";
 
 export type Report = (text: string, kind?: "error" | "plain") => void;
 
-/** What the grip has made, foot by foot, of the friction that the operator gave; "" where it is not known. */
+/** The controller's friction estimates per foot, starting from the operator's; "": not known. */
 export function beliefText(friction: number[], given: number): string {
   if (friction.some((mu) => Number.isNaN(mu))) return "";
   if (friction.every((mu) => Math.abs(mu - given) < 0.005)) return `The controller believes μ = ${given.toFixed(2)} of every foot now.`;
   return `The controller believes now, after slips: ${LEGS.map((leg, k) => `${leg} ${friction[k]?.toFixed(2)}`).join(", ")}.`;
 }
 
-/** Numbers of the tasks, and the friction that the controller assumes. */
+/** Gains of the tasks, and the friction that the controller assumes. */
 export class TunePanel {
   private readonly tables = h("div", { class: "gains" });
   private readonly tasks = new Map<string, TaskTable>();
@@ -57,16 +57,16 @@ export class TunePanel {
     const order = orderOf(session);
     const tables = session.tasks.filter(({ numbers }) => numbers.length > 0).map((task) => this.table(task, order.indexOf(task.level_name) + 1));
     tables.sort((a, b) => a.place - b.place);
-    // Elements that are put in again lose the focus.
+    // Elements that are inserted again lose the focus.
     if (tables.some(({ root }, k) => this.tables.children[k] !== root)) this.tables.replaceChildren(...tables.map(({ root }) => root));
   }
 
-  /** `friction`: that each foot is believed to find. */
+  /** `friction`: estimate per foot. */
   showBelief(friction: number[]): void {
-    say(this.belief, beliefText(friction, this.frictionNow));
+    setText(this.belief, beliefText(friction, this.frictionNow));
   }
 
-  /** Of a run that stands nothing comes to effect: what was asked for is shown until it does. */
+  /** In a paused run, changes stay shown until they take effect. */
   showStatus({ paused }: Pick<Status, "paused">): void {
     for (const field of this.fields()) field.refresh(paused);
   }
@@ -81,7 +81,7 @@ export class TunePanel {
   }
 }
 
-type Tell = (text: string) => void;
+type Reject = (text: string) => void;
 
 /** The numbers of a task. */
 class TaskTable {
@@ -90,25 +90,25 @@ class TaskTable {
   private readonly title = h("span", {});
   readonly fields: NumberField[];
 
-  constructor(task: TaskInfo, ask: Ask, tell: Tell) {
+  constructor(task: TaskInfo, ask: Ask, reject: Reject) {
     const detail = task.task === task.level_name ? undefined : h("span", { class: "soft" }, ` ${plain(task.task)}`);
-    const gains = task.numbers.map((number) => new GainField(task, number, ask, tell));
+    const gains = task.numbers.map((number) => new GainField(task, number, ask, reject));
     this.fields = gains.map(({ field }) => field);
     this.root = h("section", { class: "task" }, h("h3", {}, this.title, detail), ...gains.map(({ root }) => root));
   }
 
-  /** `place`: of its level in the order, from 1. */
+  /** `place`: of the level in the order, from 1. */
   show(task: TaskInfo, place: number): void {
     this.place = place;
-    say(this.title, `${place} ${plain(task.level_name)}`);
+    setText(this.title, `${place} ${plain(task.level_name)}`);
     this.fields.forEach((field, k) => field.show(task.numbers[k]?.value ?? NaN));
   }
 }
 
-/** A task as the program calls it in what it says of changes. */
+/** A task's name, as in the program's messages. */
 const taskTitle = ({ level_name: level, task }: TaskInfo): string => (level === task ? plain(level) : `${plain(level)}, ${plain(task)}`);
 
-/** Of a ratio the catalogue says "–", which reads like a number that is not known. */
+/** The catalogue marks ratios by "–", which would look like an unknown number. */
 function unitText(unit: string): string {
   return unit === "–" ? "(ratio)" : unit;
 }
@@ -118,13 +118,13 @@ class GainField {
   readonly root: HTMLElement;
   readonly field: NumberField;
 
-  constructor(task: TaskInfo, number: TaskNumber, ask: Ask, tell: Tell) {
+  constructor(task: TaskInfo, number: TaskNumber, ask: Ask, reject: Reject) {
     const unit = number.unit === "–" ? "" : ` ${number.unit}`;
     const range = `from ${number.min} to ${number.max}${unit}`.trimEnd();
     const hint = [number.about, range].filter((text) => text !== "").join("; ");
     this.field = new NumberField({ min: number.min, max: number.max, step: "any", "data-gain": `${task.level_name}.${task.task}.${number.name}`, title: hint }, {
       ask: (value, field) => ask("gain", { level: task.level_name, task: task.task, name: number.name, value }, field),
-      reject: (kept) => tell(`No change: ${taskTitle(task)} ${plain(number.name)} was no number. It is ${kept}${unit} again.`),
+      reject: (kept) => reject(`No change: ${taskTitle(task)} ${plain(number.name)} was no number. It is ${kept}${unit} again.`),
     });
     const name = h("span", {}, plain(number.name), h("small", { class: "hint" }, hint));
     this.root = h("label", { class: "field" }, name, h("span", { class: "with-unit" }, this.field.input, h("span", { class: "unit" }, unitText(number.unit))));

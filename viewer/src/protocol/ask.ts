@@ -1,4 +1,4 @@
-/** There is no server at the other end, or it went away meanwhile, or does not answer in time. */
+/** There is no server, or it does not answer in time. */
 export class NoAnswer extends Error {
   constructor() {
     super("the program does not answer");
@@ -7,12 +7,12 @@ export class NoAnswer extends Error {
 
 export type Fetch = (url: string) => Promise<Response>;
 
-/** A whole answer that takes longer than this does not come [ms]. */
+/** Longest time of a whole answer [ms]. */
 const LONGEST = 20000;
 
 const fetchInTime: Fetch = (url) => fetch(url, { signal: AbortSignal.timeout(LONGEST) });
 
-/** What the server gives; an error says in its words why not, and is a `NoAnswer` where there is no server. */
+/** The server's answer. Throws an error with the server's words, or `NoAnswer`. */
 export async function ask(url: string, fetchFrom = fetchInTime): Promise<ArrayBuffer> {
   let answer: Response;
   let bytes: ArrayBuffer;
@@ -26,7 +26,7 @@ export async function ask(url: string, fetchFrom = fetchInTime): Promise<ArrayBu
   return bytes;
 }
 
-/** The same, but waits for a server that went away. */
+/** The same, but calls `wait` and asks again while there is no server. */
 export async function askUntilAnswered(url: string, wait: () => Promise<void>, fetchFrom: Fetch = fetch): Promise<ArrayBuffer> {
   for (;;) {
     try {
@@ -37,6 +37,14 @@ export async function askUntilAnswered(url: string, wait: () => Promise<void>, f
     }
   }
 }
+
+/** Reads a JSON answer. */
+export async function askJson<T>(url: string): Promise<T> {
+  return JSON.parse(textOf(await ask(url))) as T;
+}
+
+/** Ends after this long [ms]. */
+export const pause = (ms: number): Promise<void> => new Promise((resolve) => setTimeout(resolve, ms));
 
 export function textOf(bytes: ArrayBuffer): string {
   return new TextDecoder().decode(bytes);

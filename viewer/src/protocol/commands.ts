@@ -1,21 +1,14 @@
 import type { Connection, Reply } from "./connection.ts";
 
-export interface Walk {
-  walk: boolean;
-  velocity: [number, number];
-  yaw_rate: number;
-  height: number;
-}
-
-/** What a page without the token says wherever it can't do something. */
+/** Message of a page without the token. */
 export const VIEW_ONLY = "this page can only look: open the link with #token=… that the program printed last";
 
-/** Asks the run for something; a refusal is shown, and ends the wish. */
+/** Sends a command; a refusal is shown, and drops the wish. */
 export type Ask = (type: string, fields: object, wish?: { drop: () => void }) => void;
 
-/** Asks the server for changes of the run. Each needs the token of the link that the program printed. */
+/** Sends commands to the server. Each needs the token of the link that the program printed. */
 export class Commands {
-  /** The program does not know the token: it is that of an earlier start, say. */
+  /** The program does not know the token, such as that of an earlier start. */
   onRefused: () => void = () => {};
   private id = 0;
   private refused = false;
@@ -26,21 +19,21 @@ export class Commands {
     private readonly token: string,
   ) {}
 
-  /** Whether this page was opened with a token on a live run, and the program has not refused it. */
+  /** Whether the page has a token for a live run that the program has not refused. */
   get allowed(): boolean {
     return this.connection !== undefined && this.token !== "" && !this.refused;
   }
 
-  /** Asks whether the program knows the token, before anybody presses something. */
+  /** Asks whether the program knows the token, before the first command. */
   greet(): void {
-    if (this.allowed) this.send("hello").catch(() => {}); // what is refused is shown, what is lost asked again
+    if (this.allowed) this.send("hello").catch(() => {}); // a refusal is shown; a lost question is asked again
   }
 
-  /** Ends with the server's answer; an error says why it was not done. */
+  /** Ends with the server's answer; the error says why the command was not done. */
   send(type: string, fields: object = {}): Promise<void> {
     if (this.connection === undefined) return Promise.reject(new Error("a log can't be changed"));
     if (!this.allowed) return Promise.reject(new Error(VIEW_ONLY));
-    // What waits in the socket of a program that stands still would be done once it goes on, whenever that is.
+    // A stopped program would execute the command whenever it continues.
     if (this.connection.silence > 0) return Promise.reject(new Error("the program does not answer, so it was not asked"));
     const id = ++this.id;
     if (!this.connection.send({ type, ...fields, token: this.token, id }))
@@ -59,7 +52,7 @@ export class Commands {
     this.waiting.delete(reply.id);
   }
 
-  /** The connection is gone: what waits gets no answer. */
+  /** The connection is lost: commands that wait get no answer. */
   lost(): void {
     for (const [id, answer] of this.waiting)
       answer({ type: "reply", id, ok: false, error: "the connection was lost before the answer" });

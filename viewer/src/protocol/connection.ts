@@ -1,24 +1,23 @@
 import type { RawEvent } from "../data/marks.ts";
 
-/** What the server says in text messages. */
+/** State of the run, a text message of the server. */
 export interface Status {
   type: "status";
   paused: boolean;
   speed: number;
-  /** Seconds of the run in one of the clock's, at this speed; 0: not measured yet. */
+  /** Measured speed relative to real time; 0: not measured yet. */
   real_factor: number;
   time: number;
   tick: number;
-  can_command: boolean;
   /** Seconds of the run until the robot has calibrated itself, 0 where it takes longer than usual; null: it does not calibrate. */
   calibrating: number | null;
   ended: string | null;
   recording: string;
   generation: number;
-  /** With which generation the run began that goes on. */
+  /** Generation at which the present run began. */
   begun: number;
   command: { walk: boolean; velocity: number[]; yaw_rate: number; height: number; by: string };
-  /** From outside, since the run began. */
+  /** Changes from outside since the run began. */
   changes: number;
 }
 
@@ -36,7 +35,7 @@ export interface Notice {
   text: string;
 }
 
-/** What happened, as `/api/events` of a log has it. */
+/** Events, as in `/api/events`. */
 export interface Events {
   type: "events";
   events: RawEvent[];
@@ -44,7 +43,7 @@ export interface Events {
 
 export type ServerMessage = Status | Events | Reply | Notice;
 
-/** Reads a text message; an error says that it is none. */
+/** Reads a text message; throws where it is none. */
 function readMessage(text: string): ServerMessage {
   const message = parsed(text) as Partial<ServerMessage> | null | undefined;
   if (typeof message?.type !== "string") throw new Error("what the program said is no message: program and page are of different versions, load the page again");
@@ -75,7 +74,7 @@ export function rateOf({ paused, ended, speed, real_factor }: Pick<Status, "paus
   return real_factor > 0 ? Math.min(real_factor, speed) : speed;
 }
 
-/** A program that says nothing for this long does not answer; of its state it tells four times a second [ms]. */
+/** Without messages for this long, the program does not answer; it sends its state four times a second [ms]. */
 const SILENCE = 3000;
 
 /** Whole seconds since the last message where these are too many, otherwise 0. */
@@ -83,10 +82,9 @@ export function silenceOf(heard: number, now: number): number {
   return now - heard < SILENCE ? 0 : Math.floor((now - heard) / 1000);
 }
 
-/** A connection that has brought nothing for this long is given up for a new one [ms]: that a machine is gone, or the way to it, a browser that
- * only listens is told by nobody. */
+/** A connection without messages for this long is replaced [ms]: a browser that only receives does not notice that the other machine is gone. */
 const GIVEN_UP = 20000;
-/** How often it is looked for that [ms]. */
+/** Period of that check [ms]. */
 const WATCH_PERIOD = 1000;
 
 /** The socket of a live run; opens again by itself. */
@@ -95,9 +93,9 @@ export class Connection {
   onBlock: (block: ArrayBuffer) => void = () => {};
   onMessage: (message: ServerMessage) => void = () => {};
   onState: (state: ConnectionState) => void = () => {};
-  /** What came can't be read. */
+  /** A message can't be read. */
   onUnreadable: (error: Error) => void = () => {};
-  /** Why the program closed the connection last, in its words; "": it did not say. */
+  /** Why the program closed the connection last, in its words; "": no reason given. */
   reason = "";
 
   private socket: WebSocket | undefined;
@@ -108,12 +106,12 @@ export class Connection {
     setInterval(() => this.watch(), WATCH_PERIOD);
   }
 
-  /** Whole seconds since something came. */
+  /** Whole seconds since the last message. */
   get quiet(): number {
     return Math.max(0, Math.floor((performance.now() - this.heard) / 1000));
   }
 
-  /** Seconds for which a connection that is open, or is being opened first, has brought nothing; 0 where that is usual. */
+  /** Seconds without messages on a connection that is open or first opening; 0 where that is normal. */
   get silence(): number {
     return this.state === "lost" ? 0 : silenceOf(this.heard, performance.now());
   }
@@ -145,7 +143,7 @@ export class Connection {
     this.onMessage(message);
   }
 
-  /** With its first message the program has taken the page: one that it turns away hears none. */
+  /** The first message means that the program has accepted the page: a refused page gets none. */
   private welcome(): void {
     this.attempt = 0;
     this.enter("open");

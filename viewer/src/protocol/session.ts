@@ -1,4 +1,4 @@
-import { ask, textOf } from "./ask.ts";
+import { askJson } from "./ask.ts";
 
 /** What `/api/session` answers (docs/view_protocol.md). */
 export interface ChannelInfo {
@@ -15,7 +15,6 @@ export interface MeshInfo {
   id: number;
   uri: string;
   found: boolean;
-  bytes?: number;
 }
 
 export interface TerrainPiece {
@@ -42,8 +41,6 @@ export interface TaskInfo {
   level_name: string;
   task: string;
   numbers: TaskNumber[];
-  /** What it was given besides numbers, e.g. axes: gravity. */
-  choices: Record<string, string>;
 }
 
 export interface LimbLimits {
@@ -80,7 +77,7 @@ export interface Limits {
   push_newtons: number;
   push_seconds: number;
   speeds: number[];
-  /** Most of what can be asked to walk: m/s, rad/s, m. */
+  /** Limits of a walk command: m/s, rad/s, m. */
   walk_velocity: number;
   walk_yaw_rate: number;
   walk_height: number;
@@ -96,7 +93,7 @@ export interface Order {
 
 export interface Session {
   protocol: number;
-  /** Of the program: another one is another run. */
+  /** Names a start of the program: another start serves another run. */
   start: string;
   mode: "live" | "replay";
   version: string;
@@ -110,7 +107,7 @@ export interface Session {
   period: number;
   first_tick: number;
   ticks: number;
-  /** Of a log: ticks from the first on whose least and greatest are known by now. */
+  /** Of a log: ticks from the first on that are summarised by now. */
   summarised: number;
   /** Of a log: sentences on what of it can't be read, so far. */
   damage: string[];
@@ -122,12 +119,11 @@ export interface Session {
   limits: Limits;
   orders: Order[];
   generation: number;
-  /** Generation with which the present run began: another one after each reset. */
+  /** Generation at which the present run began; it changes with each reset. */
   begun: number;
-  /** That the operator gave the controller. */
+  /** Friction that the operator gave the controller. */
   friction: number;
   tasks: TaskInfo[];
-  can_command: boolean;
 }
 
 /** The levels' order as it is now. */
@@ -137,9 +133,9 @@ export function orderOf({ orders, header }: Session): string[] {
 
 export const PROTOCOL = 2;
 
-/** Reads the session; an error says what is wrong in a sentence. */
+/** Reads the session; the error says what is wrong in a sentence. */
 export async function fetchSession(): Promise<Session> {
-  const session = JSON.parse(textOf(await ask("/api/session"))) as Session;
+  const session = await askJson<Session>("/api/session");
   if (session.protocol !== PROTOCOL)
     throw new Error(
       `the program speaks version ${session.protocol} of the protocol, this page version ${PROTOCOL}: load the page again`,

@@ -1,13 +1,13 @@
 import * as THREE from "three";
 import { simplify } from "./simplify.ts";
 
-/** A cell is no larger than this share of the file's shortest extent, or tubes would lose their area. */
+/** Largest cell, as a share of the file's shortest extent: in larger cells tubes collapse. */
 const THIN = 1 / 3;
 /** Meshes with fewer triangles stay as they are. */
 const SMALL = 200;
 
-/** Puts coarser geometry into the meshes below `object`, for machines that draw slowly; `share`: of the file's longest extent, within which corners
- * become one. */
+/** Replaces the meshes below `object` by coarser ones, for machines that draw slowly; `share`: size of the cells in which corners are merged, of
+ * the file's longest extent. */
 export function coarsen(object: THREE.Object3D, share: number): void {
   object.updateMatrixWorld(true);
   const extent = new THREE.Box3().setFromObject(object).getSize(new THREE.Vector3());

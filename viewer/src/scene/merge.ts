@@ -1,8 +1,7 @@
 import * as THREE from "three";
 import { mergeGeometries } from "three/examples/jsm/utils/BufferGeometryUtils.js";
-import { groupBy } from "../data/group_by.ts";
 
-/** Of all that has no image: the colour stands at each corner. */
+/** For meshes without an image: the colour stands at each corner. */
 const COLOURED = new THREE.MeshLambertMaterial({ vertexColors: true, side: THREE.DoubleSide });
 
 /**
@@ -18,7 +17,7 @@ export function merged(object: THREE.Object3D): THREE.Group {
   });
   const result = new THREE.Group();
   object.matrix.decompose(result.position, result.quaternion, result.scale);
-  for (const [map, group] of groupBy(pieces, ({ material }) => material.map)) {
+  for (const [map, group] of Map.groupBy(pieces, ({ material }) => material.map)) {
     const geometry = mergeGeometries(group.map((piece) => piece.geometry));
     result.add(new THREE.Mesh(geometry, map === null ? COLOURED : (group[0] as Piece).material));
   }
@@ -56,7 +55,7 @@ function pieceOf(soup: THREE.BufferGeometry, start: number, count: number, { col
 
 const SHAPE = [["position", 3], ["normal", 3]] as const;
 
-/** What was mirrored has its triangles the other way round. */
+/** Reverses the triangles of a mirrored geometry. */
 function turned(geometry: THREE.BufferGeometry): THREE.BufferGeometry {
   const { count } = geometry.getAttribute("position");
   return geometry.setIndex(Array.from({ length: count }, (_, i) => count - 1 - i)).toNonIndexed();

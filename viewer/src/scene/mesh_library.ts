@@ -4,13 +4,13 @@ import { OBJLoader } from "three/examples/jsm/loaders/OBJLoader.js";
 import { STLLoader } from "three/examples/jsm/loaders/STLLoader.js";
 import { coarsen } from "./coarse_mesh.ts";
 import { merged } from "./merge.ts";
-import { askUntilAnswered, textOf } from "../protocol/ask.ts";
+import { askUntilAnswered, pause, textOf } from "../protocol/ask.ts";
 import type { MeshInfo } from "../protocol/session.ts";
 
-/** A mesh is asked for again this long after the connection was lost [ms]. */
+/** Pause before a mesh is requested again after a lost connection [ms]. */
 const AGAIN = 1000;
 
-/** What of the robot is shown by primitives, and where to look; `missing`: why, by address; "": nothing. */
+/** Which meshes are replaced by primitives, and where to look; `missing`: reasons by address. "": none. */
 export function missingText(missing: Map<string, string> = new Map()): string {
   if (missing.size === 0) return "";
   const names = [...missing.keys()].map((uri) => uri.slice(uri.lastIndexOf("/") + 1));
@@ -20,7 +20,7 @@ export function missingText(missing: Map<string, string> = new Map()): string {
 
 const kindOf = (uri: string): string => uri.slice(uri.lastIndexOf(".") + 1).toLowerCase();
 
-/** Of other files it is the robot's description that has the materials: each link that uses one may have another. */
+/** Meshes of other kinds get their material from the URDF, link by link. */
 const hasMaterials = (uri: string): boolean => kindOf(uri) === "dae";
 
 function meshesOf(object: THREE.Object3D): THREE.Mesh[] {
@@ -33,13 +33,13 @@ function paint(object: THREE.Object3D, material: THREE.Material): void {
   for (const mesh of meshesOf(object)) mesh.material = material;
 }
 
-/** Loads each mesh of the session once, whoever asks for it; one after the other, so that pictures come between. */
+/** Loads each mesh of the session once, one after the other, with pictures in between. */
 export class MeshLibrary {
-  /** What could not be shown, and why. */
+  /** Meshes that could not be shown, and why. */
   readonly missing = new Map<string, string>();
-  /** Meshes that are still to come. */
+  /** Meshes that are still loading. */
   loading = 0;
-  /** All that were asked for. */
+  /** All meshes requested so far. */
   wanted = 0;
   onMissing: () => void = () => {};
   onLoad: () => void = () => {};
@@ -57,7 +57,7 @@ export class MeshLibrary {
     for (const mesh of meshes) this.byUri.set(mesh.uri, mesh);
   }
 
-  /** A copy that shares its geometry, of `material` unless the file has materials of its own; an error where there is no such mesh. */
+  /** A copy that shares its geometry, with `material` unless the file has its own. Throws where there is no such mesh. */
   async load(uri: string, material: THREE.Material): Promise<THREE.Object3D> {
     let loading = this.loads.get(uri);
     if (loading === undefined) this.loads.set(uri, (loading = this.enqueue(() => this.fetch(uri))));
@@ -73,7 +73,7 @@ export class MeshLibrary {
     }
   }
 
-  /** How many of them are there; "" where all have come. */
+  /** Loading progress; "" where all meshes are loaded. */
   get progress(): string {
     return this.loading === 0 ? "" : `Loading meshes: ${this.wanted - this.loading} of ${this.wanted} are here`;
   }
@@ -89,13 +89,13 @@ export class MeshLibrary {
   private async fetch(uri: string): Promise<THREE.Object3D> {
     const info = this.byUri.get(uri);
     if (info === undefined || !info.found) throw new Error("the file is not there");
-    const bytes = await askUntilAnswered(`/api/mesh/${info.id}`, () => new Promise((resolve) => setTimeout(resolve, AGAIN)));
-    const breath = new Breath();
+    const bytes = await askUntilAnswered(`/api/mesh/${info.id}`, () => pause(AGAIN));
+    const rest = new Rest();
     const read = this.parse(uri, bytes);
-    await breath.take();
+    await rest.take();
     const detail = this.detail();
     if (detail > 0) coarsen(read, detail);
-    await breath.take();
+    await rest.take();
     const object = hasMaterials(uri) ? merged(read) : read;
     for (const mesh of meshesOf(object)) mesh.castShadow = mesh.receiveShadow = true;
     return object;
@@ -153,24 +153,24 @@ function plain(material: THREE.Material | THREE.Material[]): THREE.Material | TH
   });
 }
 
-/** Work that is shorter than this needs no rest behind it [ms]. */
+/** Shorter work needs no rest [ms]. */
 const SHORT_WORK = 200;
 /** Longest rest between two pieces of work [ms]. */
-const LONGEST_BREATH = 300;
+const LONGEST_REST = 300;
 
-/** After each piece of work a rest that is as long: for what the program sends, and for pictures. */
-class Breath {
+/** Rests after each piece of work for as long as it took, so that data and pictures get their turn. */
+class Rest {
   private since = performance.now();
 
   async take(): Promise<void> {
     const took = performance.now() - this.since;
     if (took < SHORT_WORK) return;
-    await new Promise((resolve) => setTimeout(resolve, Math.min(took, LONGEST_BREATH)));
+    await pause(Math.min(took, LONGEST_REST));
     this.since = performance.now();
   }
 }
 
-/** After the picture that is being made; in a hidden tab, where none is, soon. */
+/** Ends after the next picture, or after a short time in a hidden tab. */
 function nextPicture(): Promise<void> {
   return new Promise((resolve) => {
     const timer = setTimeout(resolve, 200);

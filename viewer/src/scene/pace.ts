@@ -1,13 +1,13 @@
-/** A picture that keeps the browser busy for less than this needs no rest behind it [ms]. */
+/** A picture that keeps the browser busy for less than this needs no rest [ms]. */
 const QUICK = 40;
-/** Longer than this was no picture, but a machine that slept [ms]. */
+/** A longer interval means that the machine slept [ms]. */
 const SLEPT = 3000;
-/** No rest is longer than this [ms]. */
+/** Longest rest [ms]. */
 const LONGEST_REST = 1000;
 
 /**
- * When the next picture may be drawn. While the processor draws one the page hears nothing: where that takes long, as long
- * a rest comes behind it, for what the program sends and for the run itself, which share the machine.
+ * Decides when the next picture may be drawn. While the processor draws, the page receives nothing. A slow picture is therefore followed by a rest of
+ * the same length, for received data and for the run on the same machine.
  */
 export class Pace {
   /** How long the last picture kept the browser busy [ms]. */
@@ -15,7 +15,7 @@ export class Pace {
   private drawn = NaN;
   private ready = -Infinity;
 
-  /** `page`: says when it is hidden or seen again; no picture comes while it is hidden, however quick they are. */
+  /** `page`: reports when it is hidden or visible; a hidden page draws nothing, which is not slowness. */
   constructor(page?: EventTarget) {
     page?.addEventListener("visibilitychange", () => {
       this.drawn = NaN;

@@ -1,5 +1,7 @@
-/** Colours of the scene. Those of the legs are Okabe and Ito's, as the report and the plots have them, and no mark of the picture has one of
- * them: all are told apart with weak red or green, too. */
+import { Color } from "three";
+
+/** Colours of the scene. The legs have Okabe and Ito's, as in the report and the plots; no mark has a leg's colour. All can be distinguished with
+ * red-green blindness. */
 export interface Palette {
   dark: boolean;
   background: number;
@@ -7,19 +9,19 @@ export interface Palette {
   groundLine: number;
   edge: number;
   legs: [number, number, number, number];
-  /** What is left of a limit: the less, the stronger, and of no leg's hue. */
+  /** For shares of a limit: stronger the less is left, and of no leg's hue. */
   margin: { good: number; near: number; bad: number };
-  /** About what is nearly used up: as bright as the ground, so that it is seen before dark bodies and bright ones. */
+  /** Outline of pyramids that are nearly used up: as bright as the ground, to stand out from any body. */
   alarmEdge: number;
   com: number;
-  /** Of the centre of mass. */
+  /** Plan of the centre of mass. */
   plan: number;
   zmp: number;
   support: number;
   plane: number;
   ghost: number;
   push: number;
-  /** About what is drawn over bodies of any colour. */
+  /** Outline of arrows over bodies of any colour. */
   halo: number;
 }
 
@@ -61,5 +63,15 @@ const DARK: Palette = {
 };
 
 export const paletteOf = (dark: boolean): Palette => (dark ? DARK : LIGHT);
+
+/** The colours of overlays that paint many things with one material. */
+export function coloursOf({ legs, com, plan, push, halo, margin, alarmEdge }: Palette) {
+  const colour = (hex: number): Color => new Color(hex);
+  return {
+    legs: legs.map(colour), com: colour(com), plan: colour(plan), push: colour(push), halo: colour(halo),
+    margin: { good: colour(margin.good), near: colour(margin.near), bad: colour(margin.bad) }, alarmEdge: colour(alarmEdge),
+  };
+}
+export type Colours = ReturnType<typeof coloursOf>;
 
 export const css = (colour: number): string => `#${colour.toString(16).padStart(6, "0")}`;

@@ -2,10 +2,7 @@ import * as THREE from "three";
 import { lightOf, SUN } from "./light.ts";
 import type { Palette } from "./palette.ts";
 
-/**
- * The ground's paint where the processor draws, which pays for each pixel: light, fog and colours are worked out at the corners, and only lines each
- * metre at the pixels.
- */
+/** The ground's material where the processor draws: light, fog and colours are computed at the corners, only the lines of each metre per pixel. */
 export class PlainGround extends THREE.ShaderMaterial {
   constructor() {
     const colour = () => ({ value: new THREE.Color() });
@@ -15,7 +12,7 @@ export class PlainGround extends THREE.ShaderMaterial {
     });
   }
 
-  wear(palette: Palette): void {
+  recolour(palette: Palette): void {
     const { surface, line, far, light } = this.uniforms as Record<string, THREE.IUniform>;
     for (const [uniform, colour] of [[surface, palette.ground], [line, palette.groundLine], [far, palette.background]] as const)
       (uniform?.value as THREE.Color).set(colour);

@@ -1,12 +1,12 @@
 import { read, type Frame } from "../data/frame.ts";
 
-/** Joints that can be set one by one; angle: where one is [rad]. */
+/** A robot with joints; angle in rad. */
 export interface Jointed {
   joints: Record<string, { angle: unknown }>;
   setJointValue(name: string, value: number): unknown;
 }
 
-/** Where a tick has a robot. */
+/** The robot's posture at a tick. */
 export class Posture {
   readonly p_WB = [0, 0, 0];
   /** w, x, y, z. */
@@ -18,7 +18,7 @@ export class Posture {
     this.q = new Array<number>(joints).fill(NaN);
   }
 
-  /** `base`, `legs`: topics that say where these are. False: the base's place is not known. */
+  /** `base`, `legs`: topics with their positions. False: the base's pose is not known. */
   read(frame: Frame, base: string, legs: string): boolean {
     if (frame.schema.offset(`${legs}.q`) < 0) this.q.fill(NaN);
     else read(frame, `${legs}.q`, this.q); // those that are not known are NaN
@@ -26,7 +26,7 @@ export class Posture {
   }
 }
 
-/** A joint of which the angle is not known stands as in `like`, or where it is. */
+/** Sets the joints; a joint with an unknown angle is set as in `like`, or stays. */
 export function bend(robot: Jointed, names: string[], q: number[], like?: Jointed): void {
   names.forEach((name, j) => {
     const angle = Number.isNaN(q[j]) ? like?.joints[name]?.angle : q[j];

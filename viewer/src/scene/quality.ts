@@ -2,7 +2,7 @@ import type * as THREE from "three";
 import { Pace } from "./pace.ts";
 
 interface Step {
-  /** What people may wonder at; "": nothing. */
+  /** What a user may notice; "": nothing. */
   words: string;
   /** Most pixels of the picture for one of the page. */
   ratio: number;
@@ -11,7 +11,7 @@ interface Step {
   detail: number;
 }
 
-/** From the finest picture to the quickest. Meshes stay: coarse ones cost little more than primitives, and show the robot. */
+/** From the finest picture to the quickest. Meshes stay: coarse ones cost little more than primitives. */
 export const STEPS: readonly Step[] = [
   { words: "", ratio: 2, shadows: true, detail: 0 },
   { words: "", ratio: 1, shadows: true, detail: 0 },
@@ -19,11 +19,11 @@ export const STEPS: readonly Step[] = [
   { words: "coarse picture", ratio: 0.6, shadows: false, detail: 1 / 14 },
   { words: "coarse picture", ratio: 0.4, shadows: false, detail: 1 / 14 },
 ];
-/** What the processor draws begins with, and what of it that stands still is drawn with. */
+/** Steps where the processor draws: at first, and at rest. */
 const SOFTWARE = 3;
 const SOFTWARE_AT_REST = 2;
 
-/** Whether the processor draws, without a graphics card. */
+/** Whether the processor draws because there is no graphics card. */
 export function drawsInSoftware(): boolean {
   const context = document.createElement("canvas").getContext("webgl2");
   const info = context?.getExtension("WEBGL_debug_renderer_info");
@@ -32,14 +32,14 @@ export function drawsInSoftware(): boolean {
   return /swiftshader|llvmpipe|software/i.test(name);
 }
 
-/** A picture that takes longer than this is too slow, one that takes less than that quick enough for a finer one [ms]. */
+/** A picture that takes longer is too slow; one below `QUICK` allows a finer one [ms]. */
 const TOO_SLOW = 110;
 const QUICK = 30;
-/** Time that pictures are too slow, in all, before the next step; quick ones, before the step back [ms]. */
+/** Total time of slow pictures before the next step; of quick ones before the step back [ms]. */
 const PATIENCE = 1500;
 const TRUST = 20000;
 
-/** Takes the picture down a step where the machine can't follow, and back once it can. */
+/** Lowers the picture's quality where the machine is too slow, and raises it again. */
 export class Quality {
   step = 0;
   /** Mean time from a picture to the next [ms]. */
@@ -53,7 +53,7 @@ export class Quality {
   private readonly finest: number;
 
   constructor(
-    renderer: THREE.WebGLRenderer,
+    private readonly renderer: THREE.WebGLRenderer,
     private readonly resize: () => void,
     /** The processor draws. */
     readonly software: boolean,
@@ -61,10 +61,7 @@ export class Quality {
     this.finest = software ? SOFTWARE_AT_REST : window.devicePixelRatio <= 1 ? 1 : 0;
     this.step = software ? SOFTWARE : this.finest;
     renderer.shadowMap.enabled = this.shadows;
-    this.apply = () => (renderer.shadowMap.enabled = this.shadows);
   }
-
-  private readonly apply: () => void;
 
   private get current(): Step {
     return STEPS[this.resting ? this.finest : this.step] as Step;
@@ -79,14 +76,14 @@ export class Quality {
     return this.current.detail;
   }
 
-  /** Nothing moves any more: whether that asks for a finer picture, which may take its time. */
+  /** Nothing moves any more. True: a finer picture is to be drawn. */
   rest(): boolean {
     if (this.resting) return false;
     this.resting = true;
     return this.step !== this.finest && this.refine();
   }
 
-  /** Something moves again; how long the fine picture took says nothing of others. */
+  /** Something moves again. The time of the fine picture does not count. */
   move(): void {
     if (!this.resting) return;
     this.resting = false;
@@ -101,7 +98,7 @@ export class Quality {
     return rate > 0 && !this.resting ? `${rate.toFixed(rate < 9.5 ? 1 : 0)} fps` : "";
   }
 
-  /** What is left out of them, and why. */
+  /** What the pictures leave out, and why. */
   get coarse(): string {
     const { words } = this.current;
     return words === "" ? "" : `${words}: ${this.software ? "the processor draws" : "drawing is slow here"}`;
@@ -124,9 +121,9 @@ export class Quality {
     this.refine();
   }
 
-  /** What is drawn is of another step. */
+  /** Applies another step. */
   private refine(): true {
-    this.apply();
+    this.renderer.shadowMap.enabled = this.shadows;
     this.resize();
     this.onStep();
     return true;

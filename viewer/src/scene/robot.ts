@@ -22,7 +22,7 @@ export class Robot {
           done(object);
           this.dress();
         },
-        () => this.dress(), // the library keeps the note
+        () => this.dress(), // the library notes it
       );
     };
     this.urdf = loader.parse(urdf);
@@ -64,7 +64,7 @@ export class Robot {
     });
   }
 
-  /** `joints`: names, in the posture's order; `like`: has those that the posture does not know. */
+  /** `joints`: names, in the posture's order; `like`: source of unknown angles. */
   pose({ p_WB, q_WB, q }: Posture, joints: string[], like?: Robot): void {
     this.root.position.set(p_WB[0] as number, p_WB[1] as number, p_WB[2] as number);
     this.root.quaternion.set(q_WB[1] as number, q_WB[2] as number, q_WB[3] as number, q_WB[0] as number);
@@ -80,13 +80,13 @@ export class Robot {
   }
 }
 
-/** Only joints move against what they hang on: of all else the place is known once. */
+/** Only joints move relative to their parents; all other local transforms are computed once. */
 function stand(part: THREE.Object3D): void {
   part.matrixAutoUpdate = "isURDFJoint" in part;
   if (!part.matrixAutoUpdate) part.updateMatrix();
 }
 
-/** Centre of mass that a link of the URDF has in its frame; without an inertia it is where the frame is. */
+/** A link's centre of mass in its frame; the frame's origin where the URDF has no inertia. */
 function centreIn(link: Element | null): THREE.Vector3 {
   const origin = [...(link?.children ?? [])].find(({ nodeName }) => nodeName === "inertial")?.querySelector("origin");
   const [x = 0, y = 0, z = 0] = (origin?.getAttribute("xyz") ?? "").split(/\s+/).filter((word) => word !== "").map(Number);

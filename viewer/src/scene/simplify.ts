@@ -8,13 +8,13 @@ export interface Coarse {
   position: Float32Array;
   uv?: Float32Array;
   index: number[];
-  /** Of each group of triangles, where it begins in `index` and how many corners it has. */
+  /** Beginning and number of corners in `index`, for each group of triangles. */
   ranges: [begin: number, count: number][];
 }
 
 /**
- * Fewer triangles of about the same shape: corners within a cell of a grid become one, and triangles that lose their area
- * go. `cell`: its edge, in the unit of the positions; `ranges`: groups of corners that stay apart.
+ * Reduces triangles: corners within a cell of a grid are merged, and triangles without area are dropped. `cell`: edge length, in the unit of the
+ * positions; `ranges`: groups of corners that stay separate.
  */
 export function simplify(soup: Soup, cell: number, ranges: [begin: number, count: number][]): Coarse {
   const { position, uv } = soup;

@@ -4,7 +4,7 @@ import { lightOf, SUN_OFFSET } from "./light.ts";
 import type { Palette } from "./palette.ts";
 
 THREE.Object3D.DEFAULT_UP.set(0, 0, 1);
-/** How far the shadows reach around what the camera follows [m]. */
+/** Reach of the shadows around the camera's target [m]. */
 const SHADOW_REACH = 1.6;
 
 /** The browser has no WebGL. */
@@ -18,7 +18,7 @@ function makeRenderer(canvas: HTMLCanvasElement, antialias: boolean): THREE.WebG
   }
 }
 
-/** Why there is no picture, where that is not for want of WebGL. */
+/** Why there is no picture although there is WebGL. */
 export function withoutPictureText(error: Error): string {
   return `There is no picture, as the robot can't be shown: ${error.message}. All else works.`;
 }
@@ -30,7 +30,7 @@ export class Stage {
   readonly renderer: THREE.WebGLRenderer;
   readonly quality: Quality;
   onResize: () => void = () => {};
-  /** Of the picture [pixels of the page]. */
+  /** Size of the picture [pixels of the page]. */
   width = 1;
   height = 1;
   private fits = false;
@@ -57,7 +57,7 @@ export class Stage {
     this.fit();
   }
 
-  wear(palette: Palette): void {
+  recolour(palette: Palette): void {
     this.scene.background = new THREE.Color(palette.background);
     this.scene.fog = new THREE.Fog(palette.background, 9, 30);
     this.sky.groundColor.set(palette.dark ? 0x6b747c : 0xb8bec4);
@@ -72,7 +72,7 @@ export class Stage {
     this.sun.position.copy(target).add(SUN_OFFSET);
   }
 
-  /** A picture that gets another size is empty: it gets it when the next is drawn. */
+  /** Resizing empties the picture, so it is done when the next one is drawn. */
   private resize(): void {
     this.fits = false;
     this.onResize();

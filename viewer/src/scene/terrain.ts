@@ -5,24 +5,16 @@ import type { Palette } from "./palette.ts";
 import { PlainGround } from "./plain_ground.ts";
 import { TerrainGeometry } from "./terrain_geometry.ts";
 
-const FLAT: TerrainPiece = {
-  shape: "plane",
-  position: [0, 0, 0],
-  q_WT: [1, 0, 0, 0],
-  size: [0, 0, 0],
-  columns: 0,
-  rows: 0,
-  heights: [],
-};
+const FLAT: TerrainPiece = { shape: "plane", position: [0, 0, 0], q_WT: [1, 0, 0, 0], size: [0, 0, 0], columns: 0, rows: 0, heights: [] };
 
-/** The ground, with lines each 0.1 m and stronger ones each metre. */
+/** The ground, with lines each 0.1 m and stronger lines each metre. */
 export class Terrain {
   readonly root = new THREE.Group();
   private readonly surface: THREE.MeshLambertMaterial | PlainGround;
   private readonly edges: THREE.LineBasicMaterial;
   private readonly lineColour = { value: new THREE.Color() };
 
-  /** `plain`: as quick to draw as can be. */
+  /** `plain`: quick to draw. */
   constructor(pieces: TerrainPiece[], plain: boolean) {
     const parts = new TerrainGeometry(pieces.length > 0 ? pieces : [FLAT]);
     const geometry = new THREE.BufferGeometry();
@@ -45,8 +37,8 @@ export class Terrain {
     return surface;
   }
 
-  wear(palette: Palette): void {
-    if (this.surface instanceof PlainGround) this.surface.wear(palette);
+  recolour(palette: Palette): void {
+    if (this.surface instanceof PlainGround) this.surface.recolour(palette);
     else this.surface.color.set(palette.ground);
     this.edges.color.set(palette.edge);
     this.lineColour.value.set(palette.groundLine);
@@ -55,18 +47,11 @@ export class Terrain {
   /** Lines at round x, y and z, as thin as a pixel and fading with the distance. */
   private addGrid(shader: THREE.WebGLProgramParametersWithUniforms): void {
     shader.uniforms["lineColour"] = this.lineColour;
-    shader.vertexShader = shader.vertexShader
-      .replace("#include <common>", "#include <common>\nvarying vec3 gridPoint;\nvarying vec3 gridNormal;")
-      .replace(
-        "#include <begin_vertex>",
-        "#include <begin_vertex>\ngridPoint = position;\ngridNormal = abs(normal);",
-      );
-    shader.fragmentShader = shader.fragmentShader
-      .replace("#include <common>", `#include <common>\n${GRID}`)
-      .replace(
-        "#include <color_fragment>",
-        "#include <color_fragment>\ndiffuseColor.rgb = mix(diffuseColor.rgb, lineColour, gridShare());",
-      );
+    const insert = (code: string, behind: string, text: string): string => code.replace(`#include <${behind}>`, `#include <${behind}>\n${text}`);
+    shader.vertexShader = insert(shader.vertexShader, "common", "varying vec3 gridPoint;\nvarying vec3 gridNormal;");
+    shader.vertexShader = insert(shader.vertexShader, "begin_vertex", "gridPoint = position;\ngridNormal = abs(normal);");
+    shader.fragmentShader = insert(shader.fragmentShader, "common", GRID);
+    shader.fragmentShader = insert(shader.fragmentShader, "color_fragment", "diffuseColor.rgb = mix(diffuseColor.rgb, lineColour, gridShare());");
   }
 }
 

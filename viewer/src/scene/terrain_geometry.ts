@@ -1,8 +1,8 @@
 import { rotate } from "../math/geometry.ts";
 import type { TerrainPiece } from "../protocol/session.ts";
 
-/** Lines of the grid that stands for an endless plane, on either side of its middle [m]: hours of walking. Over a triangle of
- * kilometres a picture loses the millimetres by which what is drawn on the ground lies above it. */
+/** Grid lines of an endless plane, on either side of its middle [m]: hours of walking. On triangles of kilometres rounding would lose the
+ * millimetres by which marks lie above the ground. */
 const PLANE_LINES = [0, 2, 4, 6, 9, 14, 20, 40, 100, 300, 2000];
 
 /** Triangles and sharp edges of the ground in W, as plain arrays. */
@@ -62,7 +62,7 @@ export class TerrainGeometry {
     }
   }
 
-  /** Of the top face all edges, of the bottom face the uprights that end there. */
+  /** All edges of the top face, and the uprights from the bottom face. */
   private addEdges(piece: TerrainPiece, corners: number[][], side: number): void {
     corners.forEach((corner, k) => {
       const other = side > 0 ? (corners[(k + 1) % 4] as number[]) : [corner[0], corner[1], -(corner[2] as number)];

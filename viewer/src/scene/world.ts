@@ -14,15 +14,15 @@ import { Robot } from "./robot.ts";
 import { Stage } from "./stage.ts";
 import { Terrain } from "./terrain.ts";
 
-/** An arrow as long as this stands for the robot's weight [m]. */
+/** Length of an arrow of the robot's weight [m]. */
 const WEIGHT_LENGTH = 0.75;
-/** And no arrow is longer than this: twice the weight on one foot. */
+/** Longest arrow: twice the weight. */
 const LONGEST = 2 * WEIGHT_LENGTH;
 const SETTLING = 1;
-/** Trails are drawn anew this often [s]. */
+/** Trails are drawn again this often [s]. */
 const TRAIL_PERIOD = 0.1;
 
-/** The picture: ground, robot, the estimator's ghost, and what is drawn over them. */
+/** The picture: ground, robot, the estimator's ghost and overlays. */
 export class World {
   readonly stage: Stage;
   readonly camera: FollowCamera;
@@ -39,12 +39,11 @@ export class World {
   private sinceTrails = Infinity;
   private shown = NaN;
   private dirty = true;
-  /** The first picture is to come: of the robot on its ground alone, as each kind of paint takes a while to be made. */
+  /** The first picture is still to be drawn: robot and ground alone, since compiling each material takes a while. */
   private first = true;
   private wantsGhost = false;
-  /** Time for which pictures go on after the last change: the camera and the trails come after it [s]. */
+  /** Time for which pictures continue after the last change, for the camera and the trails [s]. */
   private settling = SETTLING;
-  private copies: OverlaySet[] = [];
   private readonly view = new THREE.Matrix4();
   private onFirstPicture: () => void = () => {};
   private readonly posture: Posture;
@@ -74,11 +73,11 @@ export class World {
     this.stage.onResize = () => this.invalidate();
   }
 
-  wear(dark: boolean): void {
+  recolour(dark: boolean): void {
     this.palette = paletteOf(dark);
-    this.stage.wear(this.palette);
-    this.terrain.wear(this.palette);
-    this.overlays.wear(this.palette);
+    this.stage.recolour(this.palette);
+    this.terrain.recolour(this.palette);
+    this.overlays.recolour(this.palette);
     this.sinceTrails = Infinity; // their colours are in their points
     this.ghostPaint.color.set(this.palette.ghost);
     this.invalidate();
@@ -90,11 +89,11 @@ export class World {
   set ghostShown(shown: boolean) {
     this.wantsGhost = shown;
     if (shown) this.stage.scene.add(this.ghost.root);
-    else this.ghost.root.removeFromParent(); // its many parts are not even looked at
+    else this.ghost.root.removeFromParent(); // else three.js visits its many parts
     this.invalidate();
   }
 
-  /** Hides the robot and all that belongs to it until there is a frame. */
+  /** Hides the robot and its overlays until there is a frame. */
   clear(): void {
     this.setVisible(false);
     this.shown = NaN;
@@ -105,19 +104,19 @@ export class World {
     this.robot.root.visible = this.ghost.root.visible = this.overlays.root.visible = visible;
   }
 
-  /** Whether the picture is as all that has changed it. */
+  /** Whether the picture shows all changes so far. */
   get isDrawn(): boolean {
     return !this.dirty;
   }
 
-  /** Something else than the time has changed what is seen. */
+  /** The picture must be drawn again although the time is the same. */
   invalidate(): void {
     this.dirty = true;
   }
 
   /**
-   * Whether the picture would be another one than the last. The camera's controls move it as their input comes; to ask
-   * them again moves it by a rounding error, hundreds of times one after the other, and each would be a picture.
+   * Whether the picture would differ from the last. The camera's controls move it on input; updating them here would move it by a rounding error
+   * again and again.
    */
   private changed(frame: Frame | undefined): boolean {
     this.stage.camera.updateMatrixWorld();
@@ -125,7 +124,7 @@ export class World {
     return this.dirty || moved || frame?.time !== this.shown || this.settling > 0;
   }
 
-  /** Draws the frame where the picture would be another one; `dt`: since the last picture [s]. */
+  /** Draws the frame if the picture would differ from the last; `dt`: time since that [s]. */
   draw(frame: Frame | undefined, source: FrameSource, dt: number): boolean {
     const { quality } = this.stage;
     if (this.changed(frame)) quality.move();
@@ -166,23 +165,10 @@ export class World {
     this.shown = frame.time;
     const { header } = this.session;
     const { labels, newton, centreOf } = this;
-    for (const set of [this.overlays, ...this.copies]) set.update({ frame, source, header, labels, newton, longest: LONGEST, trails, centreOf, beliefToWorld: set.beliefToWorld });
+    this.overlays.update({ frame, source, header, labels, newton, longest: LONGEST, trails, centreOf });
   }
 
-  /** Draws all overlays as often as for this many robots, side by side. */
-  repeatOverlays(robots: number): void {
-    for (const { root } of this.copies) root.removeFromParent();
-    this.copies = Array.from({ length: robots - 1 }, (_, k) => {
-      const copy = new OverlaySet();
-      copy.wear(this.palette);
-      copy.root.position.y = k + 1;
-      for (const set of [this.overlays, copy]) for (const { id, on } of set.switches) if (!on) set.toggle(id);
-      this.stage.scene.add(copy.root);
-      return copy;
-    });
-  }
-
-  /** `base` and `legs`: topics that say where they are; of a base that is not known: false. */
+  /** `base`, `legs`: topics with their positions. False: the base's pose is not known. */
   private pose(robot: Robot, frame: Frame, base: string, legs: string, like?: Robot): boolean {
     const known = this.posture.read(frame, base, legs);
     if (known) robot.pose(this.posture, this.session.header.robot.joint_names, like);
@@ -215,14 +201,9 @@ export class World {
     return ray.intersectObject(this.terrain.root, true).find(({ face }) => face)?.point.z;
   }
 
-  /** Colour of the picture where a point of W is in it: red, green, blue, from 0 to 255. */
-  pixel(p_W: [number, number, number]): number[] {
-    return this.pixelAt(...this.place(p_W));
-  }
-
-  /** The same at a place of the page [pixels]. */
+  /** Colour of the picture at a place of the page [pixels]: red, green, blue, from 0 to 255. */
   pixelAt(x: number, y: number): number[] {
-    this.stage.render(); // what was drawn is gone once it has been shown
+    this.stage.render(); // the browser has cleared what it showed
     const context = this.stage.renderer.getContext();
     const box = this.stage.renderer.domElement.getBoundingClientRect();
     const bytes = new Uint8Array(4);

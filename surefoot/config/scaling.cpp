@@ -1,0 +1,189 @@
+#include "surefoot/config/scaling.hpp"
+
+#include "surefoot/config/initial_posture.hpp"
+#include "surefoot/config/scenario_fields.hpp"
+#include "surefoot/config/section.hpp"
+#include "surefoot/tasks/catalog.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <string_view>
+#include <utility>
+
+namespace surefoot::config {
+namespace {
+
+/// From a number for a robot of scale 1 to that for this robot: factor × number + offset.
+struct Rule {
+  double factor = 1.0, offset = 0.0;
+};
+
+Rule rule_of(const Field& field, const Scale& scale) {
+  switch (field.sizing) {
+    case Sizing::none:
+      return {};
+    case Sizing::half_length:
+      return {.factor = scale.half_length};
+    case Sizing::half_width:
+      return {.factor = scale.half_width};
+    case Sizing::base_height:
+      return {.factor = scale.length, .offset = -scale.hip_height};
+    case Sizing::stride:
+      return {.factor = scale.speed() * scale.stride};
+    case Sizing::by_unit:
+      break;
+  }
+  return {.factor = scale.of(field.unit)};
+}
+
+/// All numbers at and below a node; words stay.
+void apply(const Rule& rule, ConfigNode& node) {
+  for (ConfigNode& item : node.items) apply(rule, item);
+  for (auto& [key, member] : node.members) apply(rule, member);
+  const char* const end = node.text.data() + node.text.size();
+  double number = 0.0;
+  const auto [stopped, error] = std::from_chars(node.text.data(), end, number);
+  if (node.kind != ConfigNode::Kind::scalar || error != std::errc() || stopped != end) return;
+  std::array<char, 32> text{};
+  const auto written =
+      std::to_chars(text.data(), text.data() + text.size(), rule.factor * number + rule.offset);
+  node.text.assign(text.data(), written.ptr);
+}
+
+const tasks::TaskParameter* find_parameter(const std::string& task, const std::string& name) {
+  for (const tasks::TaskInfo& info : tasks::task_catalog()) {
+    const auto found = std::ranges::find(info.parameters, name, &tasks::TaskParameter::name);
+    if (info.name == task && found != info.parameters.end()) return &*found;
+  }
+  return nullptr;
+}
+
+void scale_tasks(ConfigNode& tasks, const Scale& scale) {
+  for (auto& [task, parameters] : tasks.members) {
+    for (auto& [name, value] : parameters.members) {
+      const tasks::TaskParameter* parameter = find_parameter(task, name);
+      if (parameter != nullptr) apply({.factor = scale.of(parameter->unit)}, value);
+    }
+  }
+}
+
+/// A metric's name ends in its unit.
+void scale_criteria(ConfigNode& criteria, const Scale& scale) {
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 4> kUnits{
+      {{"_m", "m"}, {"_s", "s"}, {"_mps", "m/s"}, {"_nm", "N·m"}}};
+  for (auto& [metric, limits] : criteria.members) {
+    for (const auto& [suffix, unit] : kUnits) {
+      if (metric.ends_with(suffix)) apply({.factor = scale.of(unit)}, limits);
+    }
+    if (metric == "speed_mps") apply({.factor = scale.stride}, limits);
+  }
+}
+
+/// The numbers of the option at a path, if there is one. False: none has them.
+bool scale_numbers(const std::string& path, ConfigNode& node, const Scale& scale) {
+  bool is_number = false;
+  (void)visit_scenario_option(path, [&](const Field& field) {
+    is_number = std::holds_alternative<double*>(field.value) ||
+                std::holds_alternative<Numbers>(field.value) ||
+                std::holds_alternative<std::vector<double>*>(field.value);
+    if (is_number) apply(rule_of(field, scale), node);
+  });
+  return is_number;
+}
+
+/// The option at a path, or the one that has an element of this name; else what lies below it.
+void scale_option(const std::string& path, ConfigNode& node, const Scale& scale) {
+  if (scale_numbers(path, node, scale)) return;
+  if (node.kind != ConfigNode::Kind::map &&
+      scale_numbers(path.substr(0, path.rfind('.')), node, scale))
+    return;
+  for (auto& [key, member] : node.members) scale_option(path + "." + key, member, scale);
+  for (std::size_t i = 0; i < node.items.size(); ++i)
+    scale_option(path + "." + std::to_string(i), node.items[i], scale);
+}
+
+void scale_defaults(const Group& group, const Scale& scale) {
+  for (const Field& field : group.fields) {
+    const auto [factor, offset] = rule_of(field, scale);
+    if (const auto* below = std::get_if<Group>(&field.value)) scale_defaults(*below, scale);
+    if (const auto* value = std::get_if<double*>(&field.value)) **value = factor * **value + offset;
+    if (const auto* numbers = std::get_if<Numbers>(&field.value)) {
+      for (std::size_t i = 0; i < numbers->names.size(); ++i)
+        numbers->data[i] = factor * numbers->data[i] + offset;
+    }
+  }
+}
+
+/// Knees that the robot can't bend to the side that is asked for point to one that it can.
+void fit_knees(ConfigNode& planner, const model::RobotDescription& robot) {
+  ConfigNode* stance = planner.find("stance");
+  ConfigNode* knees = stance == nullptr ? nullptr : stance->find("knees");
+  if (knees == nullptr) return;
+  const auto wanted =
+      std::ranges::find_if(kKnees, [&](const auto& one) { return one.first == knees->text; });
+  if (wanted == kKnees.end()) return;
+  const auto fitting = std::ranges::find(kKnees, knees_that_fit(robot, wanted->second),
+                                         [](const auto& one) { return one.second; });
+  knees->text = fitting->first;
+}
+
+}  // namespace
+
+bool take_scaled(ConfigNode& file) {
+  bool is_scaled = false;
+  if (const ConfigNode* node = file.find(kScaled)) {
+    if (node->text != "true" && node->text != "false")
+      fail_at(*node, kScaled, "must be true or false");
+    is_scaled = node->text == "true";
+  }
+  std::erase_if(file.members, [](const auto& member) { return member.first == kScaled; });
+  return is_scaled;
+}
+
+void scale_ranges(ConfigNode& ranges, const Scale& scale) {
+  for (auto& [path, range] : ranges.members) scale_option(path, range, scale);
+}
+
+void fit_scenario(ConfigNode& tree, const model::RobotDescription& robot) {
+  const Scale& scale = robot.scale;
+  if (ConfigNode* planner = tree.find("planner")) fit_knees(*planner, robot);
+  for (auto& [key, node] : tree.members) {
+    if (key == "tasks") {
+      scale_tasks(node, scale);
+    } else if (key == "criteria") {
+      scale_criteria(node, scale);
+    } else if (key == "randomise") {
+      scale_ranges(node, scale);
+    } else {
+      scale_option(key, node, scale);
+    }
+  }
+}
+
+void fit_defaults(const Group& options, const model::RobotDescription& robot, Scenario& scenario) {
+  scale_defaults(options, robot.scale);
+  gaits::KneeConfiguration& knees = scenario.controller.planner.stance.knees;
+  knees = knees_that_fit(robot, knees);
+  scenario.plant.actuators.stall_torque = robot.stall_torque;
+  scenario.plant.actuators.no_load_speed = robot.no_load_speed;
+}
+
+void scale_level(control::LevelSpec& level, const Scale& scale, bool only_defaults) {
+  for (control::TaskSpec& task : level.tasks) {
+    const tasks::TaskInfo& info = tasks::task_info(task.task);
+    if (level.tasks.size() > 1) task.weight /= scale.of(info.unit.substr(0, info.unit.find(' ')));
+    for (const tasks::TaskParameter& parameter : info.parameters) {
+      const std::string name(parameter.name);
+      const auto given = task.numbers.find(name);
+      const double factor = scale.of(parameter.unit);
+      if (given == task.numbers.end()) {
+        if (factor != 1.0) task.numbers[name] = factor * parameter.default_value;
+      } else if (!only_defaults) {
+        given->second *= factor;
+      }
+    }
+  }
+}
+
+}  // namespace surefoot::config

@@ -1,0 +1,25 @@
+#pragma once
+
+#include "surefoot/config/config_tree.hpp"
+#include "surefoot/config/scenario.hpp"
+
+namespace surefoot::config {
+
+/// Says of a file that its numbers are those for a robot of scale 1, and go with the robot's size.
+inline constexpr const char* kScaled = "scaled";
+
+/// Takes `scaled:` out of a file's top. Throws Error if it is neither true nor false.
+[[nodiscard]] bool take_scaled(ConfigNode& file);
+
+/// Numbers of a scenario for a robot of scale 1 become those for this robot: of every option that
+/// has a unit, of tasks, ranges and criteria; and knees point where this robot can bend them.
+void fit_scenario(ConfigNode& tree, const model::RobotDescription& robot);
+/// The same of `randomise:`, a map from options to ranges.
+void scale_ranges(ConfigNode& ranges, const Scale& scale);
+/// The same of a scenario's defaults, which `options` are those of; drives are the robot's.
+void fit_defaults(const Group& options, const model::RobotDescription& robot, Scenario& scenario);
+/// The same of the parameters of a level's tasks: of all, or of those alone that keep their
+/// defaults. Rows of several units in one level weigh as much against each other as they did.
+void scale_level(control::LevelSpec& level, const Scale& scale, bool only_defaults);
+
+}  // namespace surefoot::config

@@ -1,0 +1,72 @@
+#include "surefoot/model/proportions.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace surefoot::model {
+namespace {
+
+/// ANYmal B, from the URDF of example-robot-data and the limits of robots/anymal_b.yaml.
+constexpr Proportions kReference{.leg = 0.56433096076673273,
+                                 .mass = 30.475396462000006,
+                                 .half_length = 0.3405,
+                                 .half_width = 0.246,
+                                 .hip_height = 0.0};
+
+constexpr double kRounding = 1e-6;
+constexpr int kKneeAngles = 2000;
+
+/// From the HFE axis to the sphere centre, across the axis.
+double extension(const RobotModel& model, Leg leg, const Vec3& q) {
+  const Vec3 hip_to_foot = model.foot_in_base(leg, q) - model.hip_in_base(leg, q);
+  const Vec3 turned(q.x(), q.y() + kPi, q.z());  // half a turn leaves the part along the axis
+  const Vec3 other = model.foot_in_base(leg, turned) - model.hip_in_base(leg, turned);
+  return 0.5 * (hip_to_foot - other).norm();
+}
+
+double leg_length(const RobotModel& model, Leg leg) {
+  const Eigen::Index knee = first_joint(leg) + 2;
+  const double from = std::max(model.description().q_min[knee], -kPi);
+  const double to = std::min(model.description().q_max[knee], kPi);
+  double longest = 0.0;
+  for (int i = 0; i <= kKneeAngles; ++i) {
+    const double q_knee = from + (to - from) * i / kKneeAngles;
+    longest = std::max(longest, extension(model, leg, Vec3(0.0, 0.0, q_knee)));
+  }
+  return longest;
+}
+
+double ratio(double length, double reference) {
+  const double result = length / reference;
+  return std::abs(result - 1.0) < kRounding ? 1.0 : result;
+}
+
+}  // namespace
+
+Proportions proportions_of(const RobotModel& model) {
+  Proportions result;
+  result.leg = kInfinity;
+  for (const Leg leg : kLegs) {
+    const Vec3 hip = model.hip_in_base(leg, Vec3::Zero());
+    result.leg = std::min(result.leg, leg_length(model, leg));
+    result.half_length += std::abs(hip.x()) / kNumLegs;
+    result.half_width += std::abs(model.foot_in_base(leg, Vec3::Zero()).y()) / kNumLegs;
+    result.hip_height += hip.z() / kNumLegs;
+  }
+  result.mass = model.mass();
+  return result;
+}
+
+Scale scale_of(const Proportions& robot) {
+  Scale scale;
+  scale.length = ratio(robot.leg, kReference.leg);
+  scale.mass = ratio(robot.mass, kReference.mass);
+  scale.half_length = ratio(robot.half_length, kReference.half_length);
+  scale.half_width = ratio(robot.half_width, kReference.half_width);
+  const double hip_height = robot.hip_height - scale.length * kReference.hip_height;
+  scale.hip_height = std::abs(hip_height) < kRounding ? 0.0 : hip_height;
+  scale.stride = std::min(1.0, scale.half_length / scale.length);
+  return scale;
+}
+
+}  // namespace surefoot::model

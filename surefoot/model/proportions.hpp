@@ -1,0 +1,24 @@
+#pragma once
+
+#include "surefoot/base/scale.hpp"
+#include "surefoot/model/robot_model.hpp"
+
+namespace surefoot::model {
+
+/// The lengths and the mass of a robot that its walk goes with.
+struct Proportions {
+  double leg = 0.0;   ///< HFE axis to sphere centre, across the axis, the knee as straight as its
+                      ///< limits allow [m]
+  double mass = 0.0;  ///< [kg]
+  double half_length = 0.0;  ///< |x| of the HFE axes in B, mean of the legs [m]
+  double half_width = 0.0;   ///< |y| of the feet in B at q = 0, mean of the legs [m]
+  double hip_height = 0.0;   ///< z of the HFE axes in B, mean of the legs [m]
+};
+
+[[nodiscard]] Proportions proportions_of(const RobotModel& model);
+
+/// Against ANYmal B, for which all is 1. A length or mass that differs by rounding alone counts as
+/// the same.
+[[nodiscard]] Scale scale_of(const Proportions& robot);
+
+}  // namespace surefoot::model

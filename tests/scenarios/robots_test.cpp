@@ -1,0 +1,114 @@
+// Other robots than ANYmal B, and ANYmal B at other sizes, walk by the same scenarios and stacks.
+#include "surefoot/closed_loop/closed_loop.hpp"
+#include "surefoot/config/robot_file.hpp"
+#include "surefoot/config/scenario_file.hpp"
+#include "tests/logging/temporary_folder.hpp"
+#include "tests/support/source_file.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <regex>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace surefoot {
+namespace {
+
+evaluation::Metrics walked(const std::string& scenario, const std::string& robot,
+                           std::vector<std::string> assignments = {}) {
+  assignments.push_back("robot=" + robot);
+  return closed_loop::run_closed_loop(config::load_scenario({scenario, 1, assignments}), {})
+      .metrics;
+}
+
+class Robots : public testing::TestWithParam<const char*> {};
+
+TEST_P(Robots, WalkOnFlatGroundAndStepDownATenthOfTheirLeg) {
+  for (const char* file : {"flat", "step_down_10"}) {
+    const std::string scenario =
+        test::source_file("campaigns/robots/" + std::string(file) + ".yaml");
+    const evaluation::Metrics metrics = walked(scenario, GetParam());
+    EXPECT_TRUE(metrics.succeeded) << file << ": " << metrics.reason;
+    EXPECT_EQ(metrics.false_touchdowns, 0) << file;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Each, Robots,
+                         testing::Values("anymal_c", "a1", "go1", "go2", "b1", "laikago", "hyq",
+                                         "solo12"),
+                         [](const auto& robot) { return std::string(robot.param); });
+
+/// Every number behind `attribute="` in a text, times a factor.
+std::string multiplied(const std::string& text, const std::string& attribute, double factor) {
+  const std::regex place(attribute + "=\"([^\"]*)\"");
+  std::string result;
+  auto begin = text.cbegin();
+  for (std::sregex_iterator match(text.begin(), text.end(), place), end; match != end; ++match) {
+    result.append(begin, (*match)[1].first);
+    std::istringstream numbers((*match)[1].str());
+    std::string separator;
+    for (double number = 0.0; numbers >> number; separator = " ") {
+      std::array<char, 32> digits{};
+      std::snprintf(digits.data(), digits.size(), "%.17g", factor * number);
+      result += separator + digits.data();
+    }
+    begin = (*match)[1].second;
+  }
+  return result.append(begin, text.cend());
+}
+
+/// ANYmal B of `size` times its length, of the same density.
+std::string write_anymal_b(const test::TemporaryFolder& folder, double size) {
+  std::string urdf = test::contents(config::load_robot("anymal_b").urdf_path);
+  for (const char* length : {"<origin[^>]*xyz", "length", "radius", "size"})
+    urdf = multiplied(urdf, length, size);
+  urdf = multiplied(urdf, "<mass value", std::pow(size, 3.0));
+  for (const char* inertia : {"ixx", "ixy", "ixz", "iyy", "iyz", "izz"})
+    urdf = multiplied(urdf, inertia, std::pow(size, 5.0));
+  test::write_file(folder / "robot.urdf", urdf);
+  std::array<char, 800> file{};
+  std::snprintf(file.data(), file.size(),
+                "name: anymal_b\nurdf: robot.urdf\n"
+                "legs: {LF: {foot: LF_FOOT}, RF: {foot: RF_FOOT}, LH: {foot: LH_FOOT},"
+                " RH: {foot: RH_FOOT}}\n"
+                "foot: {radius: %.17g, center: [0, 0, %.17g]}\n"
+                "limits: {torque: %.17g, velocity: %.17g, position_min: [-1.2, -2.6, -2.9],"
+                " position_max: [1.2, 2.6, 2.9]}\n"
+                "drives: {stall_torque: %.17g, no_load_speed: %.17g}\n"
+                "posture: {nominal: [0, 0.4, -0.8]}\n",
+                0.031 * size, 0.02325 * size, 40.0 * std::pow(size, 4.0), 15.0 / std::sqrt(size),
+                40.0 * std::pow(size, 4.0), 12.0 / std::sqrt(size));
+  test::write_file(folder / "robot.yaml", file.data());
+  return folder / "robot.yaml";
+}
+
+TEST(Sizes, WalkTheSameWalk) {
+  const evaluation::Metrics one = walked("walk_flat", "anymal_b");
+  for (const double size : {0.5, 2.0}) {
+    const test::TemporaryFolder folder;
+    const std::string robot = write_anymal_b(folder, size);
+    const Scale scale = config::load_robot(robot).scale;
+    EXPECT_NEAR(scale.length, size, 1e-9);
+    EXPECT_NEAR(scale.mass, std::pow(size, 3.0), 1e-9);
+    const evaluation::Metrics other = walked("walk_flat", robot);
+    EXPECT_TRUE(other.succeeded) << size << ": " << other.reason;
+    // The calibration averages for as long at any size, so the walk begins a little sooner or later.
+    EXPECT_NEAR(other.steps_taken, one.steps_taken, 0.05 * one.steps_taken) << size;
+    EXPECT_NEAR(other.speed_mps / std::sqrt(size), one.speed_mps, 0.02 * one.speed_mps) << size;
+    EXPECT_NEAR(other.com_lateral_sway_m / size, one.com_lateral_sway_m,
+                0.05 * one.com_lateral_sway_m)
+        << size;
+    EXPECT_NEAR(other.torque_max_nm / std::pow(size, 4.0), one.torque_max_nm,
+                0.15 * one.torque_max_nm)
+        << size;
+    EXPECT_LT(other.com_error_max_m / size, 2.0 * one.com_error_max_m) << size;
+    EXPECT_EQ(other.false_touchdowns, 0) << size;
+  }
+}
+
+}  // namespace
+}  // namespace surefoot
