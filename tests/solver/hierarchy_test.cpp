@@ -32,12 +32,12 @@ void fill(Rows rows, double number) {
 
 template <typename Solver>
 class LevelCapacity : public testing::Test {};
-TYPED_TEST_SUITE(LevelCapacity, test::Solvers);
+TYPED_TEST_SUITE(LevelCapacity, Solvers);
 
 TYPED_TEST(LevelCapacity, RowsBeyondItCanBeFilledAndAreInvalidInput) {
   Hierarchy hierarchy = small_hierarchy();
   TypeParam solver(hierarchy);
-  for (const Eigen::Index count : {1, 2, 1000}) {
+  for (const Index count : {1, 2, 1000}) {
     hierarchy.level(0).clear();
     fill(hierarchy.level(0).add(1, 0), 1.0);
     hierarchy.level(1).clear();
@@ -109,16 +109,14 @@ TEST(Hierarchy, AWeightThatIsNotAboveZeroAndFiniteIsRefusedAndNothingChanges) {
     const std::string end = " is " + text + "; expected a finite number > 0";
     EXPECT_EQ(error_of([&] { rows.weigh(weight); }), "the weight of rows" + end);
     EXPECT_EQ(error_of([&] { rows.weigh(1, weight); }), "the weight of a row" + end);
-    EXPECT_EQ(
-        error_of([&] { add_reference(hierarchy.level(1), Eigen::Vector3d::Zero(), 0, weight); }),
-        "the weight of a reference" + end);
-    EXPECT_EQ(
-        error_of([&] { add_damping(hierarchy.level(1), weight, Eigen::Vector3d::Zero(), 0); }),
-        "damping" + end);
+    EXPECT_EQ(error_of([&] { add_reference(hierarchy.level(1), Vector3d::Zero(), 0, weight); }),
+              "the weight of a reference" + end);
+    EXPECT_EQ(error_of([&] { add_damping(hierarchy.level(1), weight, Vector3d::Zero(), 0); }),
+              "damping" + end);
     EXPECT_EQ(error_of([&] { WeightedLevels levels(hierarchy, 0, {weight}); }),
               "the weight of a level" + end);
   }
-  EXPECT_EQ(hierarchy.level(0).A(), Eigen::MatrixXd::Constant(2, 3, 3.0));
+  EXPECT_EQ(hierarchy.level(0).A(), MatrixXd::Constant(2, 3, 3.0));
   EXPECT_EQ(hierarchy.level(1).num_rows(), 0);
 }
 
@@ -137,7 +135,7 @@ TEST(Hierarchy, AReferenceOfAnotherLengthIsRefused) {
   fill(hierarchy.level(1).add(1, 0), 1.0);
   const std::string message =
       "a reference of 2 elements for level \"second\"; expected 3, one for each unknown";
-  const Eigen::Vector2d reference(1.0, 2.0);
+  const Vector2d reference(1.0, 2.0);
   EXPECT_EQ(error_of([&] { add_reference(hierarchy.level(1), reference, 0); }), message);
   EXPECT_EQ(error_of([&] { add_damping(hierarchy.level(1), 0.1, reference, 0); }), message);
   EXPECT_EQ(hierarchy.level(1).num_rows(), 1);
