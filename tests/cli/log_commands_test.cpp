@@ -4,6 +4,7 @@
 #include "surefoot/logging/recorder.hpp"
 #include "tests/logging/synthetic_run.hpp"
 #include "tests/logging/temporary_folder.hpp"
+#include "tests/support/messages.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -13,6 +14,8 @@
 
 namespace surefoot::cli {
 namespace {
+
+using test::holds;
 
 /// With control characters in what `info` and `explain` tell of it.
 void record_coloured(const std::string& path) {
@@ -48,10 +51,10 @@ TEST(LogCommands, NamesAndNotesOfALogCannotMoveTheTerminalsCursor) {
     ASSERT_EQ(run_explain(of_explain, explain), 0);
     for (const std::string& text : {info.str(), explain.str()}) {
       EXPECT_EQ(text, printable(text, "\n"));
-      EXPECT_NE(text.find("back\\u001b[1A\\u009b"), std::string::npos) << text;
+      EXPECT_TRUE(holds(text, "back\\u001b[1A\\u009b"));
     }
-    EXPECT_NE(info.str().find("\\u001b[31mred"), std::string::npos) << info.str();
-    EXPECT_NE(explain.str().find("hei\\u001b[32mght"), std::string::npos) << explain.str();
+    EXPECT_TRUE(holds(info.str(), "\\u001b[31mred"));
+    EXPECT_TRUE(holds(explain.str(), "hei\\u001b[32mght"));
   }
 }
 
@@ -74,15 +77,13 @@ TEST(LogCommands, CostsOfALogWhoseControllerCannotBeMadeAgainAreToldAsEstimates)
   arguments.at = 0.0;
   std::ostringstream text, json;
   ASSERT_EQ(run_explain(arguments, text), 0);
-  EXPECT_NE(text.str().find("The costs are the control loop's estimates, and mostly too high: "),
-            std::string::npos)
-      << text.str();
+  EXPECT_TRUE(
+      holds(text.str(), "The costs are the control loop's estimates, and mostly too high: "));
   arguments.json = true;
   ASSERT_EQ(run_explain(arguments, json), 0);
   const auto told = nlohmann::json::parse(json.str());
   EXPECT_FALSE(told.at("costs_are_exact").get<bool>());
-  EXPECT_NE(told.at("why_estimates").get<std::string>().find("can't be made again"),
-            std::string::npos);
+  EXPECT_TRUE(holds(told.at("why_estimates").get<std::string>(), "can't be made again"));
   EXPECT_EQ(told.at("gave_way").at(0).at("to").at(0).at("cost"), 3.0);
 }
 

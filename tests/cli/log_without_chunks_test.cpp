@@ -1,12 +1,13 @@
 #include "server/log_frames.hpp"
-#include "surefoot/base/error.hpp"
 #include "surefoot/logging/log_reader.hpp"
 #include "tests/cli/damaged_log.hpp"
+#include "tests/support/messages.hpp"
 
 namespace surefoot::cli {
 namespace {
 
 using nlohmann::json;
+using test::holds;
 using test::kTicks;
 
 constexpr std::uint32_t kNone = UINT32_MAX;
@@ -92,8 +93,7 @@ class LogWithoutChunks : public test::DamagedLog {
     const json session = whole_session(content);
     EXPECT_EQ(session.at("ticks"), kTicks);
     ASSERT_EQ(session.at("damage").size(), 1u) << session.at("damage");
-    EXPECT_NE(session.at("damage")[0].get<std::string>().find(told), std::string::npos)
-        << session.at("damage");
+    EXPECT_TRUE(holds(session.at("damage")[0].get<std::string>(), told)) << session.at("damage");
     std::uint32_t next = 0;
     for (const server::ViewFrame& frame : frames(content, 0, kTicks)) {
       if (next == tick) ++next;

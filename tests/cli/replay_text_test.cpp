@@ -1,11 +1,15 @@
 #include "cli/replay_text.hpp"
 
+#include "tests/support/messages.hpp"
+
 #include <gtest/gtest.h>
 
 #include <string>
 
 namespace surefoot::cli {
 namespace {
+
+using test::holds;
 
 /// Its largest residual is at 0.5 s, that of its torques at 0.25 s.
 replay::StackComparison compared() {
@@ -30,18 +34,16 @@ TEST(ComparisonText, AMarkIsExplainedWhereThereIsOne) {
   replay::StackComparison result = compared();
   result.walk_end = {0.4, "its torso came to the ground"};
   const std::string text = comparison_text("run.mcap", result);
-  EXPECT_NE(text.find("0.5000 s *"), std::string::npos) << text;
-  EXPECT_NE(text.find("* From 0.4000 s on the run says nothing of its walk"), std::string::npos)
-      << text;
+  EXPECT_TRUE(holds(text, "0.5000 s *"));
+  EXPECT_TRUE(holds(text, "* From 0.4000 s on the run says nothing of its walk"));
 }
 
 TEST(ComparisonText, WhereNothingIsMarkedNoMarkIsExplained) {
   replay::StackComparison result = compared();
   result.walk_end = {0.75, "its torso came to the ground"};
   const std::string text = comparison_text("run.mcap", result);
-  EXPECT_EQ(text.find('*'), std::string::npos) << text;
-  EXPECT_NE(text.find("\nFrom 0.7500 s on the run says nothing of its walk"), std::string::npos)
-      << text;
+  EXPECT_FALSE(holds(text, "*"));
+  EXPECT_TRUE(holds(text, "\nFrom 0.7500 s on the run says nothing of its walk"));
 }
 
 TEST(ComparisonText, SaysOfWhichTicksTheTablesAreAndWhyTheOthersHaveNoAnswer) {
@@ -58,7 +60,7 @@ TEST(ComparisonText, SaysOfWhichTicksTheTablesAreAndWhyTheOthersHaveNoAnswer) {
         "in com_xy.\n",
         "would have been stopped for safety at 1 tick, first at 0.3250 s: too many ticks without a "
         "solution. The ticks behind are asked all the same.\n"})
-    EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
+    EXPECT_TRUE(holds(text, part));
   const auto json = comparison_json("run.mcap", result);
   EXPECT_EQ(json.at("compared"), 300);
   EXPECT_EQ(json.at("unanswered").at("other").at("ticks"), 80);
@@ -71,26 +73,24 @@ TEST(ComparisonText, WhereAllIsAnsweredAndTheRunIsReproducedNothingElseIsSaid) {
   replay::StackComparison result = compared();
   result.compared = result.ticks;
   const std::string text = comparison_text("run.mcap", result);
-  EXPECT_NE(text.find("\nBoth answered every tick.\n"), std::string::npos) << text;
+  EXPECT_TRUE(holds(text, "\nBoth answered every tick.\n"));
   for (const char* part : {"Not asked", "No answer", "stopped", "This build"})
-    EXPECT_EQ(text.find(part), std::string::npos) << part << "\n" << text;
+    EXPECT_FALSE(holds(text, part));
 }
 
 TEST(ComparisonText, SaysWhereThisBuildIsAnotherThanTheRuns) {
   replay::StackComparison result = compared();
   result.not_reproduced = {7, 0.5, ""};
   const std::string text = comparison_text("run.mcap", result);
-  EXPECT_NE(text.find("other torques for the run itself at 7 ticks, first at 0.5000 s"),
-            std::string::npos)
-      << text;
+  EXPECT_TRUE(holds(text, "other torques for the run itself at 7 ticks, first at 0.5000 s"));
 }
 
 TEST(ComparisonText, ATorqueBelowRoundingIsNothingAndHasNoTimeOfItsLargest) {
   replay::StackComparison result = compared();
   for (replay::JointComparison& joint : result.joints) joint = {2e-15, -7.66e-15, 0.25};
   const std::string text = comparison_text("run.mcap", result);
-  EXPECT_EQ(text.find("e-15"), std::string::npos) << text;
-  EXPECT_EQ(text.find("0.2500 s"), std::string::npos) << text;
+  EXPECT_FALSE(holds(text, "e-15"));
+  EXPECT_FALSE(holds(text, "0.2500 s"));
 }
 
 TEST(ComparisonJson, TimesAreToTheNanosecond) {
@@ -98,8 +98,8 @@ TEST(ComparisonJson, TimesAreToTheNanosecond) {
   result.last_time = 12.405000000000001;
   result.joints[0].time = 12.405000000000001;
   const std::string text = comparison_json("run.mcap", result).dump();
-  EXPECT_EQ(text.find("12.405000"), std::string::npos) << text;
-  EXPECT_NE(text.find("\"last_time\":12.405,"), std::string::npos) << text;
+  EXPECT_FALSE(holds(text, "12.405000"));
+  EXPECT_TRUE(holds(text, "\"last_time\":12.405,"));
 }
 
 TEST(ComparisonJson, WhatWasNeverLargerThanNothingHasNoTimeOfItsLargest) {

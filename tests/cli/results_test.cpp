@@ -1,16 +1,19 @@
 #include "cli/results_json.hpp"
 #include "cli/results_table.hpp"
 #include "surefoot/base/text_table.hpp"
+#include "tests/support/messages.hpp"
 
 #include <gtest/gtest.h>
 
 namespace surefoot::cli {
 namespace {
 
+using config::Scenario;
+using test::holds;
 using Json = nlohmann::ordered_json;
 
 TEST(RunJson, holds_every_metric_the_criteria_and_what_was_drawn) {
-  config::Scenario scenario;
+  Scenario scenario;
   scenario.name = "trial";
   closed_loop::RunResult result;
   result.metrics.com_error_max_m = 0.5;
@@ -36,20 +39,17 @@ closed_loop::RunResult with_event(int count) {
 
 TEST(RunTable, beside_the_verdict_stands_how_often_the_run_was_changed_by_hand) {
   closed_loop::RunResult result = with_event(3);
-  const auto table = [&] {
-    return run_table(config::Scenario{}, run_json(config::Scenario{}, result));
-  };
-  EXPECT_FALSE(run_json(config::Scenario{}, result).contains("changes_by_hand"));
-  EXPECT_EQ(table().find("by hand"), std::string::npos);
+  const auto table = [&] { return run_table(Scenario{}, run_json(Scenario{}, result)); };
+  EXPECT_FALSE(run_json(Scenario{}, result).contains("changes_by_hand"));
+  EXPECT_FALSE(holds(table(), "by hand"));
   result.changes = 0;
-  EXPECT_EQ(run_json(config::Scenario{}, result).at("changes_by_hand"), 0);
-  EXPECT_EQ(table().find("by hand"), std::string::npos);
+  EXPECT_EQ(run_json(Scenario{}, result).at("changes_by_hand"), 0);
+  EXPECT_FALSE(holds(table(), "by hand"));
   result.changes = 46;
-  EXPECT_EQ(run_json(config::Scenario{}, result).at("changes_by_hand"), 46);
-  EXPECT_NE(table().find("\nsteered by hand: 46 changes and pushes while it ran, so this is no "
-                         "verdict on the scenario alone\n\n"),
-            std::string::npos)
-      << table();
+  EXPECT_EQ(run_json(Scenario{}, result).at("changes_by_hand"), 46);
+  EXPECT_TRUE(holds(table(),
+                    "\nsteered by hand: 46 changes and pushes while it ran, so this is no "
+                    "verdict on the scenario alone\n\n"));
 }
 
 TEST(Pretty, says_units_after_the_metrics_name) {
@@ -71,24 +71,21 @@ TEST(Pretty, says_a_metric_in_one_unit_whatever_its_value) {
 }
 
 TEST(RunJson, tells_the_events_in_words_with_leg_count_and_first_time) {
-  const Json json = run_json(config::Scenario{}, with_event(3));
+  const Json json = run_json(Scenario{}, with_event(3));
   ASSERT_EQ(json.at("events").size(), 1u);
   EXPECT_EQ(json.at("events")[0].at("event"), "no ground within reach: foot taken back");
   EXPECT_EQ(json.at("events")[0].at("leg"), "LF");
   EXPECT_EQ(json.at("events")[0].at("count"), 3);
   EXPECT_EQ(json.at("events")[0].at("first_s"), 5.25);
-  const std::string table = run_table(config::Scenario{}, json);
-  EXPECT_NE(
-      table.find("no ground within reach: foot taken back   LF   3 times   first at 5.2500 s"),
-      std::string::npos)
-      << table;
+  const std::string table = run_table(Scenario{}, json);
+  EXPECT_TRUE(holds(table, "no ground within reach: foot taken back LF 3 times first at 5.2500 s"));
 }
 
 TEST(RunJson, of_a_scenario_without_a_goal_says_nothing_of_one) {
-  const Json run = run_json(config::Scenario{}, closed_loop::RunResult{});
+  const Json run = run_json(Scenario{}, closed_loop::RunResult{});
   EXPECT_TRUE(run.at("goal_reached").is_null());
-  EXPECT_FALSE(check_json(config::Scenario{}).at("has_goal"));
-  config::Scenario scenario;
+  EXPECT_FALSE(check_json(Scenario{}).at("has_goal"));
+  Scenario scenario;
   scenario.goal.feet_beyond_x = 1.0;
   EXPECT_TRUE(check_json(scenario).at("has_goal"));
 }
@@ -96,7 +93,7 @@ TEST(RunJson, of_a_scenario_without_a_goal_says_nothing_of_one) {
 TEST(RunJson, tells_of_sensors_among_the_events_in_the_order_of_time) {
   closed_loop::RunResult result = with_event(3);
   result.troubles = {{"IMU stopped", 2, 4.5}, {"command mode: sit", 1, 6.0}};
-  const Json events = run_json(config::Scenario{}, result).at("events");
+  const Json events = run_json(Scenario{}, result).at("events");
   ASSERT_EQ(events.size(), 3u);
   EXPECT_EQ(events[0].at("event"), "IMU stopped");
   EXPECT_TRUE(events[0].at("leg").is_null());
@@ -113,13 +110,11 @@ TEST(RunTable, says_what_the_seed_drew_or_that_it_drew_nothing) {
   closed_loop::RunResult result;
   result.drawn = {{"terrain.friction", 0.5}};
   result.metrics.seed = 3;
-  const auto table = [&] {
-    return run_table(config::Scenario{}, run_json(config::Scenario{}, result));
-  };
-  EXPECT_NE(table().find("seed 3: terrain.friction 0.5\n"), std::string::npos) << table();
+  const auto table = [&] { return run_table(Scenario{}, run_json(Scenario{}, result)); };
+  EXPECT_TRUE(holds(table(), "seed 3: terrain.friction 0.5\n"));
   result.metrics.seed = 0;
   result.drawn.clear();
-  EXPECT_NE(table().find("seed 0: nothing of `randomise:` is drawn"), std::string::npos);
+  EXPECT_TRUE(holds(table(), "seed 0: nothing of `randomise:` is drawn"));
 }
 
 TEST(RunTable, counts_the_drawn_values_of_a_vector) {
@@ -130,28 +125,27 @@ TEST(RunTable, counts_the_drawn_values_of_a_vector) {
     result.drawn.push_back({std::string("sensors.encoders.offset.") + joint, 0.001});
   for (const char* axis : {"x", "z"})
     result.drawn.push_back({std::string("disturbances.base_com_offset.") + axis, 0.01});
-  const std::string table = run_table(config::Scenario{}, run_json(config::Scenario{}, result));
-  EXPECT_NE(table.find("seed 3: initial.x 0.2, initial.yaw 0.1, disturbances.base_mass_scale 0.9, "
-                       "sensors.encoders.offset (3 values),\n"
-                       "  disturbances.base_com_offset (2 values)\n"),
-            std::string::npos)
-      << table;
+  const std::string table = run_table(Scenario{}, run_json(Scenario{}, result));
+  EXPECT_TRUE(holds(table,
+                    "seed 3: initial.x 0.2, initial.yaw 0.1, disturbances.base_mass_scale 0.9, "
+                    "sensors.encoders.offset (3 values),\n"
+                    " disturbances.base_com_offset (2 values)\n"));
 }
 
 TEST(RunTable, shows_a_metric_beside_its_limit_and_the_papers_figure) {
-  config::Scenario scenario;
+  Scenario scenario;
   scenario.name = "trial";
   scenario.paper = {{"com_error_max_m", "≤ 3.4 mm"}};
   closed_loop::RunResult result;
   result.metrics.com_error_max_m = 0.0006;
   result.criteria = {{{"com_error_max_m", {}, 0.0005, {}}, 0.0006, false}};
   const std::string table = run_table(scenario, run_json(scenario, result));
-  EXPECT_NE(table.find("; missed: com_error_max_m\n"), std::string::npos) << table;
+  EXPECT_TRUE(holds(table, "; missed: com_error_max_m\n"));
   std::string line = table.substr(table.find("com_error_max_m   "));
   line = line.substr(0, line.find('\n'));
-  EXPECT_NE(line.find("0.6 mm"), std::string::npos) << line;
-  EXPECT_NE(line.find("≤ 0.5 mm ✗"), std::string::npos) << line;
-  EXPECT_NE(line.find("≤ 3.4 mm"), std::string::npos) << line;
+  EXPECT_TRUE(holds(line, "0.6 mm"));
+  EXPECT_TRUE(holds(line, "≤ 0.5 mm ✗"));
+  EXPECT_TRUE(holds(line, "≤ 3.4 mm"));
 }
 
 }  // namespace

@@ -15,6 +15,10 @@ namespace surefoot::test {
 
 using Json = nlohmann::json;
 
+inline const cli::SolveArguments kCertified{.file = "", .certify = true};
+inline const cli::SolveArguments kExplained{.file = "", .explain = true};
+inline const cli::SolveArguments kExplainedAsJson{.file = "", .explain = true, .json = true};
+
 /// Runs the command on a file with these lines.
 struct CommandRun {
   explicit CommandRun(const std::string& text, cli::SolveArguments arguments = {}) {

@@ -7,8 +7,8 @@
 #include "surefoot/logging/recorder.hpp"
 #include "surefoot/model/body_tree.hpp"
 #include "surefoot/model/urdf.hpp"
-#include "tests/config/messages.hpp"
 #include "tests/logging/temporary_folder.hpp"
+#include "tests/support/messages.hpp"
 
 #include <Eigen/LU>
 

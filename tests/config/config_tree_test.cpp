@@ -1,8 +1,8 @@
 #include "surefoot/config/config_tree.hpp"
 
 #include "surefoot/config/config_json.hpp"
-#include "tests/config/messages.hpp"
 #include "tests/logging/temporary_folder.hpp"
+#include "tests/support/messages.hpp"
 
 #include <cstdlib>
 
@@ -26,38 +26,26 @@ TEST(ConfigTree, knows_the_line_of_every_key) {
   EXPECT_EQ(tree().find("name")->where, "a.yaml:5");
 }
 
-TEST(ConfigTree, what_is_not_yaml_is_told_with_its_line) {
-  const std::string message =
-      message_of([] { (void)parse_yaml("a: 1\nb: [2, 3\nc: }", "bad.yaml"); });
-  EXPECT_TRUE(message.starts_with("bad.yaml:")) << message;
-  EXPECT_TRUE(holds(message, "not YAML"));
+TEST(ConfigTree, what_is_not_one_map_in_yaml_is_told_with_its_line) {
+  const auto told = [](const char* text) {
+    return message_of([&] { (void)parse_yaml(text, "bad.yaml"); });
+  };
+  EXPECT_TRUE(told("a: 1\nb: [2, 3\nc: }").starts_with("bad.yaml:"));
+  EXPECT_TRUE(holds(told("a: 1\nb: [2, 3\nc: }"), "not YAML"));
+  EXPECT_TRUE(holds(told("a: 1\na: 2\n"), "bad.yaml:2: the key \"a\" is given twice"));
+  EXPECT_TRUE(holds(told("a: &x [*x]"), "bad.yaml")) << "an anchor that holds itself";
+  EXPECT_TRUE(holds(told("a: 1\n---\nb: 2\n"), "bad.yaml")) << "a second document";
 }
 
-TEST(ConfigTree, a_file_that_is_plain_text_is_not_a_configuration) {
+TEST(ConfigTree, a_file_of_plain_text_a_missing_one_and_a_folder_are_told) {
   const test::TemporaryFolder folder;
   test::write_file(folder / "text.yaml", "just a sentence");
-  EXPECT_TRUE(
-      holds(message_of([&] { (void)parse_yaml_file(folder / "text.yaml"); }), "key: value"));
-}
-
-TEST(ConfigTree, a_missing_file_and_a_folder_are_named) {
-  const test::TemporaryFolder folder;
-  EXPECT_TRUE(holds(message_of([&] { (void)parse_yaml_file(folder / "none.yaml"); }), "none.yaml"));
-  EXPECT_TRUE(holds(message_of([&] { (void)parse_yaml_file(folder.path()); }), folder.path()));
-}
-
-TEST(ConfigTree, a_key_given_twice_is_told_with_its_line) {
-  EXPECT_TRUE(holds(message_of([] { (void)parse_yaml("a: 1\na: 2\n", "twice.yaml"); }),
-                    "twice.yaml:2: the key \"a\" is given twice"));
-}
-
-TEST(ConfigTree, an_anchor_that_holds_itself_ends_in_an_error) {
-  EXPECT_TRUE(holds(message_of([] { (void)parse_yaml("a: &x [*x]", "loop.yaml"); }), "loop.yaml"));
-}
-
-TEST(ConfigTree, a_second_document_is_an_error) {
-  EXPECT_TRUE(
-      holds(message_of([] { (void)parse_yaml("a: 1\n---\nb: 2\n", "two.yaml"); }), "two.yaml"));
+  const auto told = [](const std::string& path) {
+    return message_of([&] { (void)parse_yaml_file(path); });
+  };
+  EXPECT_TRUE(holds(told(folder / "text.yaml"), "key: value"));
+  EXPECT_TRUE(holds(told(folder / "none.yaml"), "none.yaml"));
+  EXPECT_TRUE(holds(told(folder.path()), folder.path()));
 }
 
 TEST(ConfigTree, an_overlay_changes_what_it_names_and_keeps_the_rest) {

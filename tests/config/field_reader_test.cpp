@@ -5,11 +5,10 @@
 #include "surefoot/config/scenario_fields.hpp"
 #include "surefoot/control/controller.hpp"
 #include "surefoot/simulation/check_options.hpp"
-#include "tests/config/messages.hpp"
+#include "tests/support/messages.hpp"
 
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
 #include <set>
 #include <sstream>
 

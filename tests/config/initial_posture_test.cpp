@@ -1,7 +1,7 @@
 #include "surefoot/config/initial_posture.hpp"
 
-#include "tests/config/messages.hpp"
 #include "tests/support/anymal_b.hpp"
+#include "tests/support/messages.hpp"
 
 namespace surefoot::config {
 namespace {

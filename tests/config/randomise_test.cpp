@@ -1,7 +1,7 @@
 #include "surefoot/config/randomise.hpp"
 
-#include "tests/config/messages.hpp"
 #include "tests/logging/temporary_folder.hpp"
+#include "tests/support/messages.hpp"
 
 #include <gtest/gtest.h>
 

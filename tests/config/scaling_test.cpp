@@ -2,8 +2,8 @@
 #include "surefoot/config/robot_file.hpp"
 #include "surefoot/config/scenario_file.hpp"
 #include "surefoot/config/stack_file.hpp"
-#include "tests/config/messages.hpp"
 #include "tests/logging/temporary_folder.hpp"
+#include "tests/support/messages.hpp"
 
 #include <array>
 

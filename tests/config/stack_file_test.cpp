@@ -2,8 +2,8 @@
 
 #include "surefoot/config/data_file.hpp"
 #include "surefoot/tasks/catalog.hpp"
-#include "tests/config/messages.hpp"
 #include "tests/logging/temporary_folder.hpp"
+#include "tests/support/messages.hpp"
 
 namespace surefoot::config {
 namespace {

@@ -4,11 +4,14 @@
 #include "surefoot/config/stack_file.hpp"
 #include "surefoot/tasks/catalog.hpp"
 #include "tests/logging/temporary_folder.hpp"
+#include "tests/support/messages.hpp"
 
 #include <gtest/gtest.h>
 
 namespace surefoot::config {
 namespace {
+
+using test::holds;
 
 control::StackOptions read(const std::string& text) {
   const test::TemporaryFolder folder;
@@ -38,7 +41,7 @@ TEST(StackText, every_shipped_stack_reads_back_without_its_base) {
     SCOPED_TRACE(name);
     const control::StackOptions stack = with_defaults(load_stack(name));
     const std::string text = stack_yaml(stack);
-    EXPECT_EQ(text.find("base:"), std::string::npos);
+    EXPECT_FALSE(holds(text, "base:"));
     expect_same(read(text), stack);
   }
 }

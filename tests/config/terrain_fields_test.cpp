@@ -3,13 +3,14 @@
 #include "surefoot/config/field_reader.hpp"
 #include "surefoot/config/robot_file.hpp"
 #include "surefoot/simulation/plant.hpp"
-#include "tests/config/messages.hpp"
+#include "tests/support/messages.hpp"
 
 #include <cmath>
 
 namespace surefoot::config {
 namespace {
 
+using simulation::Plant;
 using test::holds;
 using test::message_of;
 
@@ -23,11 +24,11 @@ simulation::TerrainOptions read(const std::string& text) {
 }
 
 /// The physics that a terrain becomes.
-simulation::Plant plant_on(const std::string& text) {
+Plant plant_on(const std::string& text) {
   simulation::PlantOptions options;
   options.terrain = read(text);
   options.initial.position.z() = 5.0;
-  return simulation::Plant(load_robot("anymal_b"), options);
+  return Plant(load_robot("anymal_b"), options);
 }
 
 TEST(Terrain, without_elements_is_the_plane) {
@@ -37,45 +38,30 @@ TEST(Terrain, without_elements_is_the_plane) {
   EXPECT_EQ(terrain.friction, 0.4);
 }
 
-TEST(Terrain, a_step_down_is_level_up_to_the_edge_and_lower_behind_it) {
-  const simulation::Plant plant =
-      plant_on("elements: {ground: {shape: steps, edge: 0.5, height: -0.14}}");
-  EXPECT_NEAR(plant.terrain_height(-3.0, 0.3), 0.0, 1e-9);
-  EXPECT_NEAR(plant.terrain_height(0.499, -0.3), 0.0, 1e-9);
-  EXPECT_NEAR(plant.terrain_height(0.501, 0.0), -0.14, 1e-9);
-  EXPECT_NEAR(plant.terrain_height(5.0, 2.0), -0.14, 1e-9);
-}
-
-TEST(Terrain, stairs_up_rise_by_one_step_a_tread) {
-  const simulation::Plant plant = plant_on(
-      "elements: {ground: {shape: steps, edge: 0.5, height: 0.15, tread: 0.35, count: 3}}");
-  EXPECT_NEAR(plant.terrain_height(0.4, 0.0), 0.0, 1e-9);
-  EXPECT_NEAR(plant.terrain_height(0.6, 0.0), 0.15, 1e-9);
-  EXPECT_NEAR(plant.terrain_height(1.0, 0.0), 0.30, 1e-9);
-  EXPECT_NEAR(plant.terrain_height(1.3, 0.0), 0.45, 1e-9);
-  EXPECT_NEAR(plant.terrain_height(4.0, 0.0), 0.45, 1e-9);
-}
-
-TEST(Terrain, a_slope_rises_from_its_start_on) {
-  const simulation::Plant plant =
-      plant_on("elements: {ground: {shape: slope, start: 0.5, pitch: 0.2}}");
-  EXPECT_NEAR(plant.terrain_height(0.4, 0.0), 0.0, 1e-9);
-  EXPECT_NEAR(plant.terrain_height(1.5, 0.7), std::tan(0.2), 1e-9);
-}
-
-TEST(Terrain, a_slope_down_falls_and_one_along_rises_to_the_left) {
-  const simulation::Plant down =
-      plant_on("elements: {ground: {shape: slope, start: 0.5, pitch: -0.2}}");
-  EXPECT_NEAR(down.terrain_height(1.5, 0.0), -std::tan(0.2), 1e-9);
-  const simulation::Plant along =
-      plant_on("elements: {ground: {shape: slope, start: 0.5, roll: 0.2}}");
-  EXPECT_NEAR(along.terrain_height(1.5, 0.3), 0.3 * std::tan(0.2), 1e-9);
-  EXPECT_NEAR(along.terrain_height(1.5, -0.3), -0.3 * std::tan(0.2), 1e-9);
+TEST(Terrain, steps_and_slopes_have_their_heights_before_and_behind_their_edge) {
+  struct Case {
+    std::string ground;
+    std::vector<Vec3> points;
+  };
+  const double slope = std::tan(0.2);
+  for (const auto& [ground, points] : std::vector<Case>{
+           {"steps, edge: 0.5, height: -0.14",
+            {{-3.0, 0.3, 0.0}, {0.499, -0.3, 0.0}, {0.501, 0.0, -0.14}, {5.0, 2.0, -0.14}}},
+           {"steps, edge: 0.5, height: 0.15, tread: 0.35, count: 3",
+            {{0.4, 0.0, 0.0}, {0.6, 0.0, 0.15}, {1.0, 0.0, 0.30}, {1.3, 0, 0.45}, {4.0, 0, 0.45}}},
+           {"slope, start: 0.5, pitch: 0.2", {{0.4, 0.0, 0.0}, {1.5, 0.7, slope}}},
+           {"slope, start: 0.5, pitch: -0.2", {{1.5, 0.0, -slope}}},
+           {"slope, start: 0.5, roll: 0.2",
+            {{1.5, 0.3, 0.3 * slope}, {1.5, -0.3, -0.3 * slope}}}}) {
+    const Plant plant = plant_on("elements: {ground: {shape: " + ground + "}}");
+    for (const Vec3& p : points)
+      EXPECT_NEAR(plant.terrain_height(p.x(), p.y()), p.z(), 1e-9) << ground << " at " << p.x();
+  }
 }
 
 TEST(Terrain, a_slope_rises_to_where_uphill_is) {
   for (const double uphill : {-2.5, -0.8, 0.0, 0.4, 1.6, 3.1}) {
-    const simulation::Plant plant = plant_on(
+    const Plant plant = plant_on(
         "elements: {ground: {shape: slope, start: 0.5, incline: 0.2, "
         "uphill: " +
         std::to_string(uphill) + "}}");
@@ -124,10 +110,10 @@ TEST(Terrain, friction_tiles_that_make_no_sense_say_why) {
 }
 
 TEST(Terrain, rough_ground_and_boxes_stay_within_their_heights) {
-  const simulation::Plant rough = plant_on(
+  const Plant rough = plant_on(
       "elements: {a: {shape: height_field, size_x: 6, size_y: 4, amplitude: 0.05, wavelength: 0.6, "
       "seed: 3}}");
-  const simulation::Plant boxes = plant_on(
+  const Plant boxes = plant_on(
       "elements: {a: {shape: random_boxes, size_x: 6, size_y: 4, cell: 0.4, max_height: 0.1, seed: "
       "3}}");
   double rough_lowest = 1.0, rough_highest = -1.0, box_lowest = 1.0, box_highest = -1.0;
@@ -145,21 +131,15 @@ TEST(Terrain, rough_ground_and_boxes_stay_within_their_heights) {
   EXPECT_TRUE(box_highest <= 0.1 && box_highest > 0.08) << box_highest;
 }
 
-TEST(Terrain, an_unknown_shape_lists_the_shapes) {
-  EXPECT_TRUE(
-      holds(message_of([] { (void)read("elements: {a: {shape: bxo}}"); }),
-            "t.yaml:1: terrain.elements.a.shape: unknown choice \"bxo\"; did you mean \"box\"?"));
-}
-
-TEST(Terrain, keys_of_another_shape_are_unknown) {
-  EXPECT_TRUE(
-      holds(message_of([] { (void)read("elements: {a: {shape: plane, size: [1, 1, 1]}}"); }),
-            "terrain.elements.a.size: unknown key"));
-}
-
-TEST(Terrain, a_box_without_thickness_is_an_error) {
-  EXPECT_TRUE(holds(message_of([] { (void)read("elements: {a: {shape: box, size: [1, 1, 0]}}"); }),
-                    "above 0"));
+TEST(Terrain, shapes_and_their_keys_that_are_wrong_are_told) {
+  const auto told = [](const std::string& element) {
+    return message_of([&] { (void)read("elements: {a: {shape: " + element + "}}"); });
+  };
+  EXPECT_TRUE(holds(told("bxo"),
+                    "t.yaml:1: terrain.elements.a.shape: unknown choice \"bxo\"; did "
+                    "you mean \"box\"?"));
+  EXPECT_TRUE(holds(told("plane, size: [1, 1, 1]"), "terrain.elements.a.size: unknown key"));
+  EXPECT_TRUE(holds(told("box, size: [1, 1, 0]"), "above 0"));
 }
 
 TEST(Terrain, an_element_of_the_base_is_taken_away_by_naming_nothing) {

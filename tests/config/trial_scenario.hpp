@@ -1,8 +1,8 @@
 #pragma once
 
 #include "surefoot/config/scenario_file.hpp"
-#include "tests/config/messages.hpp"
 #include "tests/logging/temporary_folder.hpp"
+#include "tests/support/messages.hpp"
 
 #include <gtest/gtest.h>
 

@@ -3,12 +3,10 @@
 #include "surefoot/math/numbers.hpp"
 #include "surefoot/solver/cascade_solver.hpp"
 #include "surefoot/solver/lexicographic_solver.hpp"
-#include "tests/support/malloc_counter.hpp"
 #include "tests/support/random_hierarchy.hpp"
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <vector>
 
 namespace surefoot::control {
@@ -214,14 +212,6 @@ TEST(HierarchySummary, OfRowsThatCostNothingAloneNamesAsManyAsOfDearOnes) {
   summarise(example.solution, example.hierarchy, report);
   summarise_blockers(blockers, example.hierarchy, report);
   EXPECT_EQ(report.num_blocking, 3);
-}
-
-TEST(HierarchySummary, AllocatesNothing) {
-  const Example example;
-  HierarchyReport report;
-  const test::MallocCounter counter;
-  summarise(example.solution, example.hierarchy, report);
-  EXPECT_EQ(counter.count(), 0u);
 }
 
 }  // namespace

@@ -7,7 +7,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 
 namespace surefoot::control {
 namespace {
@@ -28,15 +27,16 @@ SensorHealth failing(GroupHealth SensorHealth::* group, double age) {
   return health;
 }
 
-/// A safety stage, tick by tick, with a robot that stands still.
+/// A safety stage, tick by tick, with a robot that stands still, behind as many good ticks.
 struct Stage {
-  Stage() {
+  explicit Stage(int good_ticks = 0) {
     state.q_WB = Quat::Identity();
     state.q = anymal_b().q_nominal;
     state.qd.setZero();
     solution.status = solver::SolveStatus::optimal;
     solution.x = VecX::Zero(kNumUnknowns);
     solve(JointVector::Constant(10.0));
+    for (int i = 0; i < good_ticks; ++i) (void)tick();
   }
   void solve(const JointVector& torque) { solution.x.tail<kNumJoints>() = torque; }
   const JointCommand& tick(const SensorHealth& health = {}) {
@@ -55,8 +55,7 @@ struct Stage {
 };
 
 TEST(SafetyOfSensors, AShortGapChangesNothingButHowFastTorquesChange) {
-  Stage stage;
-  (void)stage.tick();
+  Stage stage(1);
   stage.solve(JointVector::Constant(30.0));
   const JointCommand command = stage.tick(failing(&SensorHealth::imu, 0.02));
   EXPECT_EQ(command.mode, CommandMode::optimal);
@@ -133,8 +132,7 @@ TEST(SafetyOfSensors, SittingDownEndsWithoutAClockToo) {
 TEST(SafetyOfSensors, TheLastTorquesTurnIntoThoseThatBearTheRobotAndFadeAsItLies) {
   constexpr int kBears = 160;  // [ticks]
   const JointVector bearing = JointVector::LinSpaced(kNumJoints, 5.0, -6.0);
-  Stage told, untold;
-  for (Stage* stage : {&told, &untold}) (void)stage->tick();
+  Stage told(1), untold(1);
   double most_at_first = 0.0;
   JointVector borne = JointVector::Zero(), last = borne;
   for (int i = 0; i < kSits - 1; ++i) {
@@ -153,8 +151,7 @@ TEST(SafetyOfSensors, TheLastTorquesTurnIntoThoseThatBearTheRobotAndFadeAsItLies
 
 // As of a lame leg's robot, of which nobody knows.
 TEST(SafetyOfSensors, WhatBearsTheRobotIsTakenOverSlowlyHoweverLateItIsTold) {
-  Stage told, untold;
-  for (Stage* stage : {&told, &untold}) (void)stage->tick();
+  Stage told(1), untold(1);
   double most = 0.0;
   JointVector before = JointVector::Zero(), more = before;
   for (int i = 0; i < 260; ++i) {
@@ -209,8 +206,7 @@ TEST(SafetyOfSensors, ALegThatDoesNotStandIsHeldSoftly) {
 }
 
 TEST(SafetyOfSensors, AnEncoderThatIsFrozenCountsAsUnknownHoweverFiniteItsAngle) {
-  Stage stage;
-  (void)stage.tick();
+  Stage stage(1);
   SensorHealth health = failing(&SensorHealth::encoders, 0.03);
   health.encoders = {.fault = SampleFault::repeats, .age = 0.03, .joint = 4};
   ASSERT_EQ(stage.tick(health).mode, CommandMode::sit);
@@ -218,8 +214,7 @@ TEST(SafetyOfSensors, AnEncoderThatIsFrozenCountsAsUnknownHoweverFiniteItsAngle)
 }
 
 TEST(SafetyOfSensors, ByAnglesThatOnlyComeLateItSitsDown) {
-  Stage stage;
-  (void)stage.tick();
+  Stage stage(1);
   SensorHealth health = failing(&SensorHealth::encoders, 0.03);
   health.encoders.fault = SampleFault::late;
   EXPECT_EQ(stage.tick(health).mode, CommandMode::sit);
@@ -227,8 +222,7 @@ TEST(SafetyOfSensors, ByAnglesThatOnlyComeLateItSitsDown) {
 }
 
 TEST(SafetyOfSensors, EncodersOfSeveralLegsThatAreLostFadeTheTorques) {
-  Stage stage;
-  (void)stage.tick();
+  Stage stage(1);
   stage.state.q[2] = stage.state.qd[2] = kNaN;
   stage.state.q[5] = stage.state.qd[5] = kNaN;
   const JointCommand first = stage.tick(failing(&SensorHealth::encoders, 0.03));
@@ -242,8 +236,7 @@ TEST(SafetyOfSensors, EncodersOfSeveralLegsThatAreLostFadeTheTorques) {
 }
 
 TEST(SafetyOfSensors, WhatWasWrongWhenItStoppedStaysTheReason) {
-  Stage stage;
-  (void)stage.tick();
+  Stage stage(1);
   EXPECT_EQ(stage.tick().fault, SampleFault::none);
   SensorHealth health = failing(&SensorHealth::encoders, 0.03);
   health.encoders.fault = SampleFault::jump;
@@ -271,8 +264,7 @@ TEST(SafetyOfSensors, ASittingRobotThatTiltsOrLosesItsEncodersDamps) {
 
 TEST(SafetyOfSensors, TorquesOfTheWayDownFadeWhereEncodersAreLostLater) {
   for (const double seconds : {0.1, 1.0}) {
-    Stage stage;
-    (void)stage.tick();
+    Stage stage(1);
     const auto until = static_cast<int>(seconds / kPeriod);
     for (int i = 0; i < until; ++i) (void)stage.tick(failing(&SensorHealth::imu, 0.1));
     const JointVector before = stage.tick(failing(&SensorHealth::imu, 0.1)).torque;
@@ -288,8 +280,7 @@ TEST(SafetyOfSensors, TorquesOfTheWayDownFadeWhereEncodersAreLostLater) {
 }
 
 TEST(SafetyOfSensors, ARobotThatTiltsWhileItSitsForAnEncoderOnlyDamps) {
-  Stage stage;
-  (void)stage.tick();
+  Stage stage(1);
   SensorHealth one = failing(&SensorHealth::encoders, 0.03);
   one.encoders.joint = 2;
   one.encoders.fault = SampleFault::not_a_number;
@@ -300,8 +291,7 @@ TEST(SafetyOfSensors, ARobotThatTiltsWhileItSitsForAnEncoderOnlyDamps) {
 }
 
 TEST(SafetyOfSensors, ARobotThatSitsDownForItsImuDoesNotBelieveThatItTilts) {
-  Stage stage;
-  (void)stage.tick();
+  Stage stage(1);
   for (int i = 0; i < kSits; ++i) {
     if (i > 0) stage.state.q_WB = from_roll_pitch_yaw({1.2, 0.0, 0.0});
     ASSERT_EQ(stage.tick(failing(&SensorHealth::imu, 0.1)).mode, CommandMode::sit) << i;
@@ -316,12 +306,11 @@ TEST(SafetyOfSensors, ASensorThatTheRobotDoesNotHaveIsNotMissed) {
 }
 
 TEST(SafetyOfSensors, OneThatNeverCameIsNamedAndSatDownFor) {
-  const double unknown = std::numeric_limits<double>::quiet_NaN();
   for (const StopCause missing : {StopCause::imu, StopCause::joint_torques}) {
     Stage stage;
-    if (missing == StopCause::imu) stage.state.q_WB.coeffs().setConstant(unknown);
-    if (missing == StopCause::joint_torques) stage.state.torque.setConstant(unknown);
-    SensorHealth health = failing(&SensorHealth::imu, unknown);
+    if (missing == StopCause::imu) stage.state.q_WB.coeffs().setConstant(kNaN);
+    if (missing == StopCause::joint_torques) stage.state.torque.setConstant(kNaN);
+    SensorHealth health = failing(&SensorHealth::imu, kNaN);
     health.joint_torques = health.imu;
     JointVector held;
     for (int i = 0; i < SafetyOptions{}.damp_after_failures; ++i) {
@@ -340,9 +329,8 @@ TEST(SafetyOfSensors, OneThatNeverCameIsNamedAndSatDownFor) {
 }
 
 TEST(SafetyOfSensors, AnEncoderThatNeverCameIsNamedAndTheOtherJointsDamp) {
-  const double unknown = std::numeric_limits<double>::quiet_NaN();
   Stage stage;
-  stage.state.q[5] = unknown;
+  stage.state.q[5] = kNaN;
   stage.state.qd.setConstant(1.0);
   SensorHealth health = failing(&SensorHealth::encoders, 0.0);
   health.encoders.joint = 5;
@@ -356,7 +344,7 @@ TEST(SafetyOfSensors, AnEncoderThatNeverCameIsNamedAndTheOtherJointsDamp) {
 
 TEST(SafetyOfSensors, WithoutAStateForAnotherReasonNoSensorIsNamed) {
   Stage stage;
-  stage.state.q_WB.coeffs().setConstant(std::numeric_limits<double>::quiet_NaN());
+  stage.state.q_WB.coeffs().setConstant(kNaN);
   for (int i = 0; i < 100; ++i) (void)stage.refused_tick({});
   EXPECT_EQ(stage.refused_tick({}).mode, CommandMode::hold) << "it may still come to stand";
   (void)stage.refused_tick(failing(&SensorHealth::imu, 0.005));

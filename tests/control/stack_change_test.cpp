@@ -1,9 +1,9 @@
 // What changes the controller between two ticks: another stack in the place of the present one, and
 // the friction that it assumes.
 #include "surefoot/base/error.hpp"
-#include "tests/config/messages.hpp"
 #include "tests/control/statue.hpp"
 #include "tests/support/malloc_counter.hpp"
+#include "tests/support/messages.hpp"
 
 #include <algorithm>
 

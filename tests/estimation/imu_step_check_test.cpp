@@ -1,7 +1,6 @@
 #include "surefoot/estimation/imu_step_check.hpp"
 
 #include "surefoot/math/rotation.hpp"
-#include "tests/support/malloc_counter.hpp"
 #include "tests/support/random_motion.hpp"
 
 #include <gtest/gtest.h>
@@ -146,14 +145,6 @@ TEST(ImuStepCheck, BehindABlowThatWasHeldThereIsNoWitnessForAMoment) {
     for (int i = 0; i < 30; ++i) robot.tick(false);
     EXPECT_EQ(robot.after(1), ImuStep::undecided);
   }
-}
-
-TEST(ImuStepCheck, AllocatesNothing) {
-  Stepping robot;
-  robot.step_f = {30.0, 0.0, 0.0};
-  const test::MallocCounter counter;
-  (void)robot.after(kBridged);
-  EXPECT_EQ(counter.count(), 0U);
 }
 
 }  // namespace

@@ -1,7 +1,6 @@
 #include "surefoot/estimation/invariant_filter.hpp"
 
 #include "surefoot/math/rotation.hpp"
-#include "tests/support/malloc_counter.hpp"
 #include "tests/support/nees.hpp"
 
 #include <Eigen/Eigenvalues>
@@ -221,16 +220,6 @@ TEST(InvariantFilter, TheCovarianceStaysSymmetricAndPositive) {
   const Eigen::SelfAdjointEigenSolver<Filter::Covariance> eigen(P);
   EXPECT_GT(eigen.eigenvalues().minCoeff(), -1e-12);
   EXPECT_EQ(P.middleRows<3>(Filter::kFeet + 6).norm(), 0.0);
-}
-
-TEST(InvariantFilter, AllocatesNothing) {
-  Bench bench = noisy(8, 0.1);
-  const test::MallocCounter counter;
-  bench.start();
-  bench.run_until(0.1);
-  bench.filter.release(Leg::LF);
-  bench.filter.plant(Leg::LF, bench.seen(Leg::LF, bench.time), Mat3::Identity());
-  EXPECT_EQ(counter.count(), 0u);
 }
 
 }  // namespace

@@ -2,7 +2,6 @@
 
 #include "surefoot/math/rotation.hpp"
 #include "surefoot/model/robot_model.hpp"
-#include "tests/support/malloc_counter.hpp"
 #include "tests/support/random_motion.hpp"
 #include "tests/support/turning_robot.hpp"
 
@@ -262,19 +261,6 @@ TEST(KinematicCalibration, WhatPassesWhileItDoesNotListenIsNoPartOfTheTurn) {
     EXPECT_NEAR(found.thigh[index(leg)], forgetful.calibration.errors().thigh[index(leg)], 1e-5);
     EXPECT_NEAR(found.shank[index(leg)], forgetful.calibration.errors().shank[index(leg)], 1e-5);
   }
-}
-
-TEST(KinematicCalibration, AllocatesNothing) {
-  Bench bench(some_errors(9, 0.01, 0.0));
-  bench.run(3.0);
-  const model::Dynamics dynamics = bench.model.dynamics();
-  const test::MallocCounter counter;
-  for (int i = 0; i < 20; ++i) {
-    bench.state.time += TurningRobot::kPeriod;
-    bench.calibration.update(bench.state.time, dynamics, Vec3::Zero(), Vec3::UnitZ(), true);
-  }
-  bench.calibration.update(bench.state.time, dynamics, Vec3::Zero(), Vec3::UnitZ(), false);
-  EXPECT_EQ(counter.count(), 0U);
 }
 
 }  // namespace

@@ -35,39 +35,23 @@ struct Felt {
   bool was_lifted = false;
 };
 
-TEST(LiftDetector, ARobotThatStandsIsDown) {
-  const Felt robot;
-  EXPECT_TRUE(robot.detector.is_down());
-  EXPECT_FALSE(robot.was_lifted);
-}
-
-TEST(LiftDetector, ARobotThatFeelsItsWeightButNotOnItsFeetIsLifted) {
-  Felt robot;
-  robot.feel(0.2, {}, kGravity);
-  EXPECT_TRUE(robot.detector.is_lifted());
-  EXPECT_FALSE(robot.detector.is_down());
-}
-
-TEST(LiftDetector, ItTakesMoreThanAMoment) {
-  Felt robot;
-  robot.feel(0.05, {}, kGravity);
-  EXPECT_FALSE(robot.was_lifted);
-}
-
-TEST(LiftDetector, ARobotThatFallsIsNotLifted) {
-  Felt robot;
-  robot.feel(0.5, {}, 0.0);
-  EXPECT_FALSE(robot.was_lifted);
-}
-
-// Falls, lands on two feet, falls on.
-TEST(LiftDetector, NorIsOneThatTumbles) {
-  Felt robot;
-  for (int i = 0; i < 5; ++i) {
-    robot.feel(0.15, {}, 0.5);
-    robot.feel(0.03, {400.0, 0.0, 300.0, 0.0}, 23.0);
+TEST(LiftDetector, ARobotIsLiftedThatFeelsItsWeightForMoreThanAMomentButNotOnItsFeet) {
+  const Felt standing;
+  EXPECT_TRUE(standing.detector.is_down());
+  EXPECT_FALSE(standing.was_lifted);
+  Felt held, shortly, falling, tumbling;
+  held.feel(0.2, {}, kGravity);
+  EXPECT_TRUE(held.detector.is_lifted());
+  EXPECT_FALSE(held.detector.is_down());
+  shortly.feel(0.05, {}, kGravity);
+  EXPECT_FALSE(shortly.was_lifted);
+  falling.feel(0.5, {}, 0.0);
+  EXPECT_FALSE(falling.was_lifted);
+  for (int i = 0; i < 5; ++i) {  // falls, lands on two feet, falls on
+    tumbling.feel(0.15, {}, 0.5);
+    tumbling.feel(0.03, {400.0, 0.0, 300.0, 0.0}, 23.0);
   }
-  EXPECT_FALSE(robot.was_lifted);
+  EXPECT_FALSE(tumbling.was_lifted);
 }
 
 TEST(LiftDetector, OneIsHeldThatHasLessThanHalfOfItsWeightOnItsFeet) {

@@ -18,6 +18,8 @@ constexpr int kKnee = 2;  // LF_KFE
 
 /// A robot whose joints swing and whose IMU shakes, tick by tick, read through a guard.
 struct Swinging {
+  explicit Swinging(int count = 0) { run(count); }
+
   [[nodiscard]] JointVector angle(double t) const {
     return description.q_nominal + JointVector::Constant(amplitude * std::sin(8.0 * t));
   }
@@ -68,8 +70,7 @@ TEST(ReadingGuard, GoodReadingsPassAsTheyAre) {
 }
 
 TEST(ReadingGuard, JointsWithoutReadingGoOnWithTheirVelocity) {
-  Swinging robot;
-  robot.run(100);
+  Swinging robot(100);
   for (int i = 1; i <= 6; ++i) {
     robot.tick([](SensorReading& reading) { reading.q.setConstant(kNaN); });
     EXPECT_EQ(robot.guard.health().encoders.fault, SampleFault::not_a_number);
@@ -82,8 +83,7 @@ TEST(ReadingGuard, JointsWithoutReadingGoOnWithTheirVelocity) {
 }
 
 TEST(ReadingGuard, TorquesAndImuHoldTheLastGoodValue) {
-  Swinging robot;
-  robot.run(100);
+  Swinging robot(100);
   const SensorReading good = robot.guard.repaired();
   robot.tick([](SensorReading& reading) {
     reading.torque[4] = std::numeric_limits<double>::infinity();
@@ -102,9 +102,7 @@ TEST(ReadingGuard, ASpikeIsFoundAndLeavesNoTraceThoughARobotCouldMakeIt) {
     double q, torque, gyro, accelerometer;
   };
   for (const Case& spike : {Case{0.2, -120.0, 5.0, 200.0}, Case{0.0, -60.0, 1.0, 100.0}}) {
-    Swinging robot, other;
-    robot.run(100);
-    other.run(101);
+    Swinging robot(100), other(101);
     robot.tick([&](SensorReading& reading) {
       reading.q[kKnee] += spike.q;
       reading.torque[kKnee] += spike.torque;
@@ -125,8 +123,7 @@ TEST(ReadingGuard, ASpikeIsFoundAndLeavesNoTraceThoughARobotCouldMakeIt) {
 }
 
 TEST(ReadingGuard, AnImuThatIsHitIsBelievedASampleLater) {
-  Swinging robot;
-  robot.run(100);
+  Swinging robot(100);
   const auto hit = [](SensorReading& reading) {
     reading.gyro[0] += 2.0;
     reading.accelerometer[0] += 100.0;
@@ -145,8 +142,7 @@ TEST(ReadingGuard, AStepOfOneInstrumentOfTheImuIsBelievedWhereTheOtherMadeOneToo
   constexpr int kBridged = 8;  // samples in 20 ms
   for (const bool turns : {true, false}) {
     for (const double other : {0.0, 0.4, 0.6}) {  // of what is sure
-      Swinging robot;
-      robot.run(100);
+      Swinging robot(100);
       const auto hit = [&](SensorReading& reading) {
         reading.gyro[0] += turns ? 1.0 : other * 0.6;
         reading.accelerometer[1] += turns ? other * 25.0 : 40.0;
@@ -166,9 +162,7 @@ TEST(ReadingGuard, AnInstrumentOfTheImuThatIsOffForAMomentLeavesNoTrace) {
       [](SensorReading& reading) { reading.accelerometer[0] += 100.0; }};
   for (const auto& fault : faults) {
     for (int moment = 1; moment < 8; ++moment) {
-      Swinging robot, other;
-      robot.run(100);
-      other.run(100 + moment + 1);
+      Swinging robot(100), other(100 + moment + 1);
       for (int i = 0; i < moment; ++i) robot.tick(fault);
       EXPECT_FALSE(robot.is_well());
       robot.run(1);
@@ -204,8 +198,7 @@ TEST(ReadingGuard, JointsThatAllJumpWaitForOneSample) {
   for (const auto& [far, is_loose] :
        {std::pair(0.01, false), std::pair(0.015, false), std::pair(0.03, false),
         std::pair(0.06, false), std::pair(0.3, false), std::pair(0.06, true)}) {
-    Swinging robot;
-    robot.run(100);
+    Swinging robot(100);
     robot.guard.set_loose(is_loose);
     for (int tick = 0; tick < 7; ++tick) {
       robot.tick([&](SensorReading& reading) { reading.q.array() += far; });
@@ -221,8 +214,7 @@ TEST(ReadingGuard, JointsThatAllJumpWaitForOneSample) {
 
 TEST(ReadingGuard, IsShakenFor20MsByAStepThatNoWalkShowsAlsoWhereItIsBelieved) {
   for (const int sensor : {0, 1, 2}) {
-    Swinging robot;
-    robot.run(100);
+    Swinging robot(100);
     EXPECT_FALSE(robot.guard.is_shaken());
     for (int tick = 0; tick < 2; ++tick) {
       robot.tick([&](SensorReading& reading) {
@@ -241,8 +233,7 @@ TEST(ReadingGuard, IsShakenFor20MsByAStepThatNoWalkShowsAlsoWhereItIsBelieved) {
 
 TEST(ReadingGuard, JointsOfARobotThatIsHitAreNotDoubted) {
   for (const double hit : {0.0, 100.0, 200.0}) {
-    Swinging robot;
-    robot.run(100);
+    Swinging robot(100);
     robot.tick([&](SensorReading& reading) {
       reading.accelerometer[2] += hit;
       reading.gyro[0] += 0.005 * hit;
@@ -254,8 +245,7 @@ TEST(ReadingGuard, JointsOfARobotThatIsHitAreNotDoubted) {
 }
 
 TEST(ReadingGuard, JointsThatAllJumpWithTheAccelerometerAloneAreNotBelieved) {
-  Swinging robot;
-  robot.run(100);
+  Swinging robot(100);
   for (int i = 0; i < 7; ++i) {
     robot.tick([](SensorReading& reading) {
       reading.accelerometer[2] += 60.0;
@@ -267,8 +257,7 @@ TEST(ReadingGuard, JointsThatAllJumpWithTheAccelerometerAloneAreNotBelieved) {
 
 TEST(ReadingGuard, WhatCanNotBeVouchesForNothing) {
   for (const double other : {1e5, kNaN}) {
-    Swinging robot;
-    robot.run(100);
+    Swinging robot(100);
     for (int i = 0; i < 4; ++i) {
       robot.tick([&](SensorReading& reading) {
         reading.gyro[0] += 1.0;
@@ -281,8 +270,7 @@ TEST(ReadingGuard, WhatCanNotBeVouchesForNothing) {
 
 // Per period, like the sure limits.
 TEST(ReadingGuard, BehindAGapAnImuMayHaveGoneFurther) {
-  Swinging robot;
-  robot.run(100);
+  Swinging robot(100);
   const Vec3 before = robot.sample(robot.time).gyro;
   for (int i = 0; i < 4; ++i) {
     robot.tick([](SensorReading& reading) { reading.gyro.setConstant(kNaN); });
@@ -292,8 +280,7 @@ TEST(ReadingGuard, BehindAGapAnImuMayHaveGoneFurther) {
 }
 
 TEST(ReadingGuard, AJumpThatStaysIsNotBelievedWithinTheTimeThatIsBridged) {
-  Swinging robot;
-  robot.run(100);
+  Swinging robot(100);
   for (int i = 1; i <= 9; ++i) {
     robot.tick([](SensorReading& reading) {
       reading.q[kKnee] += 0.15;
@@ -306,8 +293,7 @@ TEST(ReadingGuard, AJumpThatStaysIsNotBelievedWithinTheTimeThatIsBridged) {
 }
 
 TEST(ReadingGuard, SilenceShowsInTheSampleTimes) {
-  Swinging robot;
-  robot.run(100);
+  Swinging robot(100);
   const SensorReading last = robot.guard.repaired();
   for (int i = 1; i <= 9; ++i) {
     robot.tick([&](SensorReading& reading) {
@@ -369,8 +355,7 @@ TEST(ReadingGuard, SamplesThatComeLaterThanTheRobotBearsAreToldButUsed) {
         std::pair(options.max_imu_delay, &SensorHealth::imu)}) {
     const int most = static_cast<int>(limit / kPeriod);
     for (const int delay : {most, most + 1}) {
-      Swinging robot;
-      robot.run(200);
+      Swinging robot(200);
       SensorReading past;
       for (int i = 0; i < 20; ++i) {
         robot.tick([&](SensorReading& reading) {
@@ -392,8 +377,7 @@ TEST(ReadingGuard, SamplesThatComeLaterThanTheRobotBearsAreToldButUsed) {
 }
 
 TEST(ReadingGuard, TheSameNumbersAgainAndAgainAreNoMeasurement) {
-  Swinging robot;
-  robot.run(100);
+  Swinging robot(100);
   const SensorReading last = robot.guard.repaired();
   for (int i = 1; i <= 9; ++i) {
     robot.tick([&](SensorReading& reading) { reading.gyro = last.gyro; });
@@ -406,8 +390,7 @@ TEST(ReadingGuard, TheSameNumbersAgainAndAgainAreNoMeasurement) {
 
 // The raw readings: corrections change from tick to tick while they fade in.
 TEST(ReadingGuard, NumbersThatStayTheSameAreFoundUnderACorrectionThatChanges) {
-  Swinging robot;
-  robot.run(100);
+  Swinging robot(100);
   const SensorReading last = robot.guard.repaired();
   for (int i = 1; i <= ReadingGuardOptions{}.repeats; ++i) {
     robot.time = kPeriod * ++robot.ticks;
@@ -422,8 +405,7 @@ TEST(ReadingGuard, NumbersThatStayTheSameAreFoundUnderACorrectionThatChanges) {
 
 // Held angles would look like joints that stop and leap.
 TEST(ReadingGuard, ASampleThatWasThereBeforeIsNotMeasuredAgain) {
-  Swinging robot;
-  robot.run(2);
+  Swinging robot(2);
   for (int i = 0; i < 100; ++i) {
     robot.run(1);
     EXPECT_EQ(robot.guard.measured().q, robot.angle(robot.time));
@@ -504,8 +486,7 @@ TEST(ReadingGuard, ASampleTimeThatIsNoneOrAheadIsThatOfTheReading) {
 }
 
 TEST(ReadingGuard, AClockThatLeapsChangesNothing) {
-  Swinging robot;
-  robot.run(100);
+  Swinging robot(100);
   for (const double leap : {1e6, -1e6, 5.0, 0.5, 0.02, -0.02, kNaN}) {
     robot.tick([&](SensorReading& reading) { reading.time += leap; });
     EXPECT_FALSE(robot.guard.clock_is_right()) << leap;
@@ -516,8 +497,7 @@ TEST(ReadingGuard, AClockThatLeapsChangesNothing) {
 }
 
 TEST(ReadingGuard, ATickOrTwoThatWereMissedAreNoLeap) {
-  Swinging robot;
-  robot.run(100);
+  Swinging robot(100);
   for (const int missed : {1, 2, 3}) {
     robot.ticks += missed;
     robot.run(1);
@@ -529,8 +509,7 @@ TEST(ReadingGuard, ATickOrTwoThatWereMissedAreNoLeap) {
 TEST(ReadingGuard, APauseIsBelievedWhenTheClockGoesOnFromIt) {
   const auto elsewhere = [](SensorReading& reading) { reading.q.array() += 0.5; };
   for (const auto& [pause, is_believed] : {std::pair(0.05, true), std::pair(0.3, false)}) {
-    Swinging robot;
-    robot.run(100);
+    Swinging robot(100);
     robot.ticks += static_cast<int>(std::round(pause / kPeriod));
     robot.tick(elsewhere);
     EXPECT_FALSE(robot.guard.clock_is_right());
@@ -543,8 +522,7 @@ TEST(ReadingGuard, APauseIsBelievedWhenTheClockGoesOnFromIt) {
 }
 
 TEST(ReadingGuard, WithoutAClockAllSensorsAreSilent) {
-  Swinging robot;
-  robot.run(100);
+  Swinging robot(100);
   for (const double clock : {robot.time, kNaN, -3.0}) {
     SensorReading dead = robot.guard.repaired();
     dead.time = clock;
@@ -578,8 +556,7 @@ TEST(ReadingGuard, OfALateSensorSilenceWithoutAClockIsNoLongerThanOfOthers) {
 }
 
 TEST(ReadingGuard, WithoutAClockOnlyAnglesThatCanBeAreMeasured) {
-  Swinging robot;
-  robot.run(100);
+  Swinging robot(100);
   SensorReading reading = robot.guard.repaired();
   const JointVector before = reading.q;
   reading.time = 0.0;
@@ -611,8 +588,7 @@ TEST(ReadingGuard, WithoutAClockOnlyAnglesThatCanBeAreMeasured) {
 }
 
 TEST(ReadingGuard, ADeadDriversLastReadingIsNotMeasuredThoughItsClockWasWrong) {
-  Swinging robot;
-  robot.run(100);
+  Swinging robot(100);
   SensorReading reading = robot.guard.repaired();
   reading.time = kNaN;
   reading.q[4] += 1e-3;

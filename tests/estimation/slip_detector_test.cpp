@@ -91,16 +91,11 @@ TEST(SlipDetector, OneThatSlidesMakesNoOtherSlideBeItOnThreeFeet) {
   }
 }
 
-TEST(SlipDetector, ABaseVelocityThatIsWrongIsNoSlip) {
-  Feet feet;
-  for (const Leg leg : kLegs) feet.velocity(leg) = {0.2, -0.1, 0.05};
-  feet.run(0.2);
-  EXPECT_EQ(feet.count(), 0);
-}
-
 TEST(SlipDetector, AFootSlidesAgainstTheOthersNotAgainstTheBelief) {
   Feet feet;
   for (const Leg leg : kLegs) feet.velocity(leg) = {0.2, 0.0, 0.0};
+  feet.run(0.2);
+  EXPECT_EQ(feet.count(), 0) << "the base velocity is wrong";
   feet.velocity(Leg::LF) = {0.5, 0.0, 0.0};
   feet.run(0.2);
   EXPECT_EQ(feet.count(), 1);

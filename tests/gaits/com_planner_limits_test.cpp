@@ -2,7 +2,6 @@
 #include "surefoot/math/rotation.hpp"
 #include "surefoot/signals/sensor_reading.hpp"
 #include "tests/gaits/com_plans.hpp"
-#include "tests/support/malloc_counter.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -266,19 +265,6 @@ TEST(ComPlanner, WithoutRampsOrWithRampsOfNoLengthAFootCarriesAllAtOnce) {
     EXPECT_TRUE(std::isfinite(planner.share(phase, 0, 0.5, test::kWeight)));
     EXPECT_TRUE(std::isfinite(planner.share(phase, 0, 0.0, test::kWeight)));
   }
-}
-
-TEST(ComPlanner, AllocatesNothingWhilePlanning) {
-  test::RandomMatrices random(11);
-  ComPlanner planner = test::make_planner();
-  std::vector<test::Phases> walks;
-  for (int i = 0; i < 10; ++i) walks.push_back(test::random_walk(random));
-  const test::MallocCounter counter;
-  for (const test::Phases& phases : walks) {
-    test::plan(planner, phases, 0.0, {{0, 0}, {0, 0}, {0, 0}});
-    (void)planner.at(0.7);
-  }
-  EXPECT_EQ(counter.count(), 0u);
 }
 
 }  // namespace

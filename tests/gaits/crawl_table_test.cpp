@@ -1,5 +1,6 @@
 #include "surefoot/gaits/crawl/crawl_table.hpp"
 
+#include "tests/support/messages.hpp"
 #include "tests/support/source_file.hpp"
 
 #include <gtest/gtest.h>
@@ -11,6 +12,8 @@
 
 namespace surefoot::gaits {
 namespace {
+
+using test::holds;
 
 /// The table as a Mermaid diagram.
 std::string diagram() {
@@ -26,9 +29,8 @@ TEST(CrawlTable, IsThePictureInTheDocuments) {
   std::ifstream file(test::source_file("docs/architecture.md"));
   std::stringstream document;
   document << file.rdbuf();
-  EXPECT_NE(document.str().find(diagram()), std::string::npos)
-      << "docs/architecture.md should have this:\n"
-      << diagram();
+  EXPECT_TRUE(holds(document.str(), diagram())) << "docs/architecture.md should have this:\n"
+                                                << diagram();
 }
 
 TEST(CrawlTable, NoStateHasTwoWaysForOneCause) {

@@ -136,4 +136,10 @@ std::vector<Happening> Puppet::happenings(PlanEvent event) const {
   return result;
 }
 
+Happening Puppet::first_after(double time, PlanEvent event) const {
+  const auto found = std::ranges::find_if(
+      happenings_, [&](const Happening& h) { return h.time > time && h.event == event; });
+  return found == happenings_.end() ? Happening{} : *found;
+}
+
 }  // namespace surefoot::test

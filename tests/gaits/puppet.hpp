@@ -53,6 +53,8 @@ class Puppet {
   [[nodiscard]] const gaits::Planner& planner() const { return planner_; }
   [[nodiscard]] const std::vector<Happening>& happenings() const { return happenings_; }
   [[nodiscard]] std::vector<Happening> happenings(PlanEvent event) const;
+  /// The first of its kind after a time; of no event if there is none.
+  [[nodiscard]] Happening first_after(double time, PlanEvent event) const;
 
   UserCommand user;
   Ground ground;

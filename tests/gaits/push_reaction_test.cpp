@@ -152,30 +152,23 @@ TEST(PushReaction, StepsAheadOfTheCapturePointThatLeavesTheFeet) {
   }
 }
 
-TEST(PushReaction, TakesNoStepThatDoesNotHelp) {
-  Puppet puppet;
-  puppet.run(0.5);
-  puppet.push = {0.0, 1.2 * kStrong, 0.0};  // its capture point just within the left feet
-  puppet.run(0.1);
-  EXPECT_TRUE(puppet.happenings(PlanEvent::push_step).empty());
-}
-
-TEST(PushReaction, TakesNoStepWhereLeaningIsEnough) {
-  Puppet puppet;
-  puppet.run(0.5);
-  puppet.push = {20.0, 50.0, 0.0};
-  puppet.run(2.0);
-  EXPECT_TRUE(puppet.happenings(PlanEvent::push_step).empty());
-}
-
-TEST(PushReaction, TakesNoStepWhenStepsAreSwitchedOff) {
-  PlannerOptions options;
-  options.push.steps = false;
-  Puppet puppet(options);
-  puppet.run(0.5);
-  puppet.push = {kTooStrong, 0.0, 0.0};
-  puppet.run(0.4);
-  EXPECT_TRUE(puppet.happenings(PlanEvent::push_step).empty());
+TEST(PushReaction, TakesNoStepThatDoesNotHelpNorWhereLeaningIsEnoughNorSwitchedOff) {
+  struct Case {
+    Vec3 push;
+    double duration;  // [s]
+    bool steps;
+  };
+  for (const Case& one :
+       {Case{{0.0, 1.2 * kStrong, 0.0}, 0.1, true},  // capture point just within the left feet
+        Case{{20.0, 50.0, 0.0}, 2.0, true}, Case{{kTooStrong, 0.0, 0.0}, 0.4, false}}) {
+    PlannerOptions options;
+    options.push.steps = one.steps;
+    Puppet puppet(options);
+    puppet.run(0.5);
+    puppet.push = one.push;
+    puppet.run(one.duration);
+    EXPECT_TRUE(puppet.happenings(PlanEvent::push_step).empty()) << one.push.transpose();
+  }
 }
 
 TEST(PushReaction, WalksOnMoreSlowlyAgainstAPush) {

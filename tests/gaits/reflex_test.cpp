@@ -40,33 +40,15 @@ struct Foot {
   LegMotion leg;
 };
 
-TEST(Reflex, AFootThatIsHeldBackOnItsWayForwardIsCaught) {
-  EXPECT_EQ(Foot().follow(0.3, 0.7, 0.12 * kForward, -10.0 * kForward), LegEvent::caught);
-}
-
-TEST(Reflex, AFootThatIsHeldDownWhileItRisesIsCaught) {
-  EXPECT_EQ(Foot().follow(0.05, 0.3, 0.12 * kUp, -10.0 * kUp), LegEvent::caught);
-}
-
-TEST(Reflex, AFootThatIsPushedButFollowsIsNot) {
-  EXPECT_EQ(Foot().follow(0.05, 1.0, Vec3::Zero(), -10.0 * kForward), LegEvent::none);
-}
-
-TEST(Reflex, AFootThatLagsWithoutForceIsNot) {
-  EXPECT_EQ(Foot().follow(0.05, 1.0, 0.12 * kForward, Vec3::Zero()), LegEvent::none);
-}
-
-TEST(Reflex, AFastFootThatIsALittleLateIsNot) {
-  EXPECT_EQ(Foot().follow(0.4, 0.6, 0.05 * kForward, -10.0 * kForward), LegEvent::none);
-}
-
-TEST(Reflex, AFootThatIsPushedAheadIsNot) {
-  EXPECT_EQ(Foot().follow(0.1, 0.4, -0.12 * kForward, 10.0 * kForward), LegEvent::none);
-}
-
-TEST(Reflex, WithoutItNoFootIsCaught) {
-  EXPECT_EQ(Foot({.enabled = false}).follow(0.1, 0.9, 0.12 * kForward, -10.0 * kForward),
-            LegEvent::none);
+TEST(Reflex, AFootThatIsHeldBackIsCaughtAndNoOther) {
+  const Vec3 held = 0.12 * kForward, back = -10.0 * kForward, none = Vec3::Zero();
+  EXPECT_EQ(Foot().follow(0.3, 0.7, held, back), LegEvent::caught);
+  EXPECT_EQ(Foot().follow(0.05, 0.3, 0.12 * kUp, -10.0 * kUp), LegEvent::caught) << "as it rises";
+  EXPECT_EQ(Foot().follow(0.05, 1.0, none, back), LegEvent::none) << "it follows";
+  EXPECT_EQ(Foot().follow(0.05, 1.0, held, none), LegEvent::none) << "it lags without a force";
+  EXPECT_EQ(Foot().follow(0.4, 0.6, 0.05 * kForward, back), LegEvent::none) << "fast, a bit late";
+  EXPECT_EQ(Foot().follow(0.1, 0.4, -held, -back), LegEvent::none) << "it is pushed ahead";
+  EXPECT_EQ(Foot({.enabled = false}).follow(0.1, 0.9, held, back), LegEvent::none);
 }
 
 TEST(Reflex, AWallIsNoGround) {
@@ -150,11 +132,9 @@ TEST(Planner, AFootThatWasCaughtLandsWellBehindTheEdge) {
   run(puppet, 30.0);
   const std::vector<test::Happening> caught = puppet.happenings(PlanEvent::caught);
   ASSERT_FALSE(caught.empty());
-  const std::vector<test::Happening> landings = puppet.happenings(PlanEvent::touchdown);
-  const auto landing = std::ranges::find_if(
-      landings, [&](const test::Happening& h) { return h.time > caught.front().time; });
-  ASSERT_NE(landing, landings.end());
-  EXPECT_GT(landing->p.x(), edge + 0.5 * ReflexOptions{}.beyond);
+  const test::Happening landing = puppet.first_after(caught.front().time, PlanEvent::touchdown);
+  ASSERT_EQ(landing.event, PlanEvent::touchdown);
+  EXPECT_GT(landing.p.x(), edge + 0.5 * ReflexOptions{}.beyond);
 }
 
 TEST(Planner, BeforeAWallAFootComesDownAfterAFewTries) {

@@ -1,8 +1,8 @@
 #include "surefoot/logging/output_files.hpp"
 
 #include "surefoot/logging/write_lock.hpp"
-#include "tests/config/messages.hpp"
 #include "tests/logging/temporary_folder.hpp"
+#include "tests/support/messages.hpp"
 
 #include <sys/resource.h>
 

@@ -1,7 +1,7 @@
 #include "surefoot/logging/whole_file.hpp"
 
-#include "surefoot/base/error.hpp"
 #include "tests/logging/temporary_folder.hpp"
+#include "tests/support/messages.hpp"
 
 #include <gtest/gtest.h>
 #include <sys/wait.h>
@@ -47,12 +47,8 @@ TEST(WholeFile, WhatCanNotBeWrittenIsNamed) {
   const test::TemporaryFolder folder;
   WholeFile file(folder / "none/a.json");
   file.stream() << "{}";
-  try {
-    file.finish();
-    FAIL() << "there is no such folder";
-  } catch (const FileError& error) {
-    EXPECT_EQ(std::string(error.what()).find(folder / "none/a.json: can't be written"), 0u);
-  }
+  EXPECT_EQ(test::message_of([&] { file.finish(); }).find(folder / "none/a.json: can't be written"),
+            0u);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 #include "surefoot/model/body_tree.hpp"
 #include "surefoot/model/robot_model.hpp"
 #include "tests/support/anymal_b.hpp"
+#include "tests/support/messages.hpp"
 #include "tests/support/random_motion.hpp"
 
 #include <gtest/gtest.h>
@@ -10,6 +11,7 @@ namespace surefoot::model {
 namespace {
 
 using test::anymal_b;
+using test::holds;
 
 constexpr double kTolerance = 1e-6;
 
@@ -99,7 +101,7 @@ TEST(AnymalB, lumps_the_welded_links_of_a_shank) {
 TEST(AnymalB, drops_the_placeholder_inertia_of_its_root_and_says_so) {
   const RobotModel model(anymal_b());
   ASSERT_EQ(model.notes().size(), 1u);
-  EXPECT_NE(model.notes()[0].find("\"base\""), std::string::npos);
+  EXPECT_TRUE(holds(model.notes()[0], "\"base\""));
   EXPECT_NEAR(model.mass(), 30.421396 + kImuMass + 4.0 * kFootMass, 2e-6);
 }
 

@@ -1,6 +1,5 @@
 #include "surefoot/model/mesh_files.hpp"
 
-#include "surefoot/base/error.hpp"
 #include "tests/logging/temporary_folder.hpp"
 
 #include <gtest/gtest.h>

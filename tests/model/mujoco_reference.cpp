@@ -3,7 +3,6 @@
 #include <mujoco/mujoco.h>
 
 #include <array>
-#include <cmath>
 #include <fstream>
 #include <iterator>
 #include <stdexcept>

@@ -2,6 +2,7 @@
 #include "surefoot/closed_loop/closed_loop.hpp"
 #include "surefoot/simulation/plant.hpp"
 #include "tests/scenarios/loop.hpp"
+#include "tests/support/messages.hpp"
 
 #include <gtest/gtest.h>
 
@@ -14,6 +15,7 @@
 namespace surefoot {
 namespace {
 
+using test::holds;
 using test::Loop;
 using test::scenario;
 
@@ -136,11 +138,8 @@ TEST_P(SensorFault, ForLongMakesItSitDownOrDropWithoutItsEncoders) {
       closed_loop::run_closed_loop(scenario("walk_flat", walk(GetParam().option(1.0), 8.0)), {});
   EXPECT_TRUE(result.safety_stop);
   EXPECT_FALSE(result.metrics.fell) << result.metrics.reason;
-  EXPECT_NE(result.metrics.reason.find("the controller stopped for safety at 2.5"),
-            std::string::npos)
-      << result.metrics.reason;
-  EXPECT_NE(result.metrics.reason.find(GetParam().said), std::string::npos)
-      << result.metrics.reason;
+  EXPECT_TRUE(holds(result.metrics.reason, "the controller stopped for safety at 2.5"));
+  EXPECT_TRUE(holds(result.metrics.reason, GetParam().said));
   RecordProperty("descent", std::to_string(course.fastest_descent));
   RecordProperty("change", std::to_string(course.largest_change));
   RecordProperty("reason", result.metrics.reason);
@@ -191,8 +190,7 @@ TEST_P(DeadSensor, IsNamedAndSatDownForWhereTheJointsAreKnown) {
   const closed_loop::RunResult result =
       closed_loop::run_closed_loop(scenario("walk_flat", walk(fault, 2.0)), {});
   EXPECT_TRUE(result.safety_stop);
-  EXPECT_NE(result.metrics.reason.find(GetParam().said), std::string::npos)
-      << result.metrics.reason;
+  EXPECT_TRUE(holds(result.metrics.reason, GetParam().said));
 }
 
 INSTANTIATE_TEST_SUITE_P(

@@ -5,6 +5,7 @@
 #include "surefoot/config/scenario_file.hpp"
 #include "tests/support/lock_counter.hpp"
 #include "tests/support/malloc_counter.hpp"
+#include "tests/support/messages.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -18,6 +19,8 @@
 
 namespace surefoot::server {
 namespace {
+
+using test::holds;
 
 constexpr std::size_t kPlaces = 1024;    // of the queue to the server
 constexpr std::size_t kFirstTicks = 20;  // at the first the view learns where the run begins
@@ -160,9 +163,9 @@ TEST(LiveFeed, a_tick_is_packed_with_what_was_new_before_it_and_a_status_never_m
   EXPECT_EQ(watched.feed.get("/api/frames", {{"count", "4096"}}).body.size(), kBlockHeadBytes);
   EXPECT_EQ(watched.feed.get("/api/events", {}).body, "[]");
   const std::string status = watched.feed.status(0);
-  EXPECT_NE(status.find(R"("tick":0,)"), std::string::npos) << status;
-  EXPECT_NE(status.find(R"("generation":1,)"), std::string::npos) << status;
-  EXPECT_NE(status.find(R"("begun":1,)"), std::string::npos) << status;
+  EXPECT_TRUE(holds(status, R"("tick":0,)"));
+  EXPECT_TRUE(holds(status, R"("generation":1,)"));
+  EXPECT_TRUE(holds(status, R"("begun":1,)"));
 }
 
 TEST(LiveFeed, a_speed_that_was_asked_for_just_now_is_not_said_to_be_missed) {

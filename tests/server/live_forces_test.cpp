@@ -3,17 +3,15 @@
 #include "surefoot/evaluation/truth_fields.hpp"
 #include "surefoot/explain/tick_explanation.hpp"
 #include "surefoot/logging/log_reader.hpp"
-#include "tests/config/messages.hpp"
-#include "tests/logging/temporary_folder.hpp"
 #include "tests/server/live_test_run.hpp"
 #include "tests/server/logged_changes.hpp"
+#include "tests/support/messages.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <thread>
 
 namespace surefoot::server {
@@ -33,14 +31,10 @@ ViewCommand push_of(double newton_seconds, double duration) {
 }
 
 TEST(LiveForces, a_push_moves_the_robot_by_its_impulse_and_stands_in_the_log) {
-  const test::TemporaryFolder folder;
   LiveTestRun still({"duration=1"}), pushed({"duration=1"});
   still.run();
-  pushed.at(
-      200,
-      ViewCommand{
-          .type = Type::push, .body = "base", .impulse = Vec3(0.0, 12.0, 0.0), .duration = 0.1});
-  pushed.run(folder / "run.mcap");
+  pushed.at(200, push_of(12.0, 0.1));
+  pushed.record();
   EXPECT_EQ(pushed.errors, std::vector<std::string>{""});
   const std::vector<double> before = still.of("truth.v_WCom", 1),
                             after = pushed.of("truth.v_WCom", 1);
@@ -52,7 +46,7 @@ TEST(LiveForces, a_push_moves_the_robot_by_its_impulse_and_stands_in_the_log) {
     }
   }
   EXPECT_GT(fastest, 0.05);
-  const std::vector<logged::Change> changes = changes_of(folder / "run.mcap");
+  const std::vector<logged::Change> changes = changes_of(pushed.log);
   ASSERT_EQ(changes.size(), 1u);
   EXPECT_EQ(changes[0].kind, "push");
   EXPECT_EQ(changes[0].body, "base");
@@ -92,13 +86,12 @@ std::vector<std::string> told_by_explain(const std::string& path, double time,
 }
 
 TEST(LiveForces, a_log_tells_of_forces_what_the_live_page_was_told) {
-  const test::TemporaryFolder folder;
   LiveTestRun run({"duration=1.2", "disturbances.pushes.a.time=0.412",
                    "disturbances.pushes.a.duration=0.3", "disturbances.pushes.a.force.y=35"});
   for (const long tick : {100, 160}) run.at(tick, push_of(4.0, 0.4));
-  run.run(folder / "run.mcap");
+  run.record();
   const std::vector<nlohmann::json> live = told_by(run.feed);
-  EXPECT_EQ(live, told_by_log(folder / "run.mcap"));
+  EXPECT_EQ(live, told_by_log(run.log));
   std::vector<nlohmann::json> scenario, pushes;
   for (const nlohmann::json& event : live) {
     if (event.at("kind") == "mode") continue;
@@ -110,21 +103,18 @@ TEST(LiveForces, a_log_tells_of_forces_what_the_live_page_was_told) {
   EXPECT_EQ(scenario[1].at("text"), "the push on the base ends");
   EXPECT_NEAR(scenario[1].at("time").get<double>(), 0.712, kPeriod);
   ASSERT_EQ(pushes.size(), 2u);
-  const std::vector<std::string> explained = told_by_explain(folder / "run.mcap", 0.6, "outside");
+  const std::vector<std::string> explained = told_by_explain(run.log, 0.6, "outside");
   ASSERT_EQ(explained.size(), 2u);
   for (std::size_t i = 0; i < 2; ++i) EXPECT_EQ(explained[i], scenario[i].at("text"));
 }
 
 TEST(LiveForces, what_the_operator_began_long_before_a_tick_is_no_force_of_the_scenario) {
-  const test::TemporaryFolder folder;
   LiveTestRun run({"duration=2.4", "disturbances.pushes.a.time=1.9",
                    "disturbances.pushes.a.duration=0.2", "disturbances.pushes.a.force.y=35"});
-  run.at(100,
-         ViewCommand{
-             .type = Type::push, .body = "base", .impulse = Vec3(0.0, 9.0, 0.0), .duration = 1.0});
-  run.run(folder / "run.mcap");
+  run.at(100, push_of(9.0, 1.0));
+  run.record();
   EXPECT_EQ(run.errors, std::vector<std::string>(1));
-  const std::vector<std::string> explained = told_by_explain(folder / "run.mcap", 2.2, "outside");
+  const std::vector<std::string> explained = told_by_explain(run.log, 2.2, "outside");
   ASSERT_EQ(explained.size(), 2u);
   EXPECT_TRUE(explained[0].starts_with("pushed by 35 N, ")) << explained[0];
   EXPECT_EQ(explained[1], "the push on the base ends");
@@ -176,32 +166,30 @@ double force_in(const std::vector<double>& applied) {
 }
 
 TEST(LiveForces, a_plant_that_gets_the_logged_torques_and_pushes_goes_the_same_way_to_the_bit) {
-  const test::TemporaryFolder folder;
   LiveTestRun run({"duration=1"});
   run.at(100, push_of(5.0, 0.13));
   run.at(120, push_of(3.0, 0.0513));
-  run.run(folder / "run.mcap");
-  const ForcesOfLog forces = forces_of(folder / "run.mcap", run.scenario);
+  run.record();
+  const ForcesOfLog forces = forces_of(run.log, run.scenario);
   ASSERT_EQ(forces.logged.size(), 400u);
   EXPECT_EQ(forces.logged, forces.again);
   EXPECT_EQ(forces.other_states, 0u);
-  EXPECT_EQ(changes_of(folder / "run.mcap").size(), 2u);
+  EXPECT_EQ(changes_of(run.log).size(), 2u);
   EXPECT_EQ(run.changes.size(), 2u) << "pages hear of both";
 }
 
 TEST(LiveForces, pushes_that_are_pressed_while_it_is_paused_do_not_add_up_beyond_the_limits) {
-  const test::TemporaryFolder folder;
   LiveTestRun run({"duration=0.6"});
   run.at(100, {.type = Type::pause});
   for (int i = 0; i < 8; ++i) run.at(100, push_of(30.0, 0.2));
   run.at(100, {.type = Type::resume});
   run.at(104, push_of(50.0, 0.2));
-  run.run(folder / "run.mcap");
+  run.record();
   double most = 0.0;
-  for (const std::vector<double>& applied : forces_of(folder / "run.mcap", run.scenario).logged)
+  for (const std::vector<double>& applied : forces_of(run.log, run.scenario).logged)
     most = std::max(most, force_in(applied));
   EXPECT_NEAR(most, 300.0, 1e-6);
-  const auto changes = changes_of(folder / "run.mcap");
+  const auto changes = changes_of(run.log);
   EXPECT_EQ(changes.size(), 2u) << "two of 30 N·s; what is left out is no change";
   const auto left_out = std::ranges::count_if(run.messages, [](const std::string& text) {
     return text.find("is left out") != std::string::npos;

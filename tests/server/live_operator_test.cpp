@@ -3,7 +3,7 @@
 #include "server/view_tasks.hpp"
 #include "surefoot/config/scenario_file.hpp"
 #include "surefoot/config/stack_text.hpp"
-#include "tests/config/messages.hpp"
+#include "tests/support/messages.hpp"
 
 #include <gtest/gtest.h>
 

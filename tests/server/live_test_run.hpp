@@ -3,11 +3,11 @@
 #include "server/live_view.hpp"
 #include "surefoot/closed_loop/closed_loop.hpp"
 #include "surefoot/config/scenario_file.hpp"
+#include "tests/logging/temporary_folder.hpp"
 #include "tests/server/read_block.hpp"
 
 #include <nlohmann/json.hpp>
 
-#include <cstring>
 #include <functional>
 #include <map>
 #include <string>
@@ -35,6 +35,9 @@ class LiveTestRun {
   void at(long tick, const server::ViewCommand& command) {
     at(tick, [this, command] { errors.push_back(wishes.command(command)); });
   }
+
+  /// Runs and keeps the log as `log`.
+  closed_loop::RunResult record() { return run(log); }
 
   closed_loop::RunResult run(const std::string& record = "") {
     closed_loop::ClosedLoopOptions options;
@@ -68,6 +71,8 @@ class LiveTestRun {
   std::vector<std::string> messages;        // without status and events
   std::vector<std::string> errors;          // of the commands
   std::function<void()> each_turn = [] {};  // before each tick, and while the run waits
+  const TemporaryFolder folder;
+  const std::string log = folder / "run.mcap";
 
  private:
   static std::vector<std::string> over_many_levels(std::vector<std::string> assignments) {

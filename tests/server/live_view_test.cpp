@@ -6,9 +6,9 @@
 #include "surefoot/logging/log_reader.hpp"
 #include "surefoot/logging/mcap_chunks.hpp"
 #include "surefoot/solver/solution.hpp"
-#include "tests/config/messages.hpp"
 #include "tests/logging/temporary_folder.hpp"
 #include "tests/server/live_test_run.hpp"
+#include "tests/support/messages.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -106,10 +106,9 @@ TEST(LiveView, first_ticks_without_a_state_do_not_end_the_hurry_through_the_cali
 }
 
 TEST(LiveView, the_frames_say_what_the_log_says) {
-  const test::TemporaryFolder folder;
   LiveTestRun run({"duration=1.5"});
-  run.run(folder / "run.mcap");
-  logging::LogReader log(folder / "run.mcap");
+  run.record();
+  logging::LogReader log(run.log);
   TickRecord tick;
   const std::vector<double> x = run.of("plan.com.p"), foot = run.of("plan.feet.LH.p_WF", 2),
                             mode = run.of("command.mode"),
@@ -145,9 +144,8 @@ TEST(LiveView, the_frames_say_what_the_log_says) {
 }
 
 TEST(LiveView, the_estimate_is_counted_from_the_first_tick) {
-  const test::TemporaryFolder folder;
   LiveTestRun run({"duration=2", "estimation=sensors", "initial.x=3", "initial.yaw=0.7"});
-  const closed_loop::RunResult result = run.run(folder / "run.mcap");
+  const closed_loop::RunResult result = run.record();
   const auto off = run.of("estimate.position_error"), turned = run.of("estimate.heading_error");
   ASSERT_EQ(off.size(), 800u);
   EXPECT_LT(off.front(), 1e-6);
@@ -157,23 +155,22 @@ TEST(LiveView, the_estimate_is_counted_from_the_first_tick) {
             1.0);
   EXPECT_NEAR(off.back(), result.metrics.position_drift_m, 1e-6);
   EXPECT_NEAR(std::abs(turned.back()), result.metrics.heading_drift_rad, 1e-6);
-  const explain::TickExplanation last = explain::read_tick(folder / "run.mcap", 1.9975);
+  const explain::TickExplanation last = explain::read_tick(run.log, 1.9975);
   EXPECT_NEAR(last.estimate->position_error, off.back(), 1e-6);
-  LogFrames log(folder / "run.mcap", logging::LogReader(folder / "run.mcap").header());
+  LogFrames log(run.log, logging::LogReader(run.log).header());
   ASSERT_EQ(log.channels().channels.back().name, "estimate.heading_error");
   for (const std::uint32_t tick : {0u, 400u, 799u})
     EXPECT_EQ(log.frame(tick)->floats.back(), static_cast<float>(turned[tick]));
 }
 
 TEST(LiveView, what_is_counted_from_the_start_is_not_known_where_the_first_tick_is_not) {
-  const test::TemporaryFolder folder;
   LiveTestRun run({"duration=3", "estimation=sensors"});
-  run.run(folder / "run.mcap");
-  const logging::McapChunk first = logging::McapChunks(folder / "run.mcap").chunks().at(0);
-  std::string bytes = test::contents(folder / "run.mcap");
+  run.record();
+  const logging::McapChunk first = logging::McapChunks(run.log).chunks().at(0);
+  std::string bytes = test::contents(run.log);
   bytes.at(first.offset + first.size / 2) ^= '\xFF';
-  test::write_file(folder / "run.mcap", bytes);
-  LogFrames log(folder / "run.mcap", logging::LogReader(folder / "run.mcap").header());
+  test::write_file(run.log, bytes);
+  LogFrames log(run.log, logging::LogReader(run.log).header());
   const ViewFrame* frame = log.frame(1199);
   ASSERT_NE(frame, nullptr);
   ASSERT_EQ(log.channels().channels.back().name, "estimate.heading_error");
@@ -181,15 +178,14 @@ TEST(LiveView, what_is_counted_from_the_start_is_not_known_where_the_first_tick_
 }
 
 TEST(LiveView, pages_of_a_run_and_of_its_log_are_told_of_the_same_events) {
-  const test::TemporaryFolder folder;
   LiveTestRun run({"duration=6"});
-  run.run(folder / "run.mcap");
+  run.record();
   std::vector<json> live;
   for (const std::string& message : run.events) {
     const json events = json::parse(message).at("events");
     live.insert(live.end(), events.begin(), events.end());
   }
-  LogSummary summary(folder / "run.mcap", logging::LogReader(folder / "run.mcap").header());
+  LogSummary summary(run.log, logging::LogReader(run.log).header());
   while (summary.end_tick() < 2400) std::this_thread::sleep_for(std::chrono::milliseconds(5));
   const json logged = json::parse(summary.events_json());
   EXPECT_EQ(json(live), logged);

@@ -1,9 +1,9 @@
 // Pages that are slow, many, or make no sense.
 #include "server/web_server.hpp"
-#include "tests/config/messages.hpp"
 #include "tests/server/fake_server.hpp"
 #include "tests/server/raw_client.hpp"
 #include "tests/support/damaged_bytes.hpp"
+#include "tests/support/messages.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 #include "server/web_server.hpp"
 
-#include "tests/config/messages.hpp"
 #include "tests/server/fake_server.hpp"
 #include "tests/server/raw_client.hpp"
+#include "tests/support/messages.hpp"
 
 #include <gtest/gtest.h>
 #include <sys/resource.h>

@@ -1,5 +1,6 @@
 #include "tests/simulation/plant_support.hpp"
 #include "tests/support/malloc_counter.hpp"
+#include "tests/support/messages.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,6 +8,8 @@
 
 namespace surefoot::simulation {
 namespace {
+
+using test::holds;
 
 PlantOptions noisy_options() {
   PlantOptions options;
@@ -231,8 +234,8 @@ TEST(LoggedModel, NeedsNoFileBesideIt) {
   PlantOptions options = test::standing_options();
   options.terrain.elements = {some_field()};
   const std::string xml = Plant(test::anymal_b(), options).model_xml();
-  EXPECT_EQ(xml.find("file="), std::string::npos);
-  EXPECT_EQ(xml.find("meshdir"), std::string::npos);
+  EXPECT_FALSE(holds(xml, "file="));
+  EXPECT_FALSE(holds(xml, "meshdir"));
 }
 
 }  // namespace

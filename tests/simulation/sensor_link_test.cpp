@@ -23,14 +23,24 @@ SensorReading sampled_at(int tick) {
   return reading;
 }
 
-std::vector<SensorReading> received(const SensorOptions& options, int ticks = 40) {
+constexpr int kTicks = 40;
+
+std::vector<SensorReading> received(const SensorOptions& options) {
   SensorLink link(options, kPeriod);
   std::vector<SensorReading> readings;
-  for (int tick = 0; tick < ticks; ++tick) {
+  for (int tick = 0; tick < kTicks; ++tick) {
     link.transmit(sampled_at(tick));
     readings.push_back(link.received());
   }
   return readings;
+}
+
+/// Calls `expect(tick, what was received)` for every tick.
+template <typename Expect>
+void at_each_tick(const SensorOptions& options, const Expect& expect, int first = 0) {
+  const std::vector<SensorReading> readings = received(options);
+  for (int tick = first; tick < kTicks; ++tick)
+    expect(tick, readings[static_cast<std::size_t>(tick)]);
 }
 
 SensorOptions with_fault(SensorFault fault) {
@@ -59,9 +69,9 @@ void expect_same(const SensorReading& a, const SensorReading& b, int tick) {
 }
 
 TEST(SensorLink, passes_everything_on_where_nothing_is_wrong) {
-  const std::vector<SensorReading> readings = received({});
-  for (int tick = 0; tick < 40; ++tick)
-    expect_same(readings[static_cast<std::size_t>(tick)], sampled_at(tick), tick);
+  at_each_tick({}, [](int tick, const SensorReading& reading) {
+    expect_same(reading, sampled_at(tick), tick);
+  });
 }
 
 TEST(SensorLink, delays_each_sensor_by_its_own_ticks) {
@@ -70,9 +80,7 @@ TEST(SensorLink, delays_each_sensor_by_its_own_ticks) {
   options.joint_torques.delay_ticks = 1;
   options.imu.delay_ticks = 7;
   options.foot_force.delay_ticks = 2;
-  const std::vector<SensorReading> readings = received(options);
-  for (int tick = 0; tick < 40; ++tick) {
-    const SensorReading& reading = readings[static_cast<std::size_t>(tick)];
+  at_each_tick(options, [](int tick, const SensorReading& reading) {
     EXPECT_EQ(reading.time, tick * kPeriod);
     EXPECT_EQ(reading.q[5], 1000.0 + std::max(0, tick - 3));
     EXPECT_EQ(reading.torque[5], 2000.0 + std::max(0, tick - 1));
@@ -81,79 +89,73 @@ TEST(SensorLink, delays_each_sensor_by_its_own_ticks) {
     EXPECT_EQ(reading.foot_force[1], 5000.0 + std::max(0, tick - 2));
     EXPECT_EQ(reading.encoder_time, std::max(0, tick - 3) * kPeriod);
     EXPECT_EQ(reading.imu_time, std::max(0, tick - 7) * kPeriod);
-  }
+  });
 }
 
 TEST(SensorLink, gives_nothing_but_the_last_time_of_a_sensor_that_stops) {
-  const auto readings = received(with_fault(fault(FaultySensor::imu, FaultKind::stops)));
-  for (int tick = 0; tick < 40; ++tick) {
-    const SensorReading& reading = readings[static_cast<std::size_t>(tick)];
-    EXPECT_EQ(std::isnan(reading.gyro.z()), active(tick)) << tick;
-    EXPECT_EQ(std::isnan(reading.accelerometer.z()), active(tick)) << tick;
-    EXPECT_EQ(reading.imu_time, (active(tick) ? 9 : tick) * kPeriod) << tick;
-    EXPECT_EQ(reading.q, sampled_at(tick).q) << tick;
-  }
+  at_each_tick(with_fault(fault(FaultySensor::imu, FaultKind::stops)),
+               [](int tick, const SensorReading& reading) {
+                 EXPECT_EQ(std::isnan(reading.gyro.z()), active(tick)) << tick;
+                 EXPECT_EQ(std::isnan(reading.accelerometer.z()), active(tick)) << tick;
+                 EXPECT_EQ(reading.imu_time, (active(tick) ? 9 : tick) * kPeriod) << tick;
+                 EXPECT_EQ(reading.q, sampled_at(tick).q) << tick;
+               });
 }
 
 TEST(SensorLink, gives_nan_with_a_fresh_time_of_a_sensor_that_sends_it) {
-  const auto readings = received(with_fault(fault(FaultySensor::encoders, FaultKind::nan)));
-  for (int tick = 0; tick < 40; ++tick) {
-    const SensorReading& reading = readings[static_cast<std::size_t>(tick)];
-    EXPECT_EQ(reading.q.hasNaN(), active(tick)) << tick;
-    EXPECT_EQ(reading.encoder_time, tick * kPeriod) << tick;
-    EXPECT_EQ(reading.torque, sampled_at(tick).torque) << tick;
-  }
+  at_each_tick(with_fault(fault(FaultySensor::encoders, FaultKind::nan)),
+               [](int tick, const SensorReading& reading) {
+                 EXPECT_EQ(reading.q.hasNaN(), active(tick)) << tick;
+                 EXPECT_EQ(reading.encoder_time, tick * kPeriod) << tick;
+                 EXPECT_EQ(reading.torque, sampled_at(tick).torque) << tick;
+               });
 }
 
 TEST(SensorLink, repeats_the_last_sample_with_its_time) {
-  const auto readings =
-      received(with_fault(fault(FaultySensor::joint_torques, FaultKind::repeats)));
-  for (int tick = 0; tick < 40; ++tick) {
-    const SensorReading& reading = readings[static_cast<std::size_t>(tick)];
-    const int sample = active(tick) ? 9 : tick;
-    EXPECT_EQ(reading.torque, sampled_at(sample).torque) << tick;
-    EXPECT_EQ(reading.torque_time, sample * kPeriod) << tick;
-  }
+  at_each_tick(with_fault(fault(FaultySensor::joint_torques, FaultKind::repeats)),
+               [](int tick, const SensorReading& reading) {
+                 const int sample = active(tick) ? 9 : tick;
+                 EXPECT_EQ(reading.torque, sampled_at(sample).torque) << tick;
+                 EXPECT_EQ(reading.torque_time, sample * kPeriod) << tick;
+               });
 }
 
 TEST(SensorLink, adds_the_size_of_a_jump_while_it_lasts) {
-  const auto readings = received(with_fault(fault(FaultySensor::gyro, FaultKind::jump, 0.25)));
-  for (int tick = 0; tick < 40; ++tick) {
-    const SensorReading& reading = readings[static_cast<std::size_t>(tick)];
-    EXPECT_EQ(reading.gyro.x(), 3000.0 + tick + (active(tick) ? 0.25 : 0.0)) << tick;
-    EXPECT_EQ(reading.accelerometer, sampled_at(tick).accelerometer) << tick;
-    EXPECT_EQ(reading.imu_time, tick * kPeriod) << tick;
-  }
+  at_each_tick(with_fault(fault(FaultySensor::gyro, FaultKind::jump, 0.25)),
+               [](int tick, const SensorReading& reading) {
+                 EXPECT_EQ(reading.gyro.x(), 3000.0 + tick + (active(tick) ? 0.25 : 0.0)) << tick;
+                 EXPECT_EQ(reading.accelerometer, sampled_at(tick).accelerometer) << tick;
+                 EXPECT_EQ(reading.imu_time, tick * kPeriod) << tick;
+               });
 }
 
 TEST(SensorLink, adds_the_size_of_a_spike_to_one_sample) {
-  const auto readings =
-      received(with_fault(fault(FaultySensor::accelerometer, FaultKind::spike, -20.0)));
-  for (int tick = 0; tick < 40; ++tick) {
-    const SensorReading& reading = readings[static_cast<std::size_t>(tick)];
-    EXPECT_EQ(reading.accelerometer.z(), 4000.0 + tick - (tick == 10 ? 20.0 : 0.0)) << tick;
-  }
+  at_each_tick(with_fault(fault(FaultySensor::accelerometer, FaultKind::spike, -20.0)),
+               [](int tick, const SensorReading& reading) {
+                 EXPECT_EQ(reading.accelerometer.z(), 4000.0 + tick - (tick == 10 ? 20.0 : 0.0))
+                     << tick;
+               });
 }
 
 TEST(SensorLink, scales_every_sample_of_another_unit_or_sign) {
-  const auto readings = received(with_fault(fault(FaultySensor::gyro, FaultKind::scaled, -57.3)));
-  for (int tick = 0; tick < 40; ++tick) {
-    const SensorReading& reading = readings[static_cast<std::size_t>(tick)];
-    EXPECT_EQ(reading.gyro.x(), (active(tick) ? -57.3 : 1.0) * (3000.0 + tick)) << tick;
-    EXPECT_EQ(reading.accelerometer, sampled_at(tick).accelerometer) << tick;
-    EXPECT_EQ(reading.imu_time, tick * kPeriod) << tick;
-  }
+  at_each_tick(with_fault(fault(FaultySensor::gyro, FaultKind::scaled, -57.3)),
+               [](int tick, const SensorReading& reading) {
+                 EXPECT_EQ(reading.gyro.x(), (active(tick) ? -57.3 : 1.0) * (3000.0 + tick))
+                     << tick;
+                 EXPECT_EQ(reading.accelerometer, sampled_at(tick).accelerometer) << tick;
+                 EXPECT_EQ(reading.imu_time, tick * kPeriod) << tick;
+               });
 }
 
 TEST(SensorLink, makes_late_samples_later_than_the_usual_delay) {
   SensorOptions options = with_fault(fault(FaultySensor::encoders, FaultKind::late, 4.0));
   options.encoders.delay_ticks = 2;
-  const std::vector<SensorReading> readings = received(options);
-  for (int tick = 6; tick < 40; ++tick) {
+  const auto expect = [](int tick, const SensorReading& reading) {
     const int sample = tick - 2 - (active(tick) ? 4 : 0);
-    EXPECT_EQ(readings[static_cast<std::size_t>(tick)].q[0], 1000.0 + sample) << tick;
-    EXPECT_EQ(readings[static_cast<std::size_t>(tick)].encoder_time, sample * kPeriod) << tick;
-  }
+    EXPECT_EQ(reading.q[0], 1000.0 + sample) << tick;
+    EXPECT_EQ(reading.encoder_time, sample * kPeriod) << tick;
+  };
+  at_each_tick(options, expect, 6);
 }
 
 TEST(SensorLink, spoils_one_joint_alone_where_it_is_named) {
@@ -169,23 +171,22 @@ TEST(SensorLink, spoils_one_joint_alone_where_it_is_named) {
 TEST(SensorLink, spoils_one_foot_alone_where_it_is_named) {
   SensorFault one = fault(FaultySensor::foot_force, FaultKind::late, 3.0);
   one.leg = 2;
-  const std::vector<SensorReading> readings = received(with_fault(one));
-  for (int tick = 3; tick < 40; ++tick) {
-    const SensorReading& reading = readings[static_cast<std::size_t>(tick)];
+  const auto expect = [](int tick, const SensorReading& reading) {
     for (std::size_t leg = 0; leg < kNumLegs; ++leg) {
       EXPECT_EQ(reading.foot_force[leg], 5000.0 + tick - (active(tick) && leg == 2 ? 3.0 : 0.0));
     }
     EXPECT_EQ(reading.q, sampled_at(tick).q) << tick;
-  }
+  };
+  at_each_tick(with_fault(one), expect, 3);
 }
 
 TEST(SensorLink, spoils_all_feet_unless_one_is_named) {
   for (const FaultKind kind : {FaultKind::stops, FaultKind::nan}) {
-    const auto readings = received(with_fault(fault(FaultySensor::foot_force, kind)));
-    for (int tick = 0; tick < 40; ++tick) {
-      for (const double force : readings[static_cast<std::size_t>(tick)].foot_force)
-        EXPECT_EQ(std::isnan(force), active(tick)) << tick;
-    }
+    at_each_tick(with_fault(fault(FaultySensor::foot_force, kind)),
+                 [](int tick, const SensorReading& reading) {
+                   for (const double force : reading.foot_force)
+                     EXPECT_EQ(std::isnan(force), active(tick)) << tick;
+                 });
   }
 }
 

@@ -3,6 +3,7 @@
 #include "tests/simulation/plant_support.hpp"
 #include "tests/support/changed_urdf.hpp"
 #include "tests/support/hyq.hpp"
+#include "tests/support/messages.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,11 +11,7 @@ namespace surefoot::simulation {
 namespace {
 
 using test::ChangedUrdf;
-
-testing::AssertionResult holds(const std::string& text, const std::string& part) {
-  if (text.find(part) != std::string::npos) return testing::AssertionSuccess();
-  return testing::AssertionFailure() << "\"" << part << "\" is not in \"" << text << "\"";
-}
+using test::holds;
 
 std::string shape(const std::string& geometry, const std::string& xyz) {
   return "<collision><origin xyz=\"" + xyz + "\"/><geometry>" + geometry +

@@ -1,50 +1,42 @@
-#include "surefoot/math/numbers.hpp"
 #include "tests/solver/solve.hpp"
 
 #include <gtest/gtest.h>
 
 #include <array>
 #include <cmath>
-#include <string>
 
 namespace surefoot::solver {
 namespace {
 
-using Eigen::Index;
-using Eigen::MatrixXd;
-using Eigen::VectorXd;
-
-test::LevelData non_negative(Index n) {
-  return test::between(MatrixXd::Identity(n, n), VectorXd::Zero(n),
-                       VectorXd::Constant(n, kInfinity));
+LevelData non_negative(Index n) {
+  return between(MatrixXd::Identity(n, n), VectorXd::Zero(n), VectorXd::Constant(n, kInfinity));
 }
 
 /// A linear programme as a hierarchy: the constraints, then a value of the objective that is out of
 /// reach. The residual of the last level is the distance to the optimum.
 template <typename Solver>
-Solution linear_programme(const test::LevelData& constraints, const VectorXd& cost, double target) {
+Solution linear_programme(const LevelData& constraints, const VectorXd& cost, double target) {
   const Index n = cost.size();
-  return test::solve<Solver>(n, {test::joined(constraints, non_negative(n)),
-                                 test::equalities(cost.transpose(), test::number(target))});
+  return solve<Solver>(
+      n, {joined(constraints, non_negative(n)), equalities(cost.transpose(), number(target))});
 }
 
 /// The same with every constraint in a level of its own; where they can all be met, the order of
 /// the levels makes no difference.
 template <typename Solver>
-Solution programme_of_levels(const test::LevelData& constraints, const VectorXd& cost,
-                             double target) {
+Solution programme_of_levels(const LevelData& constraints, const VectorXd& cost, double target) {
   const Index n = cost.size();
-  const test::LevelData all = test::joined(constraints, non_negative(n));
-  test::HierarchyData levels;
+  const LevelData all = joined(constraints, non_negative(n));
+  HierarchyData levels;
   for (Index i = 0; i < all.lower.size(); ++i) {
-    levels.push_back(test::between(all.A.row(i), all.lower.segment(i, 1), all.upper.segment(i, 1)));
+    levels.push_back(between(all.A.row(i), all.lower.segment(i, 1), all.upper.segment(i, 1)));
   }
-  levels.push_back(test::equalities(cost.transpose(), test::number(target)));
-  return test::solve<Solver>(n, levels);
+  levels.push_back(equalities(cost.transpose(), number(target)));
+  return solve<Solver>(n, levels);
 }
 
 struct Programme {
-  test::LevelData constraints;
+  LevelData constraints;
   VectorXd cost;
   double target = 0.0;
 };
@@ -52,14 +44,14 @@ struct Programme {
 Programme beale() {
   MatrixXd D(3, 4);
   D << 0.25, -8.0, -1.0, 9.0, 0.5, -12.0, -0.5, 3.0, 0.0, 0.0, 1.0, 0.0;
-  return {test::at_most(D, (VectorXd(3) << 0.0, 0.0, 1.0).finished()),
+  return {at_most(D, (VectorXd(3) << 0.0, 0.0, 1.0).finished()),
           (VectorXd(4) << -0.75, 20.0, -0.5, 6.0).finished(), -10.0};
 }
 
 Programme marshall_and_suurballe() {
   MatrixXd D(3, 4);
   D << 0.5, -5.5, -2.5, 9.0, 0.5, -1.5, -0.5, 1.0, 1.0, 0.0, 0.0, 0.0;
-  return {test::at_most(D, (VectorXd(3) << 0.0, 0.0, 1.0).finished()),
+  return {at_most(D, (VectorXd(3) << 0.0, 0.0, 1.0).finished()),
           (VectorXd(4) << -10.0, 57.0, 9.0, 24.0).finished(), -10.0};
 }
 
@@ -71,12 +63,12 @@ Programme klee_and_minty(Index n) {
     f[i] = std::pow(5.0, static_cast<double>(i + 1));
     cost[i] = std::pow(2.0, static_cast<double>(n - 1 - i));
   }
-  return {test::at_most(D, f), cost, 2.0 * f[n - 1]};
+  return {at_most(D, f), cost, 2.0 * f[n - 1]};
 }
 
 template <typename Solver>
 class AntiCycling : public testing::Test {};
-TYPED_TEST_SUITE(AntiCycling, test::Solvers);
+TYPED_TEST_SUITE(AntiCycling, Solvers);
 
 template <typename Solver>
 void expect_missed_by(const Programme& programme, double expected) {
@@ -106,21 +98,19 @@ TYPED_TEST(AntiCycling, KleeAndMintysCubesReachTheirOptimum) {
 
 TYPED_TEST(AntiCycling, ManyRowsThroughOnePointEndWithinTheCap) {
   int most_iterations = 0;
-  for (int seed = 0; seed < 3000; ++seed) {
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    test::RandomMatrices random(static_cast<std::uint64_t>(seed));
+  for (SeededRandom& random : Seeds(3000)) {
     const Index n = random.integer(2, 8);
-    test::HierarchyData levels = test::random_levels(random, {.unknowns = n,
-                                                              .levels = 4,
-                                                              .max_rows = 20,
-                                                              .inequality_share = 1.0,
-                                                              .two_sided_share = 0.0,
-                                                              .tight_share = 1.0,
-                                                              .integer_share = 1.0});
-    levels.push_back(test::close_to(3.0 * random.vector(n)));
-    const Solution solution = test::solve<TypeParam>(n, levels);
+    HierarchyData levels = random_levels(random, {.unknowns = n,
+                                                  .levels = 4,
+                                                  .max_rows = 20,
+                                                  .inequality_share = 1.0,
+                                                  .two_sided_share = 0.0,
+                                                  .tight_share = 1.0,
+                                                  .integer_share = 1.0});
+    levels.push_back(close_to(3.0 * random.vector(n)));
+    const Solution solution = solve<TypeParam>(n, levels);
     ASSERT_EQ(solution.status, SolveStatus::optimal);
-    ASSERT_LE(test::optimality_error(n, levels, solution.x), 1e-9);
+    ASSERT_LE(optimality_error(n, levels, solution.x), 1e-9);
     for (const LevelResult& level : solution.levels) {
       most_iterations = std::max(most_iterations, level.iterations);
     }
@@ -134,16 +124,14 @@ TYPED_TEST(AntiCycling, AllPyramidsAtTheirApexLetEveryWishedForceBeProjected) {
   pyramid << 1, 0, -0.5, -1, 0, -0.5, 0, 1, -0.5, 0, -1, -0.5, 0, 0, -1;
   MatrixXd all = MatrixXd::Zero(5 * kFeet, 3 * kFeet);
   for (Index foot = 0; foot < kFeet; ++foot) all.block(5 * foot, 3 * foot, 5, 3) = pyramid;
-  const test::LevelData cones = test::at_most(all, VectorXd::Zero(5 * kFeet));
-  for (int seed = 0; seed < 500; ++seed) {
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    test::RandomMatrices random(static_cast<std::uint64_t>(seed));
+  const LevelData cones = at_most(all, VectorXd::Zero(5 * kFeet));
+  for (SeededRandom& random : Seeds(500)) {
     // Sums of forces and moments first, then the forces themselves.
-    const test::LevelData sums = test::equalities(random.matrix(6, 3 * kFeet), random.vector(6));
-    const test::HierarchyData levels{cones, sums, test::close_to(random.vector(3 * kFeet))};
-    const Solution solution = test::solve<TypeParam>(3 * kFeet, levels);
+    const LevelData sums = equalities(random.matrix(6, 3 * kFeet), random.vector(6));
+    const HierarchyData levels{cones, sums, close_to(random.vector(3 * kFeet))};
+    const Solution solution = solve<TypeParam>(3 * kFeet, levels);
     ASSERT_EQ(solution.status, SolveStatus::optimal);
-    ASSERT_LE(test::optimality_error(3 * kFeet, levels, solution.x), 1e-9);
+    ASSERT_LE(optimality_error(3 * kFeet, levels, solution.x), 1e-9);
   }
 }
 
@@ -151,13 +139,13 @@ TYPED_TEST(AntiCycling, AllPyramidsAtTheirApexLetEveryWishedForceBeProjected) {
 TEST(AntiCycling, StaleGuessesAtAnApexGiveTheSameX) {
   MatrixXd pyramid(5, 3);
   pyramid << 1, 0, -0.5, -1, 0, -0.5, 0, 1, -0.5, 0, -1, -0.5, 0, 0, -1;
-  const test::LevelData cone = test::at_most(pyramid, VectorXd::Zero(5));
-  test::RandomMatrices random(8);
-  LexicographicSolver warm(test::make_hierarchy(3, {cone, test::close_to(VectorXd::Zero(3))}));
+  const LevelData cone = at_most(pyramid, VectorXd::Zero(5));
+  RandomMatrices random(8);
+  LexicographicSolver warm(make_hierarchy(3, {cone, close_to(VectorXd::Zero(3))}));
   for (int tick = 0; tick < 500; ++tick) {
     const VectorXd wish = random.vector(3);
     for (const double sign : {1.0, -1.0, 0.0}) {
-      const Hierarchy hierarchy = test::make_hierarchy(3, {cone, test::close_to(sign * wish)});
+      const Hierarchy hierarchy = make_hierarchy(3, {cone, close_to(sign * wish)});
       const VectorXd expected = CascadeSolver(hierarchy).solve(hierarchy).x;
       ASSERT_EQ(warm.solve(hierarchy).status, SolveStatus::optimal);
       ASSERT_LE((warm.solution().x - expected).norm(), 1e-9) << "tick " << tick;
@@ -170,18 +158,16 @@ TEST(AntiCycling, GuessesOfOtherDegenerateHierarchiesGiveTheSameX) {
   Hierarchy capacity(6);
   for (int k = 0; k < 5; ++k) capacity.add_level("", 12);
   LexicographicSolver warm(capacity), again(capacity);
-  for (int seed = 0; seed < 1000; ++seed) {
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    test::RandomMatrices random(static_cast<std::uint64_t>(seed));
-    test::HierarchyData levels = test::random_levels(random, {.unknowns = 6,
-                                                              .levels = 4,
-                                                              .max_rows = 12,
-                                                              .inequality_share = 0.9,
-                                                              .duplicate_share = 0.2,
-                                                              .tight_share = 1.0,
-                                                              .integer_share = 1.0});
-    levels.push_back(test::close_to(3.0 * random.vector(6)));
-    const Hierarchy hierarchy = test::make_hierarchy(6, levels);
+  for (SeededRandom& random : Seeds(1000)) {
+    HierarchyData levels = random_levels(random, {.unknowns = 6,
+                                                  .levels = 4,
+                                                  .max_rows = 12,
+                                                  .inequality_share = 0.9,
+                                                  .duplicate_share = 0.2,
+                                                  .tight_share = 1.0,
+                                                  .integer_share = 1.0});
+    levels.push_back(close_to(3.0 * random.vector(6)));
+    const Hierarchy hierarchy = make_hierarchy(6, levels);
     const VectorXd expected = CascadeSolver(hierarchy).solve(hierarchy).x;
     ASSERT_EQ(warm.solve(hierarchy).status, SolveStatus::optimal);
     ASSERT_LE((warm.solution().x - expected).norm(), 1e-9 * (1.0 + expected.norm()));

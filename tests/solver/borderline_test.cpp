@@ -15,11 +15,6 @@
 namespace surefoot::solver {
 namespace {
 
-using Eigen::Index;
-using Eigen::MatrixXd;
-using Eigen::Vector2d;
-using Eigen::VectorXd;
-
 /// √Σ violation² of a level, but for the rounding of 64 bits.
 double residual(const Level& level, const VectorXd& x) {
   long double sum = 0.0;
@@ -49,9 +44,9 @@ bool is_beaten(const Hierarchy& hierarchy, const VectorXd& x, const VectorXd& ot
 }
 
 Hierarchy straight_legged(std::uint64_t seed) {
-  test::RandomMatrices random(seed);
+  RandomMatrices random(seed);
   const int feet = random.integer(2, 4);
-  return test::make_hierarchy(30, test::straight_legged_levels(random, feet));
+  return make_hierarchy(30, straight_legged_levels(random, feet));
 }
 
 /// Of the cascade, with what it takes for independent as usual, sooner and later.
@@ -99,39 +94,36 @@ TEST(Borderline, TheCascadeNeverHasABetterAnswer) {
 }
 
 TEST(Borderline, ClearAnswersAreNotFlagged) {
-  for (int seed = 0; seed < 300; ++seed) {
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    test::RandomMatrices random(static_cast<std::uint64_t>(seed));
-    const test::HierarchyData levels =
-        test::table_one_levels(random, 2 + seed % 3, random.uniform(0.0, 0.8));
-    EXPECT_FALSE(test::solve<LexicographicSolver>(30, levels).borderline);
-    EXPECT_FALSE(test::solve<CascadeSolver>(30, levels).borderline);
+  for (SeededRandom& random : Seeds(300)) {
+    const HierarchyData levels = walk_levels(random, random.uniform(0.0, 0.8));
+    EXPECT_FALSE(solve<LexicographicSolver>(30, levels).borderline);
+    EXPECT_FALSE(solve<CascadeSolver>(30, levels).borderline);
   }
 }
 
 /// (1, 0) x = 0 and (1, weak) x = 1, above x = 0.
-test::HierarchyData nearly_parallel(double weak) {
+HierarchyData nearly_parallel(double weak) {
   const MatrixXd A = (MatrixXd(2, 2) << 1.0, 0.0, 1.0, weak).finished();
-  return {test::equalities(A, Vector2d(0.0, 1.0)), test::close_to(Vector2d::Zero())};
+  return {equalities(A, Vector2d(0.0, 1.0)), close_to(Vector2d::Zero())};
 }
 
 TEST(Borderline, ADirectionThatDoublesCanHardlyTellIsFlagged) {
   for (const double weak : {3e-10, 5e-11, 3e-12}) {
-    EXPECT_TRUE(test::solve<LexicographicSolver>(2, nearly_parallel(weak)).borderline) << weak;
-    EXPECT_TRUE(test::solve<CascadeSolver>(2, nearly_parallel(weak)).borderline) << weak;
+    EXPECT_TRUE(solve<LexicographicSolver>(2, nearly_parallel(weak)).borderline) << weak;
+    EXPECT_TRUE(solve<CascadeSolver>(2, nearly_parallel(weak)).borderline) << weak;
   }
   for (const double weak : {1.0, 1e-3, 0.0}) {
-    EXPECT_FALSE(test::solve<LexicographicSolver>(2, nearly_parallel(weak)).borderline) << weak;
-    EXPECT_FALSE(test::solve<CascadeSolver>(2, nearly_parallel(weak)).borderline) << weak;
+    EXPECT_FALSE(solve<LexicographicSolver>(2, nearly_parallel(weak)).borderline) << weak;
+    EXPECT_FALSE(solve<CascadeSolver>(2, nearly_parallel(weak)).borderline) << weak;
   }
 }
 
 TEST(Borderline, AWeakDirectionIsClearOnceTheCascadeAgreesAndABudgetLeavesNoTimeToAskIt) {
-  const test::HierarchyData levels = nearly_parallel(1e-6);
-  EXPECT_FALSE(test::solve<LexicographicSolver>(2, levels).borderline);
+  const HierarchyData levels = nearly_parallel(1e-6);
+  EXPECT_FALSE(solve<LexicographicSolver>(2, levels).borderline);
   LexicographicOptions limited;
   limited.budget.flops = 1e6;
-  const Solution solution = test::solve<LexicographicSolver>(2, levels, limited);
+  const Solution solution = solve<LexicographicSolver>(2, levels, limited);
   EXPECT_EQ(solution.status, SolveStatus::optimal);
   EXPECT_TRUE(solution.borderline);
 }
@@ -140,7 +132,7 @@ TEST(Borderline, ASecondAnswerDoesNotAllocate) {
   for (std::uint64_t seed = 0; seed < 50; ++seed) {
     const Hierarchy hierarchy = straight_legged(seed);
     LexicographicSolver solver(hierarchy);
-    const test::MallocCounter counter;
+    const MallocCounter counter;
     (void)solver.solve(hierarchy);
     EXPECT_EQ(counter.count(), 0u);
   }

@@ -6,13 +6,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cstdint>
-#include <string>
 
 namespace surefoot::solver {
 namespace {
-
-using Eigen::Index;
 
 /// Sweeps of a solve, the last three to look for the shortest x where the cascade had to solve.
 constexpr double kSweeps = 8 + 3;
@@ -49,32 +45,30 @@ double bound(const Hierarchy& hierarchy) {
   return basis + kSweeps * sweep + kDescents * (descent_flops(hierarchy) + products);
 }
 
-test::HierarchyData degenerate(test::RandomMatrices& random, Index unknowns) {
-  return test::random_levels(random, {.unknowns = unknowns,
-                                      .levels = 4,
-                                      .max_rows = 12,
-                                      .inequality_share = 0.9,
-                                      .duplicate_share = 0.2,
-                                      .dependent_share = 0.1,
-                                      .tight_share = 0.8,
-                                      .integer_share = 0.8});
+HierarchyData degenerate(RandomMatrices& random, Index unknowns) {
+  return random_levels(random, {.unknowns = unknowns,
+                                .levels = 4,
+                                .max_rows = 12,
+                                .inequality_share = 0.9,
+                                .duplicate_share = 0.2,
+                                .dependent_share = 0.1,
+                                .tight_share = 0.8,
+                                .integer_share = 0.8});
 }
 
 TEST(Bound, OfSweepsAndFlopsIsKeptWhateverTheGuess) {
   int most_sweeps = 0;
-  for (int seed = 0; seed < 1000; ++seed) {
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    test::RandomMatrices random(static_cast<std::uint64_t>(seed));
+  for (SeededRandom& random : Seeds(1000)) {
     const Index n = random.integer(2, 12);
-    const test::HierarchyData levels = degenerate(random, n);
-    const Hierarchy hierarchy = test::named(n, levels);
+    const HierarchyData levels = degenerate(random, n);
+    const Hierarchy hierarchy = named(n, levels);
     for (const int max_sweeps : {LexicographicOptions{}.max_sweeps, 1}) {
       LexicographicSolver solver(hierarchy, {.max_sweeps = max_sweeps});
       for (int side = -1; side <= 1; ++side) {
         const auto choose = [&](std::size_t, Index) {
           return side != 0 ? side : random.integer(-1, 1);
         };
-        (void)solver.solve(test::named(n, test::guess(levels, choose)));
+        (void)solver.solve(named(n, guess(levels, choose)));
         ASSERT_EQ(solver.solve(hierarchy).status, SolveStatus::optimal);
         ASSERT_LE(solver.num_sweeps(), max_sweeps + 1);
         ASSERT_LE(solver.flops(), bound(hierarchy));
@@ -86,11 +80,9 @@ TEST(Bound, OfSweepsAndFlopsIsKeptWhateverTheGuess) {
 }
 
 TEST(Bound, OfIterationsOfTheCascadeIsKeptInEachLevel) {
-  for (int seed = 0; seed < 1000; ++seed) {
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    test::RandomMatrices random(static_cast<std::uint64_t>(seed));
+  for (SeededRandom& random : Seeds(1000)) {
     const Index n = random.integer(2, 12);
-    const Solution solution = test::solve<CascadeSolver>(n, degenerate(random, n));
+    const Solution solution = solve<CascadeSolver>(n, degenerate(random, n));
     Index so_far = 0;
     for (const LevelResult& level : solution.levels) {
       so_far += level.num_rows;

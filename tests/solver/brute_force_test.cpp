@@ -7,31 +7,27 @@
 namespace surefoot::solver {
 namespace {
 
-using Eigen::Index;
-
 /// Rows in all levels, so that the enumeration stays small.
-Index total_rows(const test::HierarchyData& levels) {
+Index total_rows(const HierarchyData& levels) {
   Index rows = 0;
-  for (const test::LevelData& level : levels) rows += level.lower.size();
+  for (const LevelData& level : levels) rows += level.lower.size();
   return rows;
 }
 
 /// Drops the last levels until at most `rows` remain.
-test::HierarchyData shortened(test::HierarchyData levels, Index rows) {
+HierarchyData shortened(HierarchyData levels, Index rows) {
   while (total_rows(levels) > rows) levels.pop_back();
   return levels;
 }
 
 template <typename Solver>
-void expect_agreement(const test::RandomOptions& options, int num_seeds, Index max_rows) {
-  for (int seed = 0; seed < num_seeds; ++seed) {
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    test::RandomMatrices random(static_cast<std::uint64_t>(seed));
-    test::RandomOptions sized = options;
+void expect_agreement(const RandomOptions& options, int num_seeds, Index max_rows) {
+  for (SeededRandom& random : Seeds(num_seeds)) {
+    RandomOptions sized = options;
     sized.unknowns = random.integer(1, 4);
-    const test::HierarchyData levels = shortened(test::random_levels(random, sized), max_rows);
-    const Solution solution = test::solve<Solver>(sized.unknowns, levels);
-    const std::vector<double> truth = test::brute_force_residuals(sized.unknowns, levels);
+    const HierarchyData levels = shortened(random_levels(random, sized), max_rows);
+    const Solution solution = solve<Solver>(sized.unknowns, levels);
+    const std::vector<double> truth = brute_force_residuals(sized.unknowns, levels);
     ASSERT_EQ(solution.status, SolveStatus::optimal);
     for (std::size_t k = 0; k < truth.size(); ++k) {
       ASSERT_NEAR(solution.levels[k].residual, truth[k], 1e-7 * (1.0 + truth[k])) << "level " << k;
@@ -41,7 +37,7 @@ void expect_agreement(const test::RandomOptions& options, int num_seeds, Index m
 
 template <typename Solver>
 class AgainstBruteForce : public testing::Test {};
-TYPED_TEST_SUITE(AgainstBruteForce, test::Solvers);
+TYPED_TEST_SUITE(AgainstBruteForce, Solvers);
 
 TYPED_TEST(AgainstBruteForce, AgreesOnMixedHierarchies) {
   expect_agreement<TypeParam>({.levels = 4, .max_rows = 3, .inequality_share = 0.7}, 400, 7);

@@ -2,8 +2,8 @@
 
 #include "tests/solver/guess.hpp"
 #include "tests/solver/solve.hpp"
+#include "tests/support/substitutions.hpp"
 
-#include <Eigen/QR>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -13,10 +13,6 @@
 
 namespace surefoot::solver {
 namespace {
-
-using Eigen::Index;
-using Eigen::MatrixXd;
-using Eigen::VectorXd;
 
 constexpr Index kUnknowns = 30;
 constexpr std::size_t kPhysics = 2;  // levels of equalities that come first
@@ -40,28 +36,12 @@ constexpr std::array kGuesses{Guess::none, Guess::stale, Guess::inverted, Guess:
                               Guess::of_a_solve_cut_short};
 
 /// Every second one leaves x open: there the shortest x is asked for.
-test::HierarchyData random_case(std::uint64_t seed, Basis basis) {
-  test::RandomMatrices random(seed);
-  test::HierarchyData levels = test::table_one_levels(random, 4, seed % 3 == 0 ? 0.5 : 1.0);
+HierarchyData random_case(std::uint64_t seed, Basis basis) {
+  RandomMatrices random(seed);
+  HierarchyData levels = table_one_levels(random, 4, seed % 3 == 0 ? 0.5 : 1.0);
   if (seed % 2 == 0) levels.resize(6);
   if (basis == Basis::identity) levels.erase(levels.begin(), levels.begin() + kPhysics);
   return levels;
-}
-
-/// All x that satisfy the first two levels.
-Substitution substitution_of(const test::HierarchyData& levels, Basis basis) {
-  const test::LevelData both = test::joined(levels[0], levels[1]);
-  const MatrixXd Q = Eigen::HouseholderQR<MatrixXd>(both.A.transpose()).householderQ();
-  Substitution result;
-  result.num_levels = kPhysics;
-  result.basis = Q.rightCols(kUnknowns - both.A.rows());
-  result.offset = both.A.completeOrthogonalDecomposition().solve(both.upper);
-  if (basis == Basis::skew) {
-    test::RandomMatrices random(3);
-    result.basis *= random.matrix(result.basis.cols(), result.basis.cols());
-    result.offset += result.basis * random.vector(result.basis.cols());
-  }
-  return result;
 }
 
 /// A problem, a solver for it that can be ended anywhere, and what it must not depend on.
@@ -72,7 +52,7 @@ class Case {
         basis_(basis),
         guess_(guess),
         levels_(random_case(seed, basis)),
-        hierarchy_(test::named(kUnknowns, levels_)),
+        hierarchy_(named(kUnknowns, levels_)),
         optimum_(LexicographicSolver(hierarchy_).solve(hierarchy_)),
         solver_(hierarchy_, options()) {}
 
@@ -117,17 +97,20 @@ class Case {
     return options;
   }
 
-  const Solution& solve(const test::HierarchyData& levels) {
-    hierarchy_ = test::named(kUnknowns, levels);
+  const Solution& solve(const HierarchyData& levels) {
+    hierarchy_ = named(kUnknowns, levels);
     if (basis_ == Basis::orthonormal || basis_ == Basis::skew) {
-      return solver_.solve(hierarchy_, substitution_of(levels, basis_));
+      RandomMatrices random(3);
+      const bool is_skew = basis_ == Basis::skew;
+      return solver_.solve(hierarchy_, is_skew ? skew_substitution_of(levels, kPhysics, random)
+                                               : substitution_of(levels, kPhysics));
     }
     return solver_.solve(hierarchy_);
   }
 
   void guess() {
     Clock::stand_still();
-    test::RandomMatrices random(seed_);
+    RandomMatrices random(seed_);
     switch (guess_) {
       case Guess::none:
         return solver_.forget();
@@ -148,13 +131,13 @@ class Case {
 
   template <typename Choice>
   void guess_sides(Choice&& side_of) {
-    (void)solver_.solve(test::named(kUnknowns, test::guess(levels_, side_of)));
+    (void)solver_.solve(named(kUnknowns, test::guess(levels_, side_of)));
   }
 
   std::uint64_t seed_;
   Basis basis_;
   Guess guess_;
-  test::HierarchyData levels_;
+  HierarchyData levels_;
   Hierarchy hierarchy_;
   Solution optimum_;
   LexicographicSolver solver_;

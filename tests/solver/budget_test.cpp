@@ -3,18 +3,16 @@
 #include "surefoot/base/error.hpp"
 #include "tests/solver/solve.hpp"
 #include "tests/support/malloc_counter.hpp"
+#include "tests/support/substitutions.hpp"
 
-#include <Eigen/QR>
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cstdint>
-#include <string>
 
 namespace surefoot::solver {
 namespace {
 
-constexpr Eigen::Index kUnknowns = 30;
+constexpr Index kUnknowns = 30;
 constexpr double kTolerance = 1e-8;
 
 LexicographicOptions with_flops(double flops) {
@@ -24,8 +22,8 @@ LexicographicOptions with_flops(double flops) {
 }
 
 /// Violation of a level at x.
-double residual(const Level& level, const Eigen::VectorXd& x) {
-  const Eigen::VectorXd value = level.A() * x;
+double residual(const Level& level, const VectorXd& x) {
+  const VectorXd value = level.A() * x;
   return (value - level.upper()).cwiseMax(level.lower() - value).cwiseMax(0.0).norm();
 }
 
@@ -42,11 +40,9 @@ void expect_safe(const Hierarchy& hierarchy, const Solution& solution, const Sol
 
 TEST(Budget, WhereverItEndsTheFinishedLevelsAreOptimal) {
   int num_early = 0, most_finished = 0;
-  for (int seed = 0; seed < 60; ++seed) {
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    test::RandomMatrices random(static_cast<std::uint64_t>(seed));
-    const Hierarchy hierarchy = test::make_hierarchy(
-        kUnknowns, test::table_one_levels(random, 2 + seed % 3, 0.5 * (seed % 3)));
+  for (SeededRandom& random : Seeds(60)) {
+    const Hierarchy hierarchy =
+        make_hierarchy(kUnknowns, walk_levels(random, 0.5 * (random.seed() % 3)));
     const Solution optimum = LexicographicSolver(hierarchy).solve(hierarchy);
     int finished = 0;
     for (double flops = 0.0; flops < 1e6; flops += 4e3) {
@@ -68,15 +64,13 @@ TEST(Budget, WhereverItEndsTheFinishedLevelsAreOptimal) {
 }
 
 TEST(Budget, EqualitiesAreSolvedInAnyCaseSoTheyAreOptimalWithoutOne) {
-  for (int seed = 0; seed < 20; ++seed) {
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    test::RandomMatrices random(static_cast<std::uint64_t>(seed));
-    test::HierarchyData levels;
-    for (const Eigen::Index rows : {6, 8, 1 + seed}) {
-      const Eigen::VectorXd b = random.vector(rows);
+  for (SeededRandom& random : Seeds(20)) {
+    HierarchyData levels;
+    for (const Index rows : {6, 8, 1 + random.seed()}) {
+      const VectorXd b = random.vector(rows);
       levels.push_back({random.matrix(rows, kUnknowns), b, b});
     }
-    const Hierarchy hierarchy = test::make_hierarchy(kUnknowns, levels);
+    const Hierarchy hierarchy = make_hierarchy(kUnknowns, levels);
     const Solution optimum = LexicographicSolver(hierarchy).solve(hierarchy);
     const Solution solution = LexicographicSolver(hierarchy, with_flops(0.0)).solve(hierarchy);
     EXPECT_EQ(solution.status, SolveStatus::optimal);
@@ -87,11 +81,8 @@ TEST(Budget, EqualitiesAreSolvedInAnyCaseSoTheyAreOptimalWithoutOne) {
 
 TEST(Budget, SpentBetweenTheLastLevelAndTheProofTheOptimumIsCalledIt) {
   int num_before_the_end = 0;
-  for (int seed = 0; seed < 60; ++seed) {
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    test::RandomMatrices random(static_cast<std::uint64_t>(seed));
-    const Hierarchy hierarchy =
-        test::make_hierarchy(kUnknowns, test::table_one_levels(random, 2 + seed % 3, 1.0));
+  for (SeededRandom& random : Seeds(60)) {
+    const Hierarchy hierarchy = make_hierarchy(kUnknowns, walk_levels(random, 1.0));
     LexicographicSolver whole(hierarchy);
     const Solution optimum = whole.solve(hierarchy);
     const double all = whole.flops();
@@ -119,9 +110,8 @@ TEST(Budget, ThatIsNoNumberFromZeroOnIsRefused) {
 }
 
 TEST(Budget, ItsEndIsTheSameToTheBit) {
-  test::RandomMatrices random(2);
-  const Hierarchy hierarchy =
-      test::make_hierarchy(kUnknowns, test::table_one_levels(random, 3, 1.0));
+  RandomMatrices random(2);
+  const Hierarchy hierarchy = make_hierarchy(kUnknowns, table_one_levels(random, 3, 1.0));
   const Solution first = LexicographicSolver(hierarchy, with_flops(2e4)).solve(hierarchy);
   const Solution second = LexicographicSolver(hierarchy, with_flops(2e4)).solve(hierarchy);
   ASSERT_EQ(first.status, SolveStatus::iteration_cap);
@@ -135,14 +125,13 @@ double late_clock() {
 }
 
 TEST(Budget, WithNoTimeAtAllTheLeadingEqualitiesHold) {
-  test::RandomMatrices random(5);
-  const Hierarchy hierarchy =
-      test::make_hierarchy(kUnknowns, test::table_one_levels(random, 3, 1.0));
+  RandomMatrices random(5);
+  const Hierarchy hierarchy = make_hierarchy(kUnknowns, table_one_levels(random, 3, 1.0));
   LexicographicOptions options;
   options.budget.seconds = 1e-3;
   options.clock = late_clock;
   LexicographicSolver solver(hierarchy, options);
-  const test::MallocCounter counter;
+  const MallocCounter counter;
   const Solution& solution = solver.solve(hierarchy);
   EXPECT_EQ(counter.count(), 0u);
   ASSERT_EQ(solution.status, SolveStatus::iteration_cap);
@@ -154,10 +143,9 @@ TEST(Budget, WithNoTimeAtAllTheLeadingEqualitiesHold) {
 TEST(Budget, ALevelThatIsCutShortLaterIsNoWorse) {
   // More of a budget never makes the level worse that is being solved.
   int num_compared = 0;
-  for (int seed = 0; seed < 60; ++seed) {
-    test::RandomMatrices random(static_cast<std::uint64_t>(seed));
-    const test::HierarchyData levels = test::table_one_levels(random, 2 + seed % 3, 1.0);
-    const Hierarchy hierarchy = test::make_hierarchy(kUnknowns, levels);
+  for (SeededRandom& random : Seeds(60)) {
+    const HierarchyData levels = walk_levels(random, 1.0);
+    const Hierarchy hierarchy = make_hierarchy(kUnknowns, levels);
     double last = 0.0;
     int last_level = -1;
     for (double flops = 0.0; flops < 4e5; flops += 4e3) {
@@ -166,7 +154,7 @@ TEST(Budget, ALevelThatIsCutShortLaterIsNoWorse) {
       if (solution.status == SolveStatus::optimal) break;
       const double now = solution.levels[static_cast<std::size_t>(solution.failed_level)].residual;
       const bool is_same_level = solution.failed_level == last_level;
-      ASSERT_TRUE(!is_same_level || now <= last + kTolerance * (1.0 + last)) << "seed " << seed;
+      ASSERT_TRUE(!is_same_level || now <= last + kTolerance * (1.0 + last));
       num_compared += is_same_level ? 1 : 0;
       last = now;
       last_level = solution.failed_level;
@@ -187,11 +175,8 @@ double largest_piece(const Hierarchy& hierarchy) {
 
 TEST(Budget, IsKeptButForTheLeadingEqualitiesAndWhatHadBegun) {
   int num_early = 0;
-  for (int seed = 0; seed < 60; ++seed) {
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    test::RandomMatrices random(static_cast<std::uint64_t>(seed));
-    const Hierarchy hierarchy =
-        test::make_hierarchy(kUnknowns, test::table_one_levels(random, 2 + seed % 3, 1.0));
+  for (SeededRandom& random : Seeds(60)) {
+    const Hierarchy hierarchy = make_hierarchy(kUnknowns, walk_levels(random, 1.0));
     LexicographicSolver none(hierarchy, with_flops(0.0));
     ASSERT_EQ(none.solve(hierarchy).status, SolveStatus::iteration_cap);
     ASSERT_EQ(none.num_sweeps(), 0);
@@ -214,9 +199,8 @@ TEST(Budget, IsKeptButForTheLeadingEqualitiesAndWhatHadBegun) {
 }
 
 TEST(Budget, IsKeptWhereTheCascadeWasAskedForWhichHasNone) {
-  test::RandomMatrices random(2);
-  const Hierarchy hierarchy =
-      test::make_hierarchy(kUnknowns, test::table_one_levels(random, 3, 1.0));
+  RandomMatrices random(2);
+  const Hierarchy hierarchy = make_hierarchy(kUnknowns, table_one_levels(random, 3, 1.0));
   LexicographicOptions options = with_flops(1.0);
   options.max_sweeps = 0;
   EXPECT_EQ(LexicographicSolver(hierarchy, options).solve(hierarchy).status,
@@ -225,29 +209,13 @@ TEST(Budget, IsKeptWhereTheCascadeWasAskedForWhichHasNone) {
   EXPECT_EQ(LexicographicSolver(hierarchy, options).solve(hierarchy).status, SolveStatus::optimal);
 }
 
-/// All x that satisfy the first two levels, in a skew basis.
-Substitution skew_substitution(const test::HierarchyData& levels, test::RandomMatrices& random) {
-  const test::LevelData both = test::joined(levels[0], levels[1]);
-  const Eigen::MatrixXd Q =
-      Eigen::HouseholderQR<Eigen::MatrixXd>(both.A.transpose()).householderQ();
-  const Eigen::MatrixXd N = Q.rightCols(kUnknowns - both.A.rows());
-  Substitution result;
-  result.num_levels = 2;
-  result.basis = N * random.matrix(N.cols(), N.cols());
-  result.offset =
-      both.A.completeOrthogonalDecomposition().solve(both.upper) + N * random.vector(N.cols());
-  return result;
-}
-
 TEST(Budget, WhereverItEndsXIsReadInTheBasisInWhichItWasFound) {
   int num_early = 0, most_finished = 0;
-  for (int seed = 0; seed < 60; ++seed) {
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    test::RandomMatrices random(static_cast<std::uint64_t>(seed));
-    test::HierarchyData levels = test::table_one_levels(random, 2 + seed % 3, 1.0);
+  for (SeededRandom& random : Seeds(60)) {
+    HierarchyData levels = walk_levels(random, 1.0);
     levels.resize(5);  // x is left open: the basis is made orthonormal on the way
-    const Hierarchy hierarchy = test::make_hierarchy(kUnknowns, levels);
-    const Substitution substitution = skew_substitution(levels, random);
+    const Hierarchy hierarchy = make_hierarchy(kUnknowns, levels);
+    const Substitution substitution = skew_substitution_of(levels, 2, random);
     const Solution optimum = LexicographicSolver(hierarchy).solve(hierarchy);
     for (double flops = 0.0; flops < 1e6; flops += 4e3) {
       LexicographicSolver solver(hierarchy, with_flops(flops));

@@ -1,6 +1,6 @@
 #include "tests/solver/solve.hpp"
+#include "tests/support/linear_algebra.hpp"
 
-#include <Eigen/QR>
 #include <gtest/gtest.h>
 
 #include <cstdint>
@@ -13,48 +13,40 @@
 namespace surefoot::solver {
 namespace {
 
-using Eigen::Index;
-using Eigen::MatrixXd;
-using Eigen::RowVector2d;
-using Eigen::RowVector3d;
-using Eigen::Vector2d;
-using Eigen::Vector3d;
-using Eigen::VectorXd;
-
 TEST(CertificateRounding, DoesNotLeaveRowsThatAHigherLevelHoldsWhereWhatItFixesIsNearlyDependent) {
   // In coordinates (p, q1, q2, w), turned at random: the third level pulls at q1 + q2 by so little
   // that the null space of its row is only known to 1e-8, but for certain it holds q1 and q2 where
   // they are, so the fourth has nothing but w to reach further.
   constexpr double kWeak = 5e-9, kWeaker = 3e-9;
   constexpr CertificateOptions kTolerance{.tight = 1e-8, .rank = RankTolerance{}.solve};
-  for (int seed = 0; seed < 100; ++seed) {
-    test::RandomMatrices random(static_cast<std::uint64_t>(seed));
+  for (SeededRandom& random : Seeds(100)) {
     const MatrixXd R = random.rotation(4);
     const auto row = [&](double p, double q1, double q2, double w) -> MatrixXd {
       return Eigen::RowVector4d(p, q1, q2, w) * R;
     };
-    const test::HierarchyData levels{test::equalities(row(1, 0, 0, 0), test::number(0.0)),
-                                     test::at_most(R.bottomRows(3), Eigen::Vector3d(0.0, 0.0, 1.0)),
-                                     test::equalities(row(1, kWeak, kWeak, 0), test::number(1.0)),
-                                     test::equalities(row(1, 1, -1, kWeaker), test::number(10.0)),
-                                     test::equalities(row(0, 0, 0, 1), test::number(-5.0))};
-    const Hierarchy hierarchy = test::make_hierarchy(4, levels);
-    const Eigen::VectorXd expected = R.transpose() * Eigen::Vector4d(0, 0, 0, 1);
+    const HierarchyData levels{equalities(row(1, 0, 0, 0), number(0.0)),
+                               at_most(R.bottomRows(3), Vector3d(0.0, 0.0, 1.0)),
+                               equalities(row(1, kWeak, kWeak, 0), number(1.0)),
+                               equalities(row(1, 1, -1, kWeaker), number(10.0)),
+                               equalities(row(0, 0, 0, 1), number(-5.0))};
+    const Hierarchy hierarchy = make_hierarchy(4, levels);
+    const VectorXd expected = R.transpose() * Eigen::Vector4d(0, 0, 0, 1);
     EXPECT_LE((LexicographicSolver(hierarchy).solve(hierarchy).x - expected).norm(), 1e-12);
     EXPECT_LE((CascadeSolver(hierarchy).solve(hierarchy).x - expected).norm(), 1e-12);
-    EXPECT_LE(worst_stationarity(certify(hierarchy, expected, kTolerance)), test::kProven) << seed;
+    EXPECT_LE(worst_stationarity(certify(hierarchy, expected, kTolerance)), kProven)
+        << random.seed();
     // Beside it the third level misses its optimum by 1e-9 only, the fourth by a tenth.
-    const Eigen::VectorXd beyond = R.transpose() * Eigen::Vector4d(0, -1, 0, 1);
-    EXPECT_GE(worst_stationarity(certify(hierarchy, beyond, kTolerance)), 1e-2) << seed;
+    const VectorXd beyond = R.transpose() * Eigen::Vector4d(0, -1, 0, 1);
+    EXPECT_GE(worst_stationarity(certify(hierarchy, beyond, kTolerance)), 1e-2) << random.seed();
   }
 }
 
 /// (1, 0) x = 0 and (1, weak) x = 1, which can't both be had without going far along the second
 /// coordinate: they pull at it by weak / 2.
-test::LevelData pulling(double weak, const MatrixXd& R) {
+LevelData pulling(double weak, const MatrixXd& R) {
   MatrixXd rows(2, 2);
   rows << 1.0, 0.0, 1.0, weak;
-  return test::equalities(rows * R, Vector2d(0.0, 1.0));
+  return equalities(rows * R, Vector2d(0.0, 1.0));
 }
 
 TEST(CertificateRounding, ALimitThatItsLevelIsBeyondByLittleButForCertainIsNotLeft) {
@@ -64,14 +56,13 @@ TEST(CertificateRounding, ALimitThatItsLevelIsBeyondByLittleButForCertainIsNotLe
   for (const double error : {0.0, 0.2}) {
     for (int seed = 0; seed < 100; ++seed) {
       SCOPED_TRACE("seed " + std::to_string(seed) + ", error " + std::to_string(error));
-      test::RandomMatrices random(static_cast<std::uint64_t>(seed));
+      RandomMatrices random(static_cast<std::uint64_t>(seed));
       const MatrixXd R = random.rotation(2);
-      const test::HierarchyData levels{
-          test::joined(pulling(kWeak, R),
-                       test::at_most(RowVector2d(0.0, 1.0) * R, test::number(0.0))),
-          test::equalities(RowVector2d(0.0, 1.0) * R, test::number(-1.0))};
+      const HierarchyData levels{
+          joined(pulling(kWeak, R), at_most(RowVector2d(0.0, 1.0) * R, number(0.0))),
+          equalities(RowVector2d(0.0, 1.0) * R, number(-1.0))};
       const VectorXd x = R.transpose() * Vector2d(0.5, 0.5 * (1.0 + error) * kWeak);
-      ASSERT_LE(test::optimality_error(2, levels, x), test::kProven);
+      ASSERT_LE(optimality_error(2, levels, x), kProven);
     }
   }
 }
@@ -80,31 +71,25 @@ TEST(CertificateRounding, ALimitThatHoldsByLittleButByMoreThanRoundingIsNotLeft)
   // In coordinates (a, b), turned at random: the second level misses its rows by half each, and
   // pulls at b ≤ 0 by 4e-10 of that.
   constexpr double kWeak = 8e-10;
-  for (int seed = 0; seed < 100; ++seed) {
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    test::RandomMatrices random(static_cast<std::uint64_t>(seed));
+  for (SeededRandom& random : Seeds(100)) {
     const MatrixXd R = random.rotation(2);
-    const test::HierarchyData levels{
-        test::at_most(RowVector2d(0.0, 1.0) * R, test::number(0.0)), pulling(kWeak, R),
-        test::equalities(RowVector2d(0.0, 1.0) * R, test::number(-1.0))};
-    ASSERT_LE(test::optimality_error(2, levels, R.transpose() * Vector2d(0.5, 0.0)), test::kProven);
+    const HierarchyData levels{at_most(RowVector2d(0.0, 1.0) * R, number(0.0)), pulling(kWeak, R),
+                               equalities(RowVector2d(0.0, 1.0) * R, number(-1.0))};
+    ASSERT_LE(optimality_error(2, levels, R.transpose() * Vector2d(0.5, 0.0)), kProven);
   }
 }
 
 TEST(CertificateRounding, ALimitThatOnlyWhatIsFixedAboveCouldMeetIsNotLeft) {
   // As above, but the limit is b + c ≤ 0, and a level above has c = 0.
   constexpr double kWeak = 3e-9;
-  for (int seed = 0; seed < 100; ++seed) {
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    test::RandomMatrices random(static_cast<std::uint64_t>(seed));
+  for (SeededRandom& random : Seeds(100)) {
     const MatrixXd R = random.rotation(3);
-    const test::HierarchyData levels{
-        test::equalities(RowVector3d(0.0, 0.0, 1.0) * R, test::number(0.0)),
-        test::joined(pulling(kWeak, R.topRows(2)),
-                     test::at_most(RowVector3d(0.0, 1.0, 1.0) * R, test::number(0.0))),
-        test::equalities(RowVector3d(0.0, 1.0, 0.0) * R, test::number(-1.0))};
-    ASSERT_LE(test::optimality_error(3, levels, R.transpose() * Vector3d(0.5, 0.5 * kWeak, 0.0)),
-              test::kProven);
+    const HierarchyData levels{
+        equalities(RowVector3d(0.0, 0.0, 1.0) * R, number(0.0)),
+        joined(pulling(kWeak, R.topRows(2)), at_most(RowVector3d(0.0, 1.0, 1.0) * R, number(0.0))),
+        equalities(RowVector3d(0.0, 1.0, 0.0) * R, number(-1.0))};
+    ASSERT_LE(optimality_error(3, levels, R.transpose() * Vector3d(0.5, 0.5 * kWeak, 0.0)),
+              kProven);
   }
 }
 
@@ -115,19 +100,18 @@ TEST(CertificateRounding, ALimitThatAnErrorOfXIsBeyondIsLeft) {
     for (const double error : {1e-9, 1e-11, 1e-12}) {
       for (int seed = 0; seed < 100; ++seed) {
         SCOPED_TRACE("seed " + std::to_string(seed) + ", error " + std::to_string(error));
-        test::RandomMatrices random(static_cast<std::uint64_t>(seed));
+        RandomMatrices random(static_cast<std::uint64_t>(seed));
         const MatrixXd R = random.rotation(3);
         const MatrixXd limits = random.matrix(2, 2) * R.topRows(2);
         MatrixXd twice(2, 3);
         twice << R.row(2), R.row(2);
-        const test::LevelData first =
-            test::joined(test::at_most(limits, Vector2d::Zero()),
-                         test::equalities(twice, contradiction * Vector2d(-1.0, 1.0)));
-        const VectorXd x = limits.completeOrthogonalDecomposition().solve(error * Vector2d::Ones());
-        const test::HierarchyData back{first, test::equalities(limits, -0.1 * Vector2d::Ones())};
-        ASSERT_GE(test::optimality_error(3, back, x), 1e-3);
-        const test::HierarchyData further{first, test::equalities(limits, Vector2d::Ones())};
-        ASSERT_LE(test::optimality_error(3, further, x), 1e-8);
+        const LevelData first = joined(at_most(limits, Vector2d::Zero()),
+                                       equalities(twice, contradiction * Vector2d(-1.0, 1.0)));
+        const VectorXd x = test::least_squares(limits, error * Vector2d::Ones());
+        const HierarchyData back{first, equalities(limits, -0.1 * Vector2d::Ones())};
+        ASSERT_GE(optimality_error(3, back, x), 1e-3);
+        const HierarchyData further{first, equalities(limits, Vector2d::Ones())};
+        ASSERT_LE(optimality_error(3, further, x), 1e-8);
       }
     }
   }
@@ -138,41 +122,35 @@ TEST(CertificateRounding, AnErrorOfXBeyondTwoLimitsOfWhichOneIsLongerHoldsNeithe
   // most, until the second doesn't count.
   MatrixXd limits(2, 1);
   limits << 1.0, 3.0;
-  const test::HierarchyData levels{test::at_most(limits, Vector2d(0.0, 2.7e-9)),
-                                   test::equalities(MatrixXd::Ones(1, 1), test::number(-1.0))};
-  EXPECT_GE(test::optimality_error(1, levels, test::number(1e-9)), 0.1);
+  const HierarchyData levels{at_most(limits, Vector2d(0.0, 2.7e-9)),
+                             equalities(MatrixXd::Ones(1, 1), number(-1.0))};
+  EXPECT_GE(optimality_error(1, levels, number(1e-9)), 0.1);
 }
 
 TEST(CertificateRounding, ALimitThatAWeakDirectionCouldMeetIsLeft) {
   // In coordinates (a, b, c), turned at random: with a fixed, b = 0 would meet a + 3e-8 b ≤ 0, of
   // which x is 3e-9 beyond; what a longer row of the level does is no reason to doubt it.
   constexpr double kWeak = 3e-8;
-  for (int seed = 0; seed < 100; ++seed) {
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    test::RandomMatrices random(static_cast<std::uint64_t>(seed));
+  for (SeededRandom& random : Seeds(100)) {
     const MatrixXd R = random.rotation(3);
-    const test::HierarchyData levels{
-        test::equalities(RowVector3d(1.0, 0.0, 0.0) * R, test::number(0.0)),
-        test::joined(test::at_most(RowVector3d(1.0, kWeak, 0.0) * R, test::number(0.0)),
-                     test::equalities(RowVector3d(0.0, 0.0, 10.0) * R, test::number(0.0))),
-        test::equalities(RowVector3d(0.0, 1.0, 0.0) * R, test::number(-1.0))};
-    ASSERT_GE(test::optimality_error(3, levels, R.transpose() * Vector3d(0.0, 0.1, 0.0)), 0.1);
+    const HierarchyData levels{equalities(RowVector3d(1.0, 0.0, 0.0) * R, number(0.0)),
+                               joined(at_most(RowVector3d(1.0, kWeak, 0.0) * R, number(0.0)),
+                                      equalities(RowVector3d(0.0, 0.0, 10.0) * R, number(0.0))),
+                               equalities(RowVector3d(0.0, 1.0, 0.0) * R, number(-1.0))};
+    ASSERT_GE(optimality_error(3, levels, R.transpose() * Vector3d(0.0, 0.1, 0.0)), 0.1);
   }
 }
 
 TEST(CertificateRounding, LimitsThatRoundingIsBeyondAreLeft) {
   // At a corner of six limits in two of three coordinates x is beyond some of them by rounding.
-  for (int seed = 0; seed < 100; ++seed) {
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    test::RandomMatrices random(static_cast<std::uint64_t>(seed));
+  for (SeededRandom& random : Seeds(100)) {
     const MatrixXd R = random.rotation(3);
     MatrixXd limits = random.matrix(6, 2);
     limits.col(0) = limits.col(0).cwiseAbs();  // so that one can go back along the first coordinate
     const VectorXd x = random.vector(3);
-    const test::HierarchyData levels{
-        test::at_most(limits * R.topRows(2), limits * (R.topRows(2) * x)),
-        test::equalities(R.topRows(1), R.topRows(1) * x - test::number(1.0))};
-    ASSERT_GE(test::optimality_error(3, levels, x), 0.1);
+    const HierarchyData levels{at_most(limits * R.topRows(2), limits * (R.topRows(2) * x)),
+                               equalities(R.topRows(1), R.topRows(1) * x - number(1.0))};
+    ASSERT_GE(optimality_error(3, levels, x), 0.1);
   }
 }
 
@@ -182,31 +160,30 @@ TEST(CertificateRounding, LimitsThatRoundingOfALargeXIsBeyondAreLeft) {
   int worse = 0;
   for (int seed = 250; seed < 350; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
-    test::RandomMatrices random(static_cast<std::uint64_t>(seed));
+    RandomMatrices random(static_cast<std::uint64_t>(seed));
     const Index unknowns = random.integer(2, 6);
-    test::HierarchyData levels = test::random_levels(random, {.unknowns = unknowns,
-                                                              .levels = 4,
-                                                              .max_rows = random.integer(2, 8),
-                                                              .inequality_share = 0.6,
-                                                              .two_sided_share = 0.2,
-                                                              .duplicate_share = 0.2,
-                                                              .dependent_share = 0.1,
-                                                              .tight_share = 0.5,
-                                                              .integer_share = 0.5});
-    levels.push_back(test::close_to(3.0 * random.vector(unknowns)));
-    for (test::LevelData& level : levels) {
+    HierarchyData levels = random_levels(random, {.unknowns = unknowns,
+                                                  .levels = 4,
+                                                  .max_rows = random.integer(2, 8),
+                                                  .inequality_share = 0.6,
+                                                  .two_sided_share = 0.2,
+                                                  .duplicate_share = 0.2,
+                                                  .dependent_share = 0.1,
+                                                  .tight_share = 0.5,
+                                                  .integer_share = 0.5});
+    levels.push_back(close_to(3.0 * random.vector(unknowns)));
+    for (LevelData& level : levels) {
       level.lower *= 1e3;
       level.upper *= 1e3;
     }
-    const std::vector<double> best =
-        test::residuals(test::solve<LexicographicSolver>(unknowns, levels));
+    const std::vector<double> best = residuals(solve<LexicographicSolver>(unknowns, levels));
     for (std::size_t k = 0; k < 3; ++k) {
-      test::HierarchyData swapped = levels;
+      HierarchyData swapped = levels;
       std::swap(swapped[k], swapped[k + 1]);
-      const VectorXd x = test::solve<LexicographicSolver>(unknowns, swapped).x;
-      const double reached = certify(test::make_hierarchy(unknowns, levels), x)[k].residual;
+      const VectorXd x = solve<LexicographicSolver>(unknowns, swapped).x;
+      const double reached = certify(make_hierarchy(unknowns, levels), x)[k].residual;
       const bool is_worse = reached > best[k] + 1e-4 * (1e3 + best[k]);
-      ASSERT_TRUE(!is_worse || test::optimality_error(unknowns, levels, x) >= 1e-7) << k;
+      ASSERT_TRUE(!is_worse || optimality_error(unknowns, levels, x) >= 1e-7) << k;
       worse += is_worse ? 1 : 0;
     }
   }
@@ -218,81 +195,71 @@ TEST(CertificateRounding, AnswersWhoseRowsAreMetButForRoundingAreProven) {
   // these are refused.
   for (const std::uint64_t seed : {1742, 6308, 9969}) {
     SCOPED_TRACE("seed " + std::to_string(seed));
-    test::RandomMatrices random(seed);
+    RandomMatrices random(seed);
     const Index unknowns = random.integer(2, 8);
-    const test::HierarchyData levels = test::degenerate_levels(random, unknowns);
-    EXPECT_LE(test::optimality_error(unknowns, levels,
-                                     test::solve<LexicographicSolver>(unknowns, levels).x),
-              test::kProven);
+    const HierarchyData levels = degenerate_levels(random, unknowns);
+    EXPECT_LE(optimality_error(unknowns, levels, solve<LexicographicSolver>(unknowns, levels).x),
+              kProven);
   }
 }
 
 TEST(CertificateRounding, ALimitThatOnlyRoundingOfALargeXPullsAtIsLeft) {
   // The second level is met, but for the rounding of x; the third leads away from the limit.
-  for (int seed = 0; seed < 100; ++seed) {
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    test::RandomMatrices random(static_cast<std::uint64_t>(seed));
+  for (SeededRandom& random : Seeds(100)) {
     const MatrixXd R = random.rotation(3);
     const VectorXd x = 1e6 * random.vector(3);
-    const test::HierarchyData levels{
-        test::at_most(R.topRows(1), R.topRows(1) * x),
-        test::equalities(random.matrix(2, 2) * R.topRows(2), VectorXd::Zero(2)),
-        test::equalities(R.topRows(1), R.topRows(1) * x - test::number(1e6))};
-    test::HierarchyData met = levels;
-    met[1] = test::equalities(levels[1].A, levels[1].A * x);
+    const HierarchyData levels{at_most(R.topRows(1), R.topRows(1) * x),
+                               equalities(random.matrix(2, 2) * R.topRows(2), VectorXd::Zero(2)),
+                               equalities(R.topRows(1), R.topRows(1) * x - number(1e6))};
+    HierarchyData met = levels;
+    met[1] = equalities(levels[1].A, levels[1].A * x);
     met[1].A.row(1) = met[1].A.row(0);  // so that the limit's coordinate is free
     met[1].upper[1] = met[1].lower[1] = met[1].upper[0];
-    ASSERT_GE(test::optimality_error(3, met, x), 1e-3);
+    ASSERT_GE(optimality_error(3, met, x), 1e-3);
   }
 }
 
 TEST(CertificateRounding, ALimitIsHeldToItsOwnSizeHoweverLargeXIs) {
   // A torque of 40 next to accelerations of 5000.
-  const test::HierarchyData levels{test::at_most(RowVector2d(0.0, 1.0), test::number(40.0)),
-                                   test::equalities(RowVector2d(1.0, 0.0), test::number(5000.0)),
-                                   test::equalities(RowVector2d(0.0, 1.0), test::number(50.0))};
-  EXPECT_LE(test::optimality_error(2, levels, Vector2d(5000.0, 40.0)), test::kProven);
-  EXPECT_GE(test::optimality_error(2, levels, Vector2d(5000.0, 40.0 + 2e-6)),
-            3.0 * kProvenStationarity);
+  const HierarchyData levels{at_most(RowVector2d(0.0, 1.0), number(40.0)),
+                             equalities(RowVector2d(1.0, 0.0), number(5000.0)),
+                             equalities(RowVector2d(0.0, 1.0), number(50.0))};
+  EXPECT_LE(optimality_error(2, levels, Vector2d(5000.0, 40.0)), kProven);
+  EXPECT_GE(optimality_error(2, levels, Vector2d(5000.0, 40.0 + 2e-6)), 3.0 * kProvenStationarity);
 }
 
 TEST(CertificateRounding, ALimitThatOnlyAnErrorOfXPullsAtIsLeft) {
   // a + b = 0 is missed by 1e-10, for which a can make up: b ≤ 0 isn't needed.
-  const test::HierarchyData levels{test::at_most(RowVector2d(0.0, 1.0), test::number(0.0)),
-                                   test::equalities(RowVector2d(1.0, 1.0), test::number(0.0)),
-                                   test::equalities(RowVector2d(0.0, 1.0), test::number(-1.0))};
-  EXPECT_GE(test::optimality_error(2, levels, Vector2d(-1e-10, 0.0)), 0.1);
+  const HierarchyData levels{at_most(RowVector2d(0.0, 1.0), number(0.0)),
+                             equalities(RowVector2d(1.0, 1.0), number(0.0)),
+                             equalities(RowVector2d(0.0, 1.0), number(-1.0))};
+  EXPECT_GE(optimality_error(2, levels, Vector2d(-1e-10, 0.0)), 0.1);
 }
 
 TEST(CertificateRounding, ForcesOfNearlyParallelLimitsAreAsLargeAsTheirRoundingIsExcused) {
   // Two limits a ≤ 0 and a ± 1e-5 b ≤ 0 hold what pulls at b, each with 1e5 times as much.
-  for (int seed = 0; seed < 100; ++seed) {
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    test::RandomMatrices random(static_cast<std::uint64_t>(seed));
+  for (SeededRandom& random : Seeds(100)) {
     const MatrixXd R = random.rotation(2);
     MatrixXd rows(2, 2);
     rows << 1.0, 1e-5, -1.0, 1e-5;
-    const test::HierarchyData levels{
-        test::at_most(rows * R, Vector2d::Zero()),
-        test::equalities(RowVector2d(0.3, 1.0) * R, test::number(1.0))};
-    ASSERT_LE(test::optimality_error(2, levels, Vector2d::Zero()), 1e-9);
+    const HierarchyData levels{at_most(rows * R, Vector2d::Zero()),
+                               equalities(RowVector2d(0.3, 1.0) * R, number(1.0))};
+    ASSERT_LE(optimality_error(2, levels, Vector2d::Zero()), 1e-9);
   }
 }
 
 TEST(CertificateRounding, ForcesOfNearlyParallelEqualitiesAreAsLargeAsTheirRoundingIsExcused) {
   // In coordinates (a, b, c), turned at random: a = 0 and a + 1e-5 b = 0 are fixed. The third level
   // misses b = 1 and has c = 0.
-  for (int seed = 0; seed < 100; ++seed) {
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    test::RandomMatrices random(static_cast<std::uint64_t>(seed));
+  for (SeededRandom& random : Seeds(100)) {
     const MatrixXd R = random.rotation(3);
     MatrixXd rows(2, 3);
     rows << 1.0, 0.0, 0.0, 1.0, 1e-5, 0.0;
     MatrixXd wishes(2, 3);
     wishes << 0.0, 1.0, 0.0, 0.0, 0.0, 1e-3;
-    const test::HierarchyData levels{test::equalities(rows * R, Vector2d::Zero()),
-                                     test::equalities(wishes * R, Vector2d(1.0, 0.0))};
-    ASSERT_LE(test::optimality_error(3, levels, Vector3d::Zero()), 1e-9);
+    const HierarchyData levels{equalities(rows * R, Vector2d::Zero()),
+                               equalities(wishes * R, Vector2d(1.0, 0.0))};
+    ASSERT_LE(optimality_error(3, levels, Vector3d::Zero()), 1e-9);
   }
 }
 

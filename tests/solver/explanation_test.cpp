@@ -16,21 +16,15 @@
 namespace surefoot::solver {
 namespace {
 
-using Eigen::Index;
-using Eigen::MatrixXd;
-using Eigen::RowVector2d;
-using Eigen::Vector2d;
-using Eigen::VectorXd;
-
-std::vector<LevelExplanation> explanation(Index unknowns, const test::HierarchyData& levels) {
-  return explain(test::make_hierarchy(unknowns, levels), test::solve(unknowns, levels).x);
+std::vector<LevelExplanation> explanation(Index unknowns, const HierarchyData& levels) {
+  return explain(make_hierarchy(unknowns, levels), solve(unknowns, levels).x);
 }
 
 /// A mass of 2 kg, x = (acceleration, force), a limit on the force, a wish for the acceleration.
-test::HierarchyData pushed_mass(double wish) {
-  return {test::equalities(RowVector2d(2.0, -1.0), test::number(0.0)),
-          test::between(RowVector2d(0.0, 1.0), test::number(-10.0), test::number(10.0)),
-          test::equalities(RowVector2d(1.0, 0.0), test::number(wish))};
+HierarchyData pushed_mass(double wish) {
+  return {equalities(RowVector2d(2.0, -1.0), number(0.0)),
+          between(RowVector2d(0.0, 1.0), number(-10.0), number(10.0)),
+          equalities(RowVector2d(1.0, 0.0), number(wish))};
 }
 
 TEST(Explanation, NamesTheLimitThatAWishRunsIntoAndWhatItCosts) {
@@ -49,8 +43,8 @@ TEST(Explanation, NamesTheLimitThatAWishRunsIntoAndWhatItCosts) {
 TEST(Explanation, NamesTheLimitThatALongRowRunsInto) {
   MatrixXd rows(2, 2);
   rows << 1e4, 0.0, 0.0, 1.0;
-  const auto levels = explanation(2, {test::at_most(RowVector2d(1.0, 0.0), test::number(1.0)),
-                                      test::equalities(rows, Vector2d(10000.01, 0.0))});
+  const auto levels = explanation(
+      2, {at_most(RowVector2d(1.0, 0.0), number(1.0)), equalities(rows, Vector2d(10000.01, 0.0))});
   ASSERT_EQ(levels[1].blocked_by.size(), 1u);
   EXPECT_EQ(levels[1].blocked_by[0].at.level, 0u);
   EXPECT_NEAR(levels[1].blocked_by[0].multiplier, 100.0, 1e-6);
@@ -66,12 +60,12 @@ TEST(Explanation, IsEmptyWhereTheWishIsMet) {
 
 TEST(Explanation, DoesNotBlameALevelForItsOwnContradiction) {
   const MatrixXd twice = MatrixXd::Ones(2, 1);
-  const auto levels = explanation(1, {test::equalities(twice, Vector2d(0.0, 2.0))});
+  const auto levels = explanation(1, {equalities(twice, Vector2d(0.0, 2.0))});
   EXPECT_NEAR(levels[0].residual, std::sqrt(2.0), 1e-12);
   EXPECT_TRUE(levels[0].blocked_by.empty());
 }
 
-test::LevelData of_length(double length, test::LevelData level) {
+LevelData of_length(double length, LevelData level) {
   level.A *= length;
   level.lower *= length;
   level.upper *= length;
@@ -79,15 +73,14 @@ test::LevelData of_length(double length, test::LevelData level) {
 }
 
 TEST(Explanation, RowsThatSayTheSameAreTakenAwayTogetherAndToldOnce) {
-  const test::LevelData limit = test::at_most(RowVector2d(0.6, 0.8), test::number(1.0));
-  const test::LevelData fact = test::equalities(RowVector2d(0.6, 0.8), test::number(1.0));
-  const test::LevelData wish = test::equalities(RowVector2d(0.6, 0.8), test::number(3.0));
-  for (const test::LevelData& once : {limit, fact}) {
-    const test::LevelData again = of_length(3.0, once);
-    const test::HierarchyData above{test::joined(once, test::joined(again, once)), again};
+  const LevelData limit = at_most(RowVector2d(0.6, 0.8), number(1.0));
+  const LevelData fact = equalities(RowVector2d(0.6, 0.8), number(1.0));
+  const LevelData wish = equalities(RowVector2d(0.6, 0.8), number(3.0));
+  for (const LevelData& once : {limit, fact}) {
+    const LevelData again = of_length(3.0, once);
+    const HierarchyData above{joined(once, joined(again, once)), again};
     for (std::size_t num_above = 1; num_above <= 2; ++num_above) {
-      test::HierarchyData levels(above.begin(),
-                                 above.begin() + static_cast<std::ptrdiff_t>(num_above));
+      HierarchyData levels(above.begin(), above.begin() + static_cast<std::ptrdiff_t>(num_above));
       levels.push_back(wish);
       const LevelExplanation explained = explanation(2, levels).back();
       ASSERT_EQ(explained.blocked_by.size(), 1u);
@@ -107,27 +100,26 @@ TEST(Explanation, RowsThatSayTheSameAreTakenAwayTogetherAndToldOnce) {
 // Above the wish x = 3 stand x = 1, or x = y = 1, and a limit that says no more: it holds as soon
 // as they don't.
 TEST(Explanation, ARowThatALimitStandsInForHasNothingOfItsOwn) {
-  const auto own = [](const test::HierarchyData& levels) {
+  const auto own = [](const HierarchyData& levels) {
     const LevelExplanation explained = explanation(2, levels).back();
     EXPECT_FALSE(explained.blocked_by.empty());
     double most = 0.0;
     for (const DistinctBlocker& row : explained.blocked_by) most = std::max(most, row.independence);
     return most;
   };
-  const test::LevelData fact = test::equalities(RowVector2d(1.0, 0.0), test::number(1.0));
-  const test::LevelData wish = test::equalities(RowVector2d(1.0, 0.0), test::number(3.0));
-  EXPECT_LT(own({fact, test::at_most(RowVector2d(1.0, 0.0), test::number(1.0)), wish}), 1e-12);
-  const test::LevelData both = test::equalities(MatrixXd::Identity(2, 2), Vector2d(1.0, 1.0));
-  EXPECT_LT(own({both, test::at_most(RowVector2d(1.0, 1.0), test::number(2.0)), wish}), 1e-12);
-  EXPECT_NEAR(own({both, test::at_most(RowVector2d(1.0, 1.0), test::number(5.0)), wish}), 1.0,
-              1e-12);
+  const LevelData fact = equalities(RowVector2d(1.0, 0.0), number(1.0));
+  const LevelData wish = equalities(RowVector2d(1.0, 0.0), number(3.0));
+  EXPECT_LT(own({fact, at_most(RowVector2d(1.0, 0.0), number(1.0)), wish}), 1e-12);
+  const LevelData both = equalities(MatrixXd::Identity(2, 2), Vector2d(1.0, 1.0));
+  EXPECT_LT(own({both, at_most(RowVector2d(1.0, 1.0), number(2.0)), wish}), 1e-12);
+  EXPECT_NEAR(own({both, at_most(RowVector2d(1.0, 1.0), number(5.0)), wish}), 1.0, 1e-12);
 }
 
 TEST(Explanation, WhatALevelCostsThoughNoRowOfItDoesAloneIsToldWithAllThatHold) {
   const LevelExplanation explained =
-      explanation(2, {test::equalities(MatrixXd::Identity(2, 2), Vector2d(1.0, 1.0)),
-                      test::at_most(RowVector2d(1.0, 1.0), test::number(2.0)),
-                      test::equalities(RowVector2d(1.0, 0.0), test::number(3.0))})
+      explanation(2, {equalities(MatrixXd::Identity(2, 2), Vector2d(1.0, 1.0)),
+                      at_most(RowVector2d(1.0, 1.0), number(2.0)),
+                      equalities(RowVector2d(1.0, 0.0), number(3.0))})
           .back();
   EXPECT_NEAR(explained.cost_of_level[0], 2.0, 1e-12);
   std::set<std::pair<std::size_t, Index>> rows;
@@ -136,8 +128,8 @@ TEST(Explanation, WhatALevelCostsThoughNoRowOfItDoesAloneIsToldWithAllThatHold) 
 }
 
 TEST(Explanation, AnEqualityTheOtherWayRoundSaysTheSame) {
-  const auto levels = explanation(1, {test::equalities(Vector2d(1.0, -2.0), Vector2d(1.0, -2.0)),
-                                      test::equalities(MatrixXd::Ones(1, 1), test::number(3.0))});
+  const auto levels = explanation(1, {equalities(Vector2d(1.0, -2.0), Vector2d(1.0, -2.0)),
+                                      equalities(MatrixXd::Ones(1, 1), number(3.0))});
   ASSERT_EQ(levels[1].blocked_by.size(), 1u);
   EXPECT_EQ(levels[1].blocked_by[0].same.size(), 1u);
   EXPECT_NEAR(levels[1].blocked_by[0].cost, 2.0, 1e-12);
@@ -145,11 +137,10 @@ TEST(Explanation, AnEqualityTheOtherWayRoundSaysTheSame) {
 
 TEST(Explanation, RowsOfOneDirectionThatWantOtherValuesOrHaveOtherBoundsDoNotSayTheSame) {
   const MatrixXd one = MatrixXd::Ones(1, 1), twice = MatrixXd::Ones(2, 1);
-  const test::LevelData wish = test::equalities(one, test::number(5.0));
-  for (const test::LevelData& level :
-       {test::equalities(twice, Vector2d(1.0, 3.0)), test::at_most(twice, Vector2d(1.0, 3.0)),
-        test::between(one, test::number(1.0), test::number(1.0 + 1e-5)),
-        test::at_most(twice, Vector2d(1.0, 1.0 + 1e-6))}) {
+  const LevelData wish = equalities(one, number(5.0));
+  for (const LevelData& level :
+       {equalities(twice, Vector2d(1.0, 3.0)), at_most(twice, Vector2d(1.0, 3.0)),
+        between(one, number(1.0), number(1.0 + 1e-5)), at_most(twice, Vector2d(1.0, 1.0 + 1e-6))}) {
     const auto levels = explanation(1, {level, wish});
     for (const DistinctBlocker& blocker : levels[1].blocked_by) EXPECT_TRUE(blocker.same.empty());
     EXPECT_FALSE(levels[1].blocked_by.empty());
@@ -160,11 +151,11 @@ TEST(Explanation, OfLimitsThatContradictEachOtherTheOneThatStopsTheWishHasTheCos
   const double infinity = std::numeric_limits<double>::infinity();
   for (const double weight : {1.0, 100.0, 1e3, 7e3, 1e4}) {
     SCOPED_TRACE("weight " + std::to_string(weight));
-    const test::LevelData limits = test::between(Vector2d(weight, 1.0), Vector2d(-infinity, 501.0),
-                                                 Vector2d(weight * 500, infinity));
+    const LevelData limits = between(Vector2d(weight, 1.0), Vector2d(-infinity, 501.0),
+                                     Vector2d(weight * 500, infinity));
     for (const double wish : {600.0, 0.0}) {
       const LevelExplanation explained =
-          explanation(1, {limits, test::equalities(MatrixXd::Ones(1, 1), test::number(wish))})[1];
+          explanation(1, {limits, equalities(MatrixXd::Ones(1, 1), number(wish))})[1];
       const Index stops = wish == 600.0 ? 0 : 1;
       ASSERT_EQ(explained.blocked_by.size(), 2u);
       EXPECT_EQ(explained.blocked_by[0].at.row, stops);
@@ -179,10 +170,10 @@ TEST(Explanation, OfLimitsThatContradictEachOtherTheOneThatStopsTheWishHasTheCos
 
 // The limit below is missed, and holds the other way: it explains nothing.
 TEST(Explanation, OfLimitsOfTwoLevelsThatContradictEachOtherTheOneThatStopsTheWishIsNamed) {
-  const test::LevelData motor = test::at_most(MatrixXd::Ones(1, 1), test::number(500.0));
-  const test::LevelData grip = test::at_most(-MatrixXd::Ones(1, 1), test::number(-501.0));
+  const LevelData motor = at_most(MatrixXd::Ones(1, 1), number(500.0));
+  const LevelData grip = at_most(-MatrixXd::Ones(1, 1), number(-501.0));
   const auto wish =
-      explanation(1, {motor, grip, test::equalities(MatrixXd::Ones(1, 1), test::number(600.0))})[2];
+      explanation(1, {motor, grip, equalities(MatrixXd::Ones(1, 1), number(600.0))})[2];
   ASSERT_FALSE(wish.blocked_by.empty());
   EXPECT_EQ(wish.blocked_by[0].at.level, 0u);
   EXPECT_NEAR(wish.blocked_by[0].cost, 100.0, 1e-9);
@@ -191,10 +182,10 @@ TEST(Explanation, OfLimitsOfTwoLevelsThatContradictEachOtherTheOneThatStopsTheWi
 }
 
 /// Limits of integers at all levels but the last, which are full of contradictions.
-test::HierarchyData contradicting_limits(std::uint32_t seed) {
+HierarchyData contradicting_limits(std::uint32_t seed) {
   std::mt19937 random(seed);
   const auto draw = [&](int most) { return static_cast<int>(random() % (2u * most + 1u)) - most; };
-  test::HierarchyData levels;
+  HierarchyData levels;
   for (int k = 0; k < 4; ++k) {
     MatrixXd A(2, 2);
     Vector2d bounds;
@@ -203,34 +194,33 @@ test::HierarchyData contradicting_limits(std::uint32_t seed) {
       if (A.row(i).isZero()) A(i, 0) = 1.0;
       bounds[i] = draw(4);
     }
-    levels.push_back(k == 3 ? test::equalities(A, bounds) : test::at_most(A, bounds));
+    levels.push_back(k == 3 ? equalities(A, bounds) : at_most(A, bounds));
   }
   return levels;
 }
 
 /// Residual of a level where the rows above keep what they have at x, but for one.
-double residual_without(const test::HierarchyData& levels, std::size_t k, const VectorXd& x,
+double residual_without(const HierarchyData& levels, std::size_t k, const VectorXd& x,
                         RowIndex left_out) {
-  test::HierarchyData question;
+  HierarchyData question;
   for (std::size_t j = 0; j < k; ++j) {
     for (Index i = 0; i < levels[j].A.rows(); ++i) {
       if (j == left_out.level && i == left_out.row) continue;
-      const test::LevelData row =
-          test::at_most(levels[j].A.row(i),
-                        test::number(std::max(levels[j].upper[i], levels[j].A.row(i).dot(x))));
-      question = {question.empty() ? row : test::joined(question[0], row)};
+      const LevelData row = at_most(
+          levels[j].A.row(i), number(std::max(levels[j].upper[i], levels[j].A.row(i).dot(x))));
+      question = {question.empty() ? row : joined(question[0], row)};
     }
   }
   question.push_back(levels[k]);
-  return test::solve(2, question).levels.back().residual;
+  return solve(2, question).levels.back().residual;
 }
 
 TEST(Explanation, EveryRowThatHasACostIsNamed) {
   int num_costly = 0;
   for (std::uint32_t seed = 0; seed < 200; ++seed) {
-    const test::HierarchyData levels = contradicting_limits(seed);
-    const VectorXd x = test::solve(2, levels).x;
-    const auto explained = explain(test::make_hierarchy(2, levels), x);
+    const HierarchyData levels = contradicting_limits(seed);
+    const VectorXd x = solve(2, levels).x;
+    const auto explained = explain(make_hierarchy(2, levels), x);
     for (std::size_t k = 1; k < levels.size(); ++k) {
       for (RowIndex at{0, 0}; at.level < k; at.row == 1 ? (++at.level, at.row = 0) : ++at.row) {
         const double cost = explained[k].residual - residual_without(levels, k, x, at);
@@ -250,12 +240,11 @@ TEST(Explanation, EveryRowThatHasACostIsNamed) {
 }
 
 TEST(Explanation, AMissedLimitAndOneThatIsMetDoNotSayTheSameWhereBothStopTheWish) {
-  const test::LevelData above = test::at_most(MatrixXd::Ones(1, 1), test::number(500.0));
-  const test::LevelData grip = test::at_most(-MatrixXd::Ones(1, 1), test::number(-501.0));
-  const test::LevelData met = test::at_most(MatrixXd::Ones(1, 1), test::number(500.5));
-  const auto wish =
-      explanation(1, {test::joined(above, grip), met,
-                      test::equalities(MatrixXd::Ones(1, 1), test::number(600.0))})[2];
+  const LevelData above = at_most(MatrixXd::Ones(1, 1), number(500.0));
+  const LevelData grip = at_most(-MatrixXd::Ones(1, 1), number(-501.0));
+  const LevelData met = at_most(MatrixXd::Ones(1, 1), number(500.5));
+  const auto wish = explanation(
+      1, {joined(above, grip), met, equalities(MatrixXd::Ones(1, 1), number(600.0))})[2];
   for (const DistinctBlocker& blocker : wish.blocked_by) {
     EXPECT_TRUE(blocker.same.empty());
     EXPECT_NEAR(blocker.cost, 0.0, 1e-9);
@@ -270,11 +259,8 @@ TEST(Explanation, AMissedLimitAndOneThatIsMetDoNotSayTheSameWhereBothStopTheWish
 
 TEST(Explanation, CostsAreNeitherNegativeNorMoreThanTheResidual) {
   int blocked = 0;
-  for (int seed = 0; seed < 100; ++seed) {
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    test::RandomMatrices random(static_cast<std::uint64_t>(seed));
-    const test::HierarchyData levels =
-        test::random_levels(random, {.unknowns = 6, .levels = 4, .max_rows = 4});
+  for (SeededRandom& random : Seeds(100)) {
+    const HierarchyData levels = random_levels(random, {.unknowns = 6, .levels = 4, .max_rows = 4});
     for (const LevelExplanation& level : explanation(6, levels)) {
       for (const Blocker& blocker : level.blocked_by) {
         ++blocked;
@@ -287,7 +273,7 @@ TEST(Explanation, CostsAreNeitherNegativeNorMoreThanTheResidual) {
   EXPECT_GT(blocked, 100);
 }
 
-test::LevelData without_row(const test::LevelData& level, Index row) {
+LevelData without_row(const LevelData& level, Index row) {
   std::vector<Index> kept;
   for (Index i = 0; i < level.lower.size(); ++i) {
     if (i != row) kept.push_back(i);
@@ -296,31 +282,29 @@ test::LevelData without_row(const test::LevelData& level, Index row) {
 }
 
 /// Limits and a task that x = 0 satisfies, with or without any of their rows, and wishes.
-test::HierarchyData wishes_under_limits(test::RandomMatrices& random) {
-  const test::LevelData limits =
-      test::between(random.matrix(5, 6), -random.vector(5).cwiseAbs(), random.vector(5).cwiseAbs());
-  return {limits, test::equalities(random.matrix(2, 6), VectorXd::Zero(2)),
-          test::equalities(random.matrix(4, 6), 3.0 * random.vector(4))};
+HierarchyData wishes_under_limits(RandomMatrices& random) {
+  const LevelData limits =
+      between(random.matrix(5, 6), -random.vector(5).cwiseAbs(), random.vector(5).cwiseAbs());
+  return {limits, equalities(random.matrix(2, 6), VectorXd::Zero(2)),
+          equalities(random.matrix(4, 6), 3.0 * random.vector(4))};
 }
 
 TEST(Explanation, CostsAreWhatIsGainedWithoutARow) {
   int compared = 0;
-  for (int seed = 0; seed < 100; ++seed) {
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    test::RandomMatrices random(static_cast<std::uint64_t>(seed));
-    const test::HierarchyData levels = wishes_under_limits(random);
+  for (SeededRandom& random : Seeds(100)) {
+    const HierarchyData levels = wishes_under_limits(random);
     const LevelExplanation wishes = explanation(6, levels)[2];
-    const auto gain = [&](const test::HierarchyData& less) {
-      return wishes.residual - test::solve<LexicographicSolver>(6, less).levels.back().residual;
+    const auto gain = [&](const HierarchyData& less) {
+      return wishes.residual - solve<LexicographicSolver>(6, less).levels.back().residual;
     };
     for (const Blocker& blocker : wishes.blocked_by) {
-      test::HierarchyData less = levels;
+      HierarchyData less = levels;
       less[blocker.at.level] = without_row(levels[blocker.at.level], blocker.at.row);
       ASSERT_NEAR(gain(less), blocker.cost, 1e-9);
       ++compared;
     }
     for (std::size_t k = 0; k < 2; ++k) {
-      test::HierarchyData less = levels;
+      HierarchyData less = levels;
       less.erase(less.begin() + static_cast<std::ptrdiff_t>(k));
       const bool is_blocked = wishes.cost_of_level[k] > 0.0;
       ASSERT_NEAR(is_blocked ? gain(less) : 0.0, wishes.cost_of_level[k], 1e-9);
@@ -332,17 +316,13 @@ TEST(Explanation, CostsAreWhatIsGainedWithoutARow) {
 
 TEST(Explanation, ALevelWithoutBlockersDoesNoBetterAlone) {
   int num_missed = 0;
-  for (int seed = 0; seed < 100; ++seed) {
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    test::RandomMatrices random(static_cast<std::uint64_t>(seed));
-    test::HierarchyData levels =
-        test::random_levels(random, {.unknowns = 6, .levels = 4, .max_rows = 4});
-    levels[1] =
-        test::joined(levels[1], test::equalities(levels[1].A, random.vector(levels[1].A.rows())));
+  for (SeededRandom& random : Seeds(100)) {
+    HierarchyData levels = random_levels(random, {.unknowns = 6, .levels = 4, .max_rows = 4});
+    levels[1] = joined(levels[1], equalities(levels[1].A, random.vector(levels[1].A.rows())));
     const auto explained = explanation(6, levels);
     for (std::size_t k = 0; k < levels.size(); ++k) {
       if (!explained[k].blocked_by.empty()) continue;
-      ASSERT_NEAR(explained[k].residual, test::solve(6, {levels[k]}).levels[0].residual, 1e-7);
+      ASSERT_NEAR(explained[k].residual, solve(6, {levels[k]}).levels[0].residual, 1e-7);
       num_missed += k > 0 && explained[k].residual > 1e-3 ? 1 : 0;
     }
   }
@@ -352,15 +332,13 @@ TEST(Explanation, ALevelWithoutBlockersDoesNoBetterAlone) {
 TEST(Explanation, MultipliersAreHowFastTheResidualFallsAsTheBoundGivesWay) {
   constexpr double kStep = 1e-5;
   int compared = 0;
-  for (int seed = 0; seed < 100; ++seed) {
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    test::RandomMatrices random(static_cast<std::uint64_t>(seed));
-    test::HierarchyData levels{test::at_most(random.matrix(3, 6), random.vector(3)),
-                               test::equalities(random.matrix(5, 6), 3.0 * random.vector(5))};
+  for (SeededRandom& random : Seeds(100)) {
+    HierarchyData levels{at_most(random.matrix(3, 6), random.vector(3)),
+                         equalities(random.matrix(5, 6), 3.0 * random.vector(5))};
     const LevelExplanation before = explanation(6, levels)[1];
     for (const Blocker& blocker : before.blocked_by) {
       levels[0].upper[blocker.at.row] += kStep;
-      const double after = test::solve(6, levels).levels[1].residual;
+      const double after = solve(6, levels).levels[1].residual;
       levels[0].upper[blocker.at.row] -= kStep;
       const double fall = 0.5 * (before.residual * before.residual - after * after) / kStep;
       ASSERT_NEAR(fall, blocker.multiplier, 1e-3 * (1.0 + blocker.multiplier));
@@ -372,11 +350,10 @@ TEST(Explanation, MultipliersAreHowFastTheResidualFallsAsTheBoundGivesWay) {
 
 TEST(Explanation, ACostThatCouldNotBeSolvedForIsNotKnown) {
   // Without the limit x would be 1e160, the square of which no double holds.
-  const test::HierarchyData levels{
-      test::at_most(Eigen::MatrixXd::Identity(1, 1), Eigen::VectorXd::Ones(1)),
-      test::equalities(Eigen::MatrixXd::Constant(1, 1, 1e-10),
-                       Eigen::VectorXd::Constant(1, 1e150))};
-  const auto explained = explain(test::make_hierarchy(1, levels), Eigen::VectorXd::Ones(1));
+  const HierarchyData levels{
+      at_most(MatrixXd::Identity(1, 1), VectorXd::Ones(1)),
+      equalities(MatrixXd::Constant(1, 1, 1e-10), VectorXd::Constant(1, 1e150))};
+  const auto explained = explain(make_hierarchy(1, levels), VectorXd::Ones(1));
   ASSERT_EQ(explained[1].blocked_by.size(), 1u);
   EXPECT_TRUE(std::isnan(explained[1].blocked_by[0].cost));
   EXPECT_TRUE(std::isnan(explained[1].cost_of_level[0]));

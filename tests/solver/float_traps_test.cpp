@@ -1,8 +1,7 @@
-#include "surefoot/math/numbers.hpp"
 #include "surefoot/solver/tolerances.hpp"
 #include "tests/solver/solve.hpp"
+#include "tests/support/substitutions.hpp"
 
-#include <Eigen/QR>
 #include <gtest/gtest.h>
 
 #include <cfenv>
@@ -14,9 +13,6 @@
 
 namespace surefoot::solver {
 namespace {
-
-using Eigen::MatrixXd;
-using Eigen::VectorXd;
 
 /// While it lives, an invalid operation, a division by zero or an overflow ends the program.
 class FloatTraps {
@@ -35,8 +31,8 @@ class FloatTraps {
 
 /// Solved twice, so that the second time there is a guess.
 template <typename Solver>
-void expect_solved_under_traps(Eigen::Index unknowns, const test::HierarchyData& levels) {
-  const Hierarchy hierarchy = test::make_hierarchy(unknowns, levels);
+void expect_solved_under_traps(Index unknowns, const HierarchyData& levels) {
+  const Hierarchy hierarchy = make_hierarchy(unknowns, levels);
   Solver solver(hierarchy);
   for (int time = 0; time < 2; ++time) {
     const FloatTraps traps;
@@ -46,17 +42,17 @@ void expect_solved_under_traps(Eigen::Index unknowns, const test::HierarchyData&
 
 template <typename Solver>
 class FloatTrapped : public testing::Test {};
-TYPED_TEST_SUITE(FloatTrapped, test::Solvers);
+TYPED_TEST_SUITE(FloatTrapped, Solvers);
 
 TYPED_TEST(FloatTrapped, NumbersThatAreNoneAreRefused) {
   const double nan = std::nan("");
   for (int which = 1; which < 8; ++which) {
     SCOPED_TRACE(which);
-    test::LevelData level{MatrixXd::Ones(3, 2), -VectorXd::Ones(3), VectorXd::Ones(3)};
+    LevelData level{MatrixXd::Ones(3, 2), -VectorXd::Ones(3), VectorXd::Ones(3)};
     if ((which & 1) != 0) level.A(1, 0) = nan;
     if ((which & 2) != 0) level.lower[1] = nan;
     if ((which & 4) != 0) level.upper[1] = nan;
-    const Hierarchy hierarchy = test::make_hierarchy(2, {level});
+    const Hierarchy hierarchy = make_hierarchy(2, {level});
     TypeParam solver(hierarchy);
     const FloatTraps traps;
     EXPECT_EQ(solver.solve(hierarchy).status, SolveStatus::invalid_input);
@@ -64,7 +60,7 @@ TYPED_TEST(FloatTrapped, NumbersThatAreNoneAreRefused) {
 }
 
 /// Up to 5 rows of small integers in each of 6 levels, sides of which are infinite at times.
-Hierarchy any_rows(test::RandomMatrices& random) {
+Hierarchy any_rows(RandomMatrices& random) {
   Hierarchy hierarchy(8);
   for (int k = 0; k < 6; ++k) {
     hierarchy.add_level("level " + std::to_string(k), 5);
@@ -82,7 +78,7 @@ Hierarchy any_rows(test::RandomMatrices& random) {
 
 // A solve may leave infinities next to the rows of the next, smaller one.
 TYPED_TEST(FloatTrapped, OneSolverMayBeAskedOneHierarchyAfterAnother) {
-  test::RandomMatrices random(7);
+  RandomMatrices random(7);
   TypeParam solver([] {
     Hierarchy room(8);
     for (int k = 0; k < 6; ++k) room.add_level("level " + std::to_string(k), 5);
@@ -100,8 +96,8 @@ constexpr double kLimit = tolerance::kLargest;
 /// Where in a level of three rows a number may be too large.
 enum class Where { coefficient, coefficient_at_the_end, lower, upper, equality };
 
-test::LevelData with_number(double number, Where where) {
-  test::LevelData level{MatrixXd::Ones(3, 5), -VectorXd::Ones(3), VectorXd::Ones(3)};
+LevelData with_number(double number, Where where) {
+  LevelData level{MatrixXd::Ones(3, 5), -VectorXd::Ones(3), VectorXd::Ones(3)};
   switch (where) {
     case Where::coefficient:
       level.A(1, 0) = number;
@@ -130,9 +126,9 @@ TYPED_TEST(FloatTrapped, NumbersWithoutASquareAreRefused) {
       for (const double sign : {-1.0, 1.0}) {
         SCOPED_TRACE(testing::Message() << static_cast<int>(where) << ", " << number);
         const Hierarchy good =
-            test::make_hierarchy(5, {test::close_to(VectorXd::Ones(5)), with_number(1.0, where)});
-        const Hierarchy bad = test::make_hierarchy(
-            5, {test::close_to(VectorXd::Ones(5)), with_number(sign * number, where)});
+            make_hierarchy(5, {close_to(VectorXd::Ones(5)), with_number(1.0, where)});
+        const Hierarchy bad =
+            make_hierarchy(5, {close_to(VectorXd::Ones(5)), with_number(sign * number, where)});
         TypeParam solver(good);
         const FloatTraps traps;
         EXPECT_EQ(solver.solve(good).status, SolveStatus::optimal);
@@ -149,21 +145,20 @@ TYPED_TEST(FloatTrapped, NumbersWithoutASquareAreRefused) {
 
 TYPED_TEST(FloatTrapped, NumbersUpToTheLimitAreSolved) {
   const MatrixXd one = MatrixXd::Ones(1, 1);
-  expect_solved_under_traps<TypeParam>(1, {test::equalities(kLimit * one, test::number(-kLimit))});
-  expect_solved_under_traps<TypeParam>(1, {test::equalities(one, test::number(kLimit))});
+  expect_solved_under_traps<TypeParam>(1, {equalities(kLimit * one, number(-kLimit))});
+  expect_solved_under_traps<TypeParam>(1, {equalities(one, number(kLimit))});
   expect_solved_under_traps<TypeParam>(
-      1, {test::between(one, test::number(-kLimit), test::number(kLimit)),
-          test::at_most(kLimit * one, test::number(-kLimit))});
+      1, {between(one, number(-kLimit), number(kLimit)), at_most(kLimit * one, number(-kLimit))});
 }
 
 TYPED_TEST(FloatTrapped, LevelsOfVeryDifferentSizesAreSolved) {
   for (const auto& [smallest, largest] : {std::pair(-98, 98), std::pair(0, 145)}) {
     for (int seed = 0; seed < 200; ++seed) {
       SCOPED_TRACE("seed " + std::to_string(seed) + ", up to 1e" + std::to_string(largest));
-      test::RandomMatrices random(static_cast<std::uint64_t>(seed));
-      test::HierarchyData levels =
-          test::random_levels(random, {.unknowns = 6, .levels = 4, .inequality_share = 0.6});
-      for (test::LevelData& level : levels) {
+      RandomMatrices random(static_cast<std::uint64_t>(seed));
+      HierarchyData levels =
+          random_levels(random, {.unknowns = 6, .levels = 4, .inequality_share = 0.6});
+      for (LevelData& level : levels) {
         const double size = std::pow(10.0, random.integer(smallest, largest));
         level.A *= size;
         level.lower *= size;
@@ -175,10 +170,9 @@ TYPED_TEST(FloatTrapped, LevelsOfVeryDifferentSizesAreSolved) {
 }
 
 TYPED_TEST(FloatTrapped, ARowTooShortToHaveASquareAsksForNothing) {
-  test::LevelData level{MatrixXd::Identity(2, 2), VectorXd::Ones(2), VectorXd::Constant(2, 2.0)};
+  LevelData level{MatrixXd::Identity(2, 2), VectorXd::Ones(2), VectorXd::Constant(2, 2.0)};
   level.A(1, 1) = 1e-160;
-  const Hierarchy hierarchy =
-      test::make_hierarchy(2, {level, test::close_to(VectorXd::Constant(2, 5.0))});
+  const Hierarchy hierarchy = make_hierarchy(2, {level, close_to(VectorXd::Constant(2, 5.0))});
   TypeParam solver(hierarchy);
   const FloatTraps traps;
   const Solution& solution = solver.solve(hierarchy);
@@ -186,37 +180,22 @@ TYPED_TEST(FloatTrapped, ARowTooShortToHaveASquareAsksForNothing) {
   EXPECT_NEAR(solution.x[0], 2.0, 1e-12);
 }
 
-TYPED_TEST(FloatTrapped, RandomHierarchiesAreSolved) {
-  for (int seed = 0; seed < 300; ++seed) {
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    test::RandomMatrices random(static_cast<std::uint64_t>(seed));
-    expect_solved_under_traps<TypeParam>(
-        8, test::random_levels(random, {.unknowns = 8, .levels = 5, .inequality_share = 0.6}));
-  }
-}
-
-TYPED_TEST(FloatTrapped, DegenerateHierarchiesAreSolved) {
-  for (int seed = 0; seed < 300; ++seed) {
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    test::RandomMatrices random(static_cast<std::uint64_t>(seed));
-    expect_solved_under_traps<TypeParam>(8, test::random_levels(random, {.unknowns = 8,
-                                                                         .levels = 6,
-                                                                         .max_rows = 12,
-                                                                         .inequality_share = 0.7,
-                                                                         .duplicate_share = 0.2,
-                                                                         .dependent_share = 0.2,
-                                                                         .zero_share = 0.1,
-                                                                         .tight_share = 0.5,
-                                                                         .integer_share = 0.5}));
-  }
-}
-
-TYPED_TEST(FloatTrapped, TheHierarchiesOfAWalkAreSolved) {
-  for (int seed = 0; seed < 60; ++seed) {
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    test::RandomMatrices random(static_cast<std::uint64_t>(seed));
-    expect_solved_under_traps<TypeParam>(
-        30, test::table_one_levels(random, 2 + seed % 3, 0.5 * (seed % 3)));
+TYPED_TEST(FloatTrapped, RandomAndDegenerateHierarchiesAndThoseOfAWalkAreSolved) {
+  for (SeededRandom& random : Seeds(300)) {
+    const RandomOptions plain{.unknowns = 8, .levels = 5, .inequality_share = 0.6};
+    expect_solved_under_traps<TypeParam>(8, random_levels(random, plain));
+    const RandomOptions degenerate{.unknowns = 8,
+                                   .levels = 6,
+                                   .max_rows = 12,
+                                   .inequality_share = 0.7,
+                                   .duplicate_share = 0.2,
+                                   .dependent_share = 0.2,
+                                   .zero_share = 0.1,
+                                   .tight_share = 0.5,
+                                   .integer_share = 0.5};
+    expect_solved_under_traps<TypeParam>(8, random_levels(random, degenerate));
+    if (random.seed() >= 60) continue;
+    expect_solved_under_traps<TypeParam>(30, walk_levels(random, 0.5 * (random.seed() % 3)));
   }
 }
 
@@ -225,21 +204,18 @@ TYPED_TEST(FloatTrapped, WeakDirectionsAndLargeNumbersAreSolved) {
     SCOPED_TRACE("1e" + std::to_string(exponent));
     const double size = std::pow(10.0, exponent);
     const MatrixXd A = (MatrixXd(2, 2) << 1.0, 0.0, 1.0, size).finished();
-    expect_solved_under_traps<TypeParam>(2, {test::equalities(A, VectorXd::Ones(2)),
-                                             test::at_most(A.bottomRows(1), -VectorXd::Ones(1))});
+    expect_solved_under_traps<TypeParam>(
+        2, {equalities(A, VectorXd::Ones(2)), at_most(A.bottomRows(1), -VectorXd::Ones(1))});
   }
 }
 
 TYPED_TEST(FloatTrapped, AProblemAfterALargerOneIsSolved) {
-  for (int seed = 0; seed < 60; ++seed) {
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    test::RandomMatrices random(static_cast<std::uint64_t>(seed));
-    const test::HierarchyData large = test::table_one_levels(random, 4, 1.0);
-    const Hierarchy capacity = test::make_hierarchy(30, large);
+  for (SeededRandom& random : Seeds(60)) {
+    const HierarchyData large = table_one_levels(random, 4, 1.0);
+    const Hierarchy capacity = make_hierarchy(30, large);
     TypeParam solver(capacity);
     for (int time = 0; time < 6; ++time) {
-      const Hierarchy hierarchy =
-          test::make_hierarchy(30, test::table_one_levels(random, 4 - time % 3, 1.0));
+      const Hierarchy hierarchy = make_hierarchy(30, table_one_levels(random, 4 - time % 3, 1.0));
       Hierarchy fewer(30);
       for (std::size_t k = 0; k < hierarchy.num_levels() - static_cast<std::size_t>(time); ++k) {
         fewer.add_level(hierarchy.level(k).name(), hierarchy.level(k).num_rows());
@@ -254,47 +230,31 @@ TYPED_TEST(FloatTrapped, AProblemAfterALargerOneIsSolved) {
 }
 
 /// Many inactive rows that a warm solver never evaluates again.
-test::HierarchyData idle_rows(test::RandomMatrices& random, Eigen::Index unknowns) {
-  return {test::equalities(random.matrix(1, unknowns), random.vector(1)),
-          test::at_most(random.matrix(60, unknowns), VectorXd::Constant(60, 1e6))};
+HierarchyData idle_rows(RandomMatrices& random, Index unknowns) {
+  return {equalities(random.matrix(1, unknowns), random.vector(1)),
+          at_most(random.matrix(60, unknowns), VectorXd::Constant(60, 1e6))};
 }
 
 /// Limits that x = 0 violates by half, so that the search descends, and another x doesn't: few hold
 /// in the end, and the length of x is left to be minimised between them.
-test::HierarchyData far_limits(test::RandomMatrices& random, Eigen::Index unknowns,
-                               Eigen::Index fixed) {
-  const Eigen::Index rows = random.integer(24, 50);
+HierarchyData far_limits(RandomMatrices& random, Index unknowns, Index fixed) {
+  const Index rows = random.integer(24, 50);
   const VectorXd far = 10.0 * random.vector(unknowns);
-  const test::LevelData first =
-      test::equalities(random.matrix(fixed, unknowns), random.vector(fixed));
+  const LevelData first = equalities(random.matrix(fixed, unknowns), random.vector(fixed));
   const MatrixXd D = random.matrix(rows, unknowns);
-  return {test::equalities(first.A, first.A * far),
-          test::at_most(D, D * far + VectorXd::Constant(rows, 0.5))};
-}
-
-/// What the first level leaves.
-Substitution of_first_level(const test::HierarchyData& levels) {
-  const MatrixXd& A = levels[0].A;
-  const MatrixXd Q = Eigen::HouseholderQR<MatrixXd>(A.transpose()).householderQ();
-  Substitution substitution;
-  substitution.num_levels = 1;
-  substitution.basis = Q.rightCols(A.cols() - A.rows());
-  substitution.offset = A.completeOrthogonalDecomposition().solve(levels[0].upper);
-  return substitution;
+  return {equalities(first.A, first.A * far), at_most(D, D * far + VectorXd::Constant(rows, 0.5))};
 }
 
 TEST(FloatTraps, DoNotMeetWhatALargerProblemHasLeftBesideTheRowsOfASmallerOne) {
-  constexpr Eigen::Index kUnknowns = 8;
-  for (int seed = 0; seed < 200; ++seed) {
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    test::RandomMatrices random(static_cast<std::uint64_t>(seed));
+  constexpr Index kUnknowns = 8;
+  for (SeededRandom& random : Seeds(200)) {
     // Descends through nearly all rows, which leaves their numbers; then most are never looked at,
     // which leaves infinities.
-    const Hierarchy crowded = test::make_hierarchy(kUnknowns, far_limits(random, kUnknowns, 1));
-    const Hierarchy idle = test::make_hierarchy(kUnknowns, idle_rows(random, kUnknowns));
-    const test::HierarchyData levels = far_limits(random, kUnknowns, random.integer(3, 6));
-    const Hierarchy small = test::make_hierarchy(kUnknowns, levels);
-    const Substitution substitution = of_first_level(levels);
+    const Hierarchy crowded = make_hierarchy(kUnknowns, far_limits(random, kUnknowns, 1));
+    const Hierarchy idle = make_hierarchy(kUnknowns, idle_rows(random, kUnknowns));
+    const HierarchyData levels = far_limits(random, kUnknowns, random.integer(3, 6));
+    const Hierarchy small = make_hierarchy(kUnknowns, levels);
+    const Substitution substitution = substitution_of(levels, 1);
     Hierarchy capacity(kUnknowns);
     for (int k = 0; k < 2; ++k) capacity.add_level("level", 60);
     for (const SweepKernels* kernels : all_kernels()) {
@@ -315,13 +275,13 @@ TEST(FloatTraps, DoNotMeetWhatALargerProblemHasLeftBesideTheRowsOfASmallerOne) {
 }
 
 TEST(FloatTraps, DoNotMeetASubstitutionWithoutSquares) {
-  test::RandomMatrices random(1);
-  const test::HierarchyData levels = far_limits(random, 8, 4);
-  const Hierarchy hierarchy = test::make_hierarchy(8, levels);
+  RandomMatrices random(1);
+  const HierarchyData levels = far_limits(random, 8, 4);
+  const Hierarchy hierarchy = make_hierarchy(8, levels);
   for (const double odd : {1e155, -1e300, std::numeric_limits<double>::max(), std::nan("")}) {
     SCOPED_TRACE(odd);
     for (const bool is_offset : {false, true}) {
-      Substitution substitution = of_first_level(levels);
+      Substitution substitution = substitution_of(levels, 1);
       (is_offset ? substitution.offset[3] : substitution.basis(3, 1)) = odd;
       LexicographicSolver solver(hierarchy), without(hierarchy);
       const FloatTraps traps;

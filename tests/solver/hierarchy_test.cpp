@@ -5,6 +5,7 @@
 #include "surefoot/solver/soft_levels.hpp"
 #include "surefoot/solver/weighted_levels.hpp"
 #include "tests/solver/solve.hpp"
+#include "tests/support/messages.hpp"
 
 #include <gtest/gtest.h>
 
@@ -15,6 +16,8 @@
 
 namespace surefoot::solver {
 namespace {
+
+using test::message_of;
 
 /// Two levels of room for two rows each, over three unknowns.
 Hierarchy small_hierarchy() {
@@ -32,12 +35,12 @@ void fill(Rows rows, double number) {
 
 template <typename Solver>
 class LevelCapacity : public testing::Test {};
-TYPED_TEST_SUITE(LevelCapacity, test::Solvers);
+TYPED_TEST_SUITE(LevelCapacity, Solvers);
 
 TYPED_TEST(LevelCapacity, RowsBeyondItCanBeFilledAndAreInvalidInput) {
   Hierarchy hierarchy = small_hierarchy();
   TypeParam solver(hierarchy);
-  for (const Eigen::Index count : {1, 2, 1000}) {
+  for (const Index count : {1, 2, 1000}) {
     hierarchy.level(0).clear();
     fill(hierarchy.level(0).add(1, 0), 1.0);
     hierarchy.level(1).clear();
@@ -75,26 +78,15 @@ TYPED_TEST(LevelCapacity, ACopyOfALevelBeyondItIsInvalidToo) {
   EXPECT_EQ(solver.solve(soft.select(hierarchy, all)).failed_level, 1);
 }
 
-/// Message of the Error that a call throws.
-template <typename Call>
-std::string error_of(const Call& call) {
-  try {
-    call();
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "no error";
-}
-
 TEST(Hierarchy, OfLessThanNothingIsRefused) {
-  EXPECT_EQ(error_of([] { Hierarchy hierarchy(-1); }),
+  EXPECT_EQ(message_of([] { Hierarchy hierarchy(-1); }),
             "a hierarchy is made for -1 unknowns; expected 0 or more");
   Hierarchy hierarchy(3);
-  EXPECT_EQ(error_of([&] { hierarchy.add_level("wish", -2); }),
+  EXPECT_EQ(message_of([&] { hierarchy.add_level("wish", -2); }),
             "level \"wish\" is made for -2 rows; expected 0 or more");
   EXPECT_EQ(hierarchy.num_levels(), 0u);
   hierarchy.add_level("wish", 2);
-  EXPECT_EQ(error_of([&] { (void)hierarchy.level(0).add(-1, 0); }),
+  EXPECT_EQ(message_of([&] { (void)hierarchy.level(0).add(-1, 0); }),
             "-1 rows are added to level \"wish\"; expected 0 or more");
   EXPECT_EQ(hierarchy.level(0).num_rows(), 0);
 }
@@ -107,27 +99,25 @@ TEST(Hierarchy, AWeightThatIsNotAboveZeroAndFiniteIsRefusedAndNothingChanges) {
       {-1e-9, "-1e-09"}, {0.0, "0"}, {std::nan(""), "nan"}, {HUGE_VAL, "inf"}};
   for (const auto& [weight, text] : wrong) {
     const std::string end = " is " + text + "; expected a finite number > 0";
-    EXPECT_EQ(error_of([&] { rows.weigh(weight); }), "the weight of rows" + end);
-    EXPECT_EQ(error_of([&] { rows.weigh(1, weight); }), "the weight of a row" + end);
-    EXPECT_EQ(
-        error_of([&] { add_reference(hierarchy.level(1), Eigen::Vector3d::Zero(), 0, weight); }),
-        "the weight of a reference" + end);
-    EXPECT_EQ(
-        error_of([&] { add_damping(hierarchy.level(1), weight, Eigen::Vector3d::Zero(), 0); }),
-        "damping" + end);
-    EXPECT_EQ(error_of([&] { WeightedLevels levels(hierarchy, 0, {weight}); }),
+    EXPECT_EQ(message_of([&] { rows.weigh(weight); }), "the weight of rows" + end);
+    EXPECT_EQ(message_of([&] { rows.weigh(1, weight); }), "the weight of a row" + end);
+    EXPECT_EQ(message_of([&] { add_reference(hierarchy.level(1), Vector3d::Zero(), 0, weight); }),
+              "the weight of a reference" + end);
+    EXPECT_EQ(message_of([&] { add_damping(hierarchy.level(1), weight, Vector3d::Zero(), 0); }),
+              "damping" + end);
+    EXPECT_EQ(message_of([&] { WeightedLevels levels(hierarchy, 0, {weight}); }),
               "the weight of a level" + end);
   }
-  EXPECT_EQ(hierarchy.level(0).A(), Eigen::MatrixXd::Constant(2, 3, 3.0));
+  EXPECT_EQ(hierarchy.level(0).A(), MatrixXd::Constant(2, 3, 3.0));
   EXPECT_EQ(hierarchy.level(1).num_rows(), 0);
 }
 
 TEST(Hierarchy, ARowThatThereIsNotIsNeitherWeighedNorGiven) {
   Hierarchy hierarchy = small_hierarchy();
   Rows rows = hierarchy.level(0).add(1, 0);
-  EXPECT_EQ(error_of([&] { rows.weigh(1, 2.0); }),
+  EXPECT_EQ(message_of([&] { rows.weigh(1, 2.0); }),
             "row 1 is weighed, counted from 0; there are 1 rows");
-  EXPECT_EQ(error_of([&] { (void)hierarchy.level(0).rows(2); }),
+  EXPECT_EQ(message_of([&] { (void)hierarchy.level(0).rows(2); }),
             "rows of level \"first\" are asked for from 2 on; expected 0 to 1");
   EXPECT_EQ(hierarchy.level(0).rows(1).A.rows(), 0);
 }
@@ -137,9 +127,9 @@ TEST(Hierarchy, AReferenceOfAnotherLengthIsRefused) {
   fill(hierarchy.level(1).add(1, 0), 1.0);
   const std::string message =
       "a reference of 2 elements for level \"second\"; expected 3, one for each unknown";
-  const Eigen::Vector2d reference(1.0, 2.0);
-  EXPECT_EQ(error_of([&] { add_reference(hierarchy.level(1), reference, 0); }), message);
-  EXPECT_EQ(error_of([&] { add_damping(hierarchy.level(1), 0.1, reference, 0); }), message);
+  const Vector2d reference(1.0, 2.0);
+  EXPECT_EQ(message_of([&] { add_reference(hierarchy.level(1), reference, 0); }), message);
+  EXPECT_EQ(message_of([&] { add_damping(hierarchy.level(1), 0.1, reference, 0); }), message);
   EXPECT_EQ(hierarchy.level(1).num_rows(), 1);
 }
 
@@ -148,7 +138,7 @@ TEST(Hierarchy, RowsOverOtherUnknownsAreRefused) {
   other.add_level("flat", 1);
   fill(other.level(0).add(1, 0), 1.0);
   EXPECT_EQ(
-      error_of([&] { (void)hierarchy.level(0).add(other.level(0)); }),
+      message_of([&] { (void)hierarchy.level(0).add(other.level(0)); }),
       "level \"first\" has 3 unknowns and can't have the rows of level \"flat\", which has 2");
 }
 

@@ -1,26 +1,19 @@
 // Levels of equalities before the first inequality: rows that end early come first where all are
 // independent, which must not show.
 
-#include "surefoot/math/numbers.hpp"
 #include "tests/solver/solve.hpp"
+#include "tests/support/linear_algebra.hpp"
 
-#include <Eigen/QR>
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstdint>
-#include <string>
 
 namespace surefoot::solver {
 namespace {
 
-using Eigen::Index;
-using Eigen::MatrixXd;
-using Eigen::VectorXd;
-
 /// Equalities whose rows are zero from some column on.
-test::LevelData short_rows(test::RandomMatrices& random, Index rows, Index unknowns) {
-  test::LevelData level = test::equalities(random.matrix(rows, unknowns), random.vector(rows));
+LevelData short_rows(RandomMatrices& random, Index rows, Index unknowns) {
+  LevelData level = equalities(random.matrix(rows, unknowns), random.vector(rows));
   for (Index i = 0; i < rows; ++i) {
     const Index end = random.integer(static_cast<int>(unknowns) / 3, static_cast<int>(unknowns));
     level.A.row(i).tail(unknowns - end).setZero();
@@ -28,8 +21,8 @@ test::LevelData short_rows(test::RandomMatrices& random, Index rows, Index unkno
   return level;
 }
 
-test::HierarchyData leading_levels(test::RandomMatrices& random, Index unknowns) {
-  test::HierarchyData levels;
+HierarchyData leading_levels(RandomMatrices& random, Index unknowns) {
+  HierarchyData levels;
   for (int k = 0; k < 3; ++k) {
     levels.push_back(
         short_rows(random, random.integer(0, static_cast<int>(unknowns) / 4), unknowns));
@@ -38,14 +31,12 @@ test::HierarchyData leading_levels(test::RandomMatrices& random, Index unknowns)
 }
 
 TEST(LeadingEqualities, WithRowsOfAnyLengthLeaveTheOptimumAndTheFreedomOfTheirOrder) {
-  for (int seed = 0; seed < 300; ++seed) {
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    test::RandomMatrices random(static_cast<std::uint64_t>(seed));
+  for (SeededRandom& random : Seeds(300)) {
     const Index n = random.integer(3, 40);
-    test::HierarchyData levels = leading_levels(random, n);
-    levels.push_back(test::at_most(random.matrix(4, n), random.vector(4)));
-    levels.push_back(test::close_to(random.vector(n)));
-    const Hierarchy hierarchy = test::make_hierarchy(n, levels);
+    HierarchyData levels = leading_levels(random, n);
+    levels.push_back(at_most(random.matrix(4, n), random.vector(4)));
+    levels.push_back(close_to(random.vector(n)));
+    const Hierarchy hierarchy = make_hierarchy(n, levels);
     CascadeSolver cascade(hierarchy);
     const Solution& expected = cascade.solve(hierarchy);
     for (const SweepKernels* kernels : all_kernels()) {
@@ -63,23 +54,21 @@ TEST(LeadingEqualities, WithRowsOfAnyLengthLeaveTheOptimumAndTheFreedomOfTheirOr
 }
 
 TEST(LeadingEqualities, WithRowsOfAnyLengthLeaveTheShortestX) {
-  for (int seed = 0; seed < 300; ++seed) {
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    test::RandomMatrices random(static_cast<std::uint64_t>(seed));
+  for (SeededRandom& random : Seeds(300)) {
     const Index n = random.integer(4, 40);
-    test::HierarchyData levels = leading_levels(random, n);
+    HierarchyData levels = leading_levels(random, n);
     MatrixXd A(0, n);
     VectorXd b(0);
-    for (const test::LevelData& level : levels) {
+    for (const LevelData& level : levels) {
       A.conservativeResize(A.rows() + level.A.rows(), n);
       b.conservativeResize(A.rows());
       A.bottomRows(level.A.rows()) = level.A;
       b.tail(level.A.rows()) = level.upper;
     }
-    const VectorXd shortest = A.rows() > 0 ? VectorXd(A.completeOrthogonalDecomposition().solve(b))
-                                           : VectorXd(VectorXd::Zero(n));
-    levels.push_back(test::at_most(random.matrix(1, n), VectorXd::Constant(1, kInfinity)));
-    const Hierarchy hierarchy = test::make_hierarchy(n, levels);
+    const VectorXd shortest =
+        A.rows() > 0 ? VectorXd(test::least_squares(A, b)) : VectorXd(VectorXd::Zero(n));
+    levels.push_back(at_most(random.matrix(1, n), VectorXd::Constant(1, kInfinity)));
+    const Hierarchy hierarchy = make_hierarchy(n, levels);
     for (const SweepKernels* kernels : all_kernels()) {
       SCOPED_TRACE(kernels->name);
       LexicographicSolver solver(hierarchy, {.kernels = kernels});
@@ -89,14 +78,12 @@ TEST(LeadingEqualities, WithRowsOfAnyLengthLeaveTheShortestX) {
 }
 
 TEST(LeadingEqualities, ThatContradictEachOtherGiveWayByOrderAndNotByLength) {
-  for (int seed = 0; seed < 100; ++seed) {
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    test::RandomMatrices random(static_cast<std::uint64_t>(seed));
+  for (SeededRandom& random : Seeds(100)) {
     const Index n = random.integer(6, 30);
-    const test::LevelData second = short_rows(random, 1, n);
-    test::LevelData first = test::equalities(random.matrix(2, n), random.vector(2));
+    const LevelData second = short_rows(random, 1, n);
+    LevelData first = equalities(random.matrix(2, n), random.vector(2));
     first.A.row(1) = first.A.row(0) + second.A;
-    const Solution solution = test::solve<LexicographicSolver>(n, {first, second});
+    const Solution solution = solve<LexicographicSolver>(n, {first, second});
     const double missed = std::abs(first.upper[1] - first.upper[0] - second.upper[0]);
     ASSERT_LE(solution.levels[0].residual, 1e-9);
     ASSERT_NEAR(solution.levels[1].residual, missed, 1e-9);

@@ -1,24 +1,17 @@
 #include "surefoot/solver/optimality_conditions.hpp"
 
-#include "tests/support/random_hierarchy.hpp"
+#include "tests/solver/solve.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
-#include <string>
 
 namespace surefoot::solver {
 namespace {
 
-using Eigen::Index;
-using Eigen::MatrixXd;
-using Eigen::VectorXd;
-
 TEST(NonNegativeLeastSquares, MeetsItsOptimalityConditions) {
-  for (int seed = 0; seed < 300; ++seed) {
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    test::RandomMatrices random(static_cast<std::uint64_t>(seed));
+  for (SeededRandom& random : Seeds(300)) {
     const Index rows = random.integer(1, 8);
     const Index columns = random.integer(1, 12);
     const MatrixXd A = random.matrix(rows, columns);
@@ -32,9 +25,7 @@ TEST(NonNegativeLeastSquares, MeetsItsOptimalityConditions) {
 }
 
 TEST(NonNegativeLeastSquares, ReachesWhatLiesInTheCone) {
-  for (int seed = 0; seed < 300; ++seed) {
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    test::RandomMatrices random(static_cast<std::uint64_t>(seed));
+  for (SeededRandom& random : Seeds(300)) {
     MatrixXd A = random.matrix(6, 9);
     A.col(4) = A.col(1);
     A.col(5).setZero();
@@ -44,9 +35,7 @@ TEST(NonNegativeLeastSquares, ReachesWhatLiesInTheCone) {
 }
 
 TEST(NonNegativeLeastSquares, DoesNotDependOnUnits) {
-  for (int seed = 0; seed < 100; ++seed) {
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    test::RandomMatrices random(static_cast<std::uint64_t>(seed));
+  for (SeededRandom& random : Seeds(100)) {
     const MatrixXd A = random.matrix(6, 4);
     const VectorXd b = random.vector(6);
     const double unit = std::pow(10.0, random.integer(-20, 20));
@@ -115,7 +104,7 @@ TEST(Multipliers, BelowTenTimesWhatIsLeftOverFixNothing) {
 
 TEST(LevelConditions, RoundingOfTheGradientGrowsWithX) {
   const Hierarchy hierarchy =
-      test::make_hierarchy(2, {test::equalities(Eigen::RowVector2d(3.0, 4.0), VectorXd::Zero(1))});
+      make_hierarchy(2, {equalities(Eigen::RowVector2d(3.0, 4.0), VectorXd::Zero(1))});
   for (const double size : {1.0, 1e3, 1e6}) {
     const VectorXd x = size * Eigen::Vector2d(4.0, -3.0);  // which meets the row
     const double rounding = optimality_conditions(hierarchy, 0, x, 1e-8).rounding;
@@ -136,9 +125,7 @@ TEST(Independence, IsWhatNoOtherColumnHasAndZeroWhereOthersMakeIt) {
 }
 
 TEST(Independence, OfOthersDoesNotChangeWhereSomeAreDependent) {
-  for (int seed = 0; seed < 100; ++seed) {
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    test::RandomMatrices random(static_cast<std::uint64_t>(seed));
+  for (SeededRandom& random : Seeds(100)) {
     MatrixXd columns = random.matrix(8, 5);
     columns.col(4) = columns.col(1) - 2.0 * columns.col(3);
     const VectorXd found = independence(columns);

@@ -1,4 +1,3 @@
-#include "surefoot/math/numbers.hpp"
 #include "tests/solver/solve.hpp"
 
 #include <gtest/gtest.h>
@@ -11,10 +10,6 @@
 namespace surefoot::solver {
 namespace {
 
-using Eigen::Index;
-using Eigen::MatrixXd;
-using Eigen::VectorXd;
-
 constexpr int kSeeds = 300;
 constexpr Index kUnknowns = 9;
 
@@ -22,28 +17,41 @@ constexpr Index kUnknowns = 9;
 template <typename Solver>
 struct Case {
   explicit Case(int seed) : random(static_cast<std::uint64_t>(seed)) {
-    levels = test::random_levels(random, {.unknowns = kUnknowns,
-                                          .levels = random.integer(1, 10),
-                                          .max_rows = 5,
-                                          .inequality_share = random.uniform(0.0, 1.0)});
-    levels.push_back(test::close_to(random.vector(kUnknowns)));
-    solution = test::solve<Solver>(kUnknowns, levels);
+    levels = random_levels(random, {.unknowns = kUnknowns,
+                                    .levels = random.integer(1, 10),
+                                    .max_rows = 5,
+                                    .inequality_share = random.uniform(0.0, 1.0)});
+    levels.push_back(close_to(random.vector(kUnknowns)));
+    solution = solve<Solver>(kUnknowns, levels);
   }
-  test::RandomMatrices random;
-  test::HierarchyData levels;
+  RandomMatrices random;
+  HierarchyData levels;
   Solution solution;
 };
 
 /// The same problem in another form has the same x.
 template <typename Solver>
-void expect_same_x(const Case<Solver>& original, const test::HierarchyData& changed) {
-  const Solution solution = test::solve<Solver>(kUnknowns, changed);
+void expect_same_x(const Case<Solver>& original, const HierarchyData& changed) {
+  const Solution solution = solve<Solver>(kUnknowns, changed);
   ASSERT_EQ(solution.status, SolveStatus::optimal);
   ASSERT_LE((solution.x - original.solution.x).norm(), 1e-7 * (1.0 + original.solution.x.norm()));
 }
 
-test::LevelData reordered(const test::LevelData& level, const std::vector<Index>& order) {
-  test::LevelData result = level;
+/// So it has with each level in another form.
+template <typename Solver, typename Change>
+void expect_same_x_with(const Change& change) {
+  for (int seed = 0; seed < kSeeds; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Case<Solver> original(seed);
+    HierarchyData changed;
+    for (const LevelData& level : original.levels)
+      changed.push_back(change(original.random, level));
+    expect_same_x(original, changed);
+  }
+}
+
+LevelData reordered(const LevelData& level, const std::vector<Index>& order) {
+  LevelData result = level;
   for (std::size_t i = 0; i < order.size(); ++i) {
     const auto to = static_cast<Index>(i);
     result.A.row(to) = level.A.row(order[i]);
@@ -53,20 +61,20 @@ test::LevelData reordered(const test::LevelData& level, const std::vector<Index>
   return result;
 }
 
-test::LevelData scaled(const test::LevelData& level, double factor) {
+LevelData scaled(const LevelData& level, double factor) {
   return {factor * level.A, factor * level.lower, factor * level.upper};
 }
 
 template <typename Solver>
 class Properties : public testing::Test {};
-TYPED_TEST_SUITE(Properties, test::Solvers);
+TYPED_TEST_SUITE(Properties, Solvers);
 
 TYPED_TEST(Properties, EveryLevelMeetsItsOptimalityConditions) {
   for (int seed = 0; seed < kSeeds; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     const Case<TypeParam> original(seed);
     ASSERT_EQ(original.solution.status, SolveStatus::optimal);
-    ASSERT_LE(test::optimality_error(kUnknowns, original.levels, original.solution.x), 1e-9);
+    ASSERT_LE(optimality_error(kUnknowns, original.levels, original.solution.x), 1e-9);
   }
 }
 
@@ -75,22 +83,21 @@ TYPED_TEST(Properties, AddingALowerLevelNeverChangesAHigherResidual) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     const Case<TypeParam> original(seed);
     for (std::size_t k = 1; k < original.levels.size(); ++k) {
-      const test::HierarchyData part(original.levels.begin(),
-                                     original.levels.begin() + static_cast<std::ptrdiff_t>(k));
-      const double alone = test::solve<TypeParam>(kUnknowns, part).levels.back().residual;
+      const HierarchyData part(original.levels.begin(),
+                               original.levels.begin() + static_cast<std::ptrdiff_t>(k));
+      const double alone = solve<TypeParam>(kUnknowns, part).levels.back().residual;
       ASSERT_NEAR(alone, original.solution.levels[k - 1].residual, 1e-9 * (1.0 + alone));
     }
   }
 }
 
 /// Levels of rows that are parallel to within `distance`, half of them limits within 1.
-test::HierarchyData nearly_parallel_levels(test::RandomMatrices& random, Index unknowns,
-                                           double distance) {
+HierarchyData nearly_parallel_levels(RandomMatrices& random, Index unknowns, double distance) {
   const MatrixXd base = random.matrix(std::max<Index>(1, unknowns / 2), unknowns);
-  test::HierarchyData levels;
+  HierarchyData levels;
   for (int k = random.integer(2, 4); k > 0; --k) {
     const Index rows = random.integer(1, 10);
-    test::LevelData level{distance * random.matrix(rows, unknowns), random.vector(rows), {}};
+    LevelData level{distance * random.matrix(rows, unknowns), random.vector(rows), {}};
     level.upper = level.lower;
     for (Index i = 0; i < rows; ++i) {
       const Index parallel = random.integer(0, static_cast<int>(base.rows()) - 1);
@@ -106,16 +113,13 @@ test::HierarchyData nearly_parallel_levels(test::RandomMatrices& random, Index u
 
 // x is 1e5 and more, and still the rows of the levels above hold it.
 TYPED_TEST(Properties, NearlyParallelRowsBelowCostNoLevelAbove) {
-  for (int seed = 0; seed < 2 * kSeeds; ++seed) {
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    test::RandomMatrices random(static_cast<std::uint64_t>(seed));
+  for (SeededRandom& random : Seeds(2 * kSeeds)) {
     const Index unknowns = random.integer(3, 11);
-    const test::HierarchyData levels = nearly_parallel_levels(random, unknowns, 1e-5);
-    const Solution all = test::solve<TypeParam>(unknowns, levels);
+    const HierarchyData levels = nearly_parallel_levels(random, unknowns, 1e-5);
+    const Solution all = solve<TypeParam>(unknowns, levels);
     for (std::size_t k = 1; k < levels.size(); ++k) {
-      const test::HierarchyData part(levels.begin(),
-                                     levels.begin() + static_cast<std::ptrdiff_t>(k));
-      const double alone = test::solve<TypeParam>(unknowns, part).levels.back().residual;
+      const HierarchyData part(levels.begin(), levels.begin() + static_cast<std::ptrdiff_t>(k));
+      const double alone = solve<TypeParam>(unknowns, part).levels.back().residual;
       const double rounding = 1e-6 * (1.0 + alone) + 1e-12 * all.x.norm();
       ASSERT_LE(all.levels[k - 1].residual, alone + rounding) << "level " << k;
     }
@@ -125,7 +129,7 @@ TYPED_TEST(Properties, NearlyParallelRowsBelowCostNoLevelAbove) {
 // All three rows of the first level can be met, with an x of 5e6. Beside that a motion that
 // violates one of them by 0.6 is slow, and still no rounding.
 TYPED_TEST(Properties, ASlowMotionOfARowAboveIsNotTakenForRounding) {
-  const test::HierarchyData levels{
+  const HierarchyData levels{
       {.A = MatrixXd{{-0.397209608, 0.20785417, 0.950544461, -1.163011492, -0.362974821},
                      {0.397209377, -0.20785438, -0.950545194, 1.163011658, 0.362975064},
                      {0.397209116, -0.207855296, -0.950546211, 1.163010387, 0.362973983},
@@ -143,28 +147,22 @@ TYPED_TEST(Properties, ASlowMotionOfARowAboveIsNotTakenForRounding) {
        .lower = VectorXd{{-1.198}},
        .upper = VectorXd{{0.708}}},
   };
-  const Solution all = test::solve<TypeParam>(5, levels);
+  const Solution all = solve<TypeParam>(5, levels);
   for (std::size_t k = 1; k < levels.size(); ++k) {
-    const test::HierarchyData part(levels.begin(), levels.begin() + static_cast<std::ptrdiff_t>(k));
-    const double alone = test::solve<TypeParam>(5, part).levels.back().residual;
+    const HierarchyData part(levels.begin(), levels.begin() + static_cast<std::ptrdiff_t>(k));
+    const double alone = solve<TypeParam>(5, part).levels.back().residual;
     EXPECT_NEAR(all.levels[k - 1].residual, alone, 1e-6 * (1.0 + alone)) << "level " << k;
   }
 }
 
 TYPED_TEST(Properties, TheOrderOfRowsInALevelDoesNotMatter) {
-  for (int seed = 0; seed < kSeeds; ++seed) {
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    Case<TypeParam> original(seed);
-    test::HierarchyData changed;
-    for (const test::LevelData& level : original.levels) {
-      std::vector<Index> order(static_cast<std::size_t>(level.lower.size()));
-      std::iota(order.begin(), order.end(), Index{0});
-      std::reverse(order.begin(), order.end());
-      if (order.size() > 2) std::swap(order[0], order[1]);
-      changed.push_back(reordered(level, order));
-    }
-    expect_same_x(original, changed);
-  }
+  expect_same_x_with<TypeParam>([](RandomMatrices&, const LevelData& level) {
+    std::vector<Index> order(static_cast<std::size_t>(level.lower.size()));
+    std::iota(order.begin(), order.end(), Index{0});
+    std::reverse(order.begin(), order.end());
+    if (order.size() > 2) std::swap(order[0], order[1]);
+    return reordered(level, order);
+  });
 }
 
 TYPED_TEST(Properties, AnOrthogonalChangeOfUnknownsCarriesOver) {
@@ -172,63 +170,38 @@ TYPED_TEST(Properties, AnOrthogonalChangeOfUnknownsCarriesOver) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Case<TypeParam> original(seed);
     const MatrixXd Q = original.random.rotation(kUnknowns);
-    test::HierarchyData changed = original.levels;
-    for (test::LevelData& level : changed) level.A = (level.A * Q).eval();
-    const Solution solution = test::solve<TypeParam>(kUnknowns, changed);
+    HierarchyData changed = original.levels;
+    for (LevelData& level : changed) level.A = (level.A * Q).eval();
+    const Solution solution = solve<TypeParam>(kUnknowns, changed);
     const VectorXd& x = original.solution.x;
     ASSERT_LE((Q * solution.x - x).norm(), 1e-7 * (1.0 + x.norm()));
   }
 }
 
 TYPED_TEST(Properties, AFactorOnAllRowsOfALevelChangesNothing) {
-  for (int seed = 0; seed < kSeeds; ++seed) {
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    Case<TypeParam> original(seed);
-    test::HierarchyData changed;
-    for (const test::LevelData& level : original.levels) {
-      changed.push_back(scaled(level, std::pow(10.0, original.random.uniform(-6.0, 6.0))));
-    }
-    expect_same_x(original, changed);
-  }
+  expect_same_x_with<TypeParam>([](RandomMatrices& random, const LevelData& level) {
+    return scaled(level, std::pow(10.0, random.uniform(-6.0, 6.0)));
+  });
 }
 
 TYPED_TEST(Properties, TwoHalfWeightCopiesOfALevelAreThatLevel) {
-  for (int seed = 0; seed < kSeeds; ++seed) {
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    const Case<TypeParam> original(seed);
-    test::HierarchyData changed;
-    for (const test::LevelData& level : original.levels) {
-      const test::LevelData half = scaled(level, std::sqrt(0.5));
-      changed.push_back(test::joined(half, half));
-    }
-    expect_same_x(original, changed);
-  }
+  expect_same_x_with<TypeParam>([](RandomMatrices&, const LevelData& level) {
+    const LevelData half = scaled(level, std::sqrt(0.5));
+    return joined(half, half);
+  });
 }
 
 TYPED_TEST(Properties, AnEqualityIsAPairOfInequalities) {
-  for (int seed = 0; seed < kSeeds; ++seed) {
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    const Case<TypeParam> original(seed);
-    test::HierarchyData changed;
-    for (const test::LevelData& level : original.levels) {
-      const VectorXd open = VectorXd::Constant(level.lower.size(), kInfinity);
-      changed.push_back(test::joined(test::between(level.A, -open, level.upper),
-                                     test::between(level.A, level.lower, open)));
-    }
-    expect_same_x(original, changed);
-  }
+  expect_same_x_with<TypeParam>([](RandomMatrices&, const LevelData& level) {
+    const VectorXd open = VectorXd::Constant(level.lower.size(), kInfinity);
+    return joined(between(level.A, -open, level.upper), between(level.A, level.lower, open));
+  });
 }
 
 TYPED_TEST(Properties, ARowWithSwappedSignHasSwappedBounds) {
-  for (int seed = 0; seed < kSeeds; ++seed) {
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    const Case<TypeParam> original(seed);
-    test::HierarchyData changed;
-    for (const test::LevelData& level : original.levels) {
-      changed.push_back(test::between(-level.A, -level.upper, -level.lower));
-    }
-    expect_same_x(original, changed);
-  }
+  expect_same_x_with<TypeParam>([](RandomMatrices&, const LevelData& level) {
+    return between(-level.A, -level.upper, -level.lower);
+  });
 }
 
 TYPED_TEST(Properties, ALevelThatIsSatisfiedAnywayChangesNothing) {
@@ -237,10 +210,9 @@ TYPED_TEST(Properties, ALevelThatIsSatisfiedAnywayChangesNothing) {
     Case<TypeParam> original(seed);
     const MatrixXd A = original.random.matrix(4, kUnknowns);
     const VectorXd value = A * original.solution.x;
-    test::HierarchyData changed = original.levels;
+    HierarchyData changed = original.levels;
     const int where = original.random.integer(0, static_cast<int>(changed.size()));
-    changed.insert(changed.begin() + where,
-                   test::between(A, value.array() - 0.5, value.array() + 0.5));
+    changed.insert(changed.begin() + where, between(A, value.array() - 0.5, value.array() + 0.5));
     expect_same_x(original, changed);
   }
 }
@@ -249,8 +221,8 @@ TYPED_TEST(Properties, LevelsWithoutRowsChangeNothing) {
   for (int seed = 0; seed < kSeeds; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     const Case<TypeParam> original(seed);
-    test::HierarchyData changed;
-    for (const test::LevelData& level : original.levels) {
+    HierarchyData changed;
+    for (const LevelData& level : original.levels) {
       changed.push_back({MatrixXd(0, kUnknowns), VectorXd(0), VectorXd(0)});
       changed.push_back(level);
     }
@@ -263,46 +235,42 @@ TYPED_TEST(Properties, AShiftOfTheOriginShiftsX) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Case<TypeParam> original(seed);
     const VectorXd shift = original.random.vector(kUnknowns);
-    test::HierarchyData changed = original.levels;
-    for (test::LevelData& level : changed) {
+    HierarchyData changed = original.levels;
+    for (LevelData& level : changed) {
       level.lower += level.A * shift;
       level.upper += level.A * shift;
     }
-    const Solution solution = test::solve<TypeParam>(kUnknowns, changed);
+    const Solution solution = solve<TypeParam>(kUnknowns, changed);
     const VectorXd& x = original.solution.x;
     ASSERT_LE((solution.x - shift - x).norm(), 1e-7 * (1.0 + x.norm()));
   }
 }
 
 TYPED_TEST(Properties, RowsOfOneRowLevelsMayHaveAnyScale) {
-  for (int seed = 0; seed < kSeeds; ++seed) {
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    test::RandomMatrices random(static_cast<std::uint64_t>(seed));
-    test::HierarchyData levels = test::random_levels(
+  for (SeededRandom& random : Seeds(kSeeds)) {
+    HierarchyData levels = random_levels(
         random, {.unknowns = kUnknowns, .levels = 12, .max_rows = 1, .inequality_share = 0.6});
-    levels.push_back(test::close_to(random.vector(kUnknowns)));
-    test::HierarchyData changed;
-    for (const test::LevelData& level : levels) {
+    levels.push_back(close_to(random.vector(kUnknowns)));
+    HierarchyData changed;
+    for (const LevelData& level : levels) {
       changed.push_back(scaled(level, std::pow(10.0, random.uniform(-6.0, 6.0))));
     }
-    const Solution plain = test::solve<TypeParam>(kUnknowns, levels);
-    const Solution other = test::solve<TypeParam>(kUnknowns, changed);
+    const Solution plain = solve<TypeParam>(kUnknowns, levels);
+    const Solution other = solve<TypeParam>(kUnknowns, changed);
     ASSERT_LE((plain.x - other.x).norm(), 1e-7 * (1.0 + plain.x.norm()));
   }
 }
 
 TYPED_TEST(Properties, RowsOfMixedScaleInALevelAreAllMetWhereTheyCanBe) {
-  for (int seed = 0; seed < kSeeds; ++seed) {
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    test::RandomMatrices random(static_cast<std::uint64_t>(seed));
+  for (SeededRandom& random : Seeds(kSeeds)) {
     const VectorXd x = random.vector(kUnknowns);
-    test::HierarchyData levels;
+    HierarchyData levels;
     for (int k = 0; k < 3; ++k) {
       MatrixXd A = random.matrix(3, kUnknowns);
       for (Index i = 0; i < A.rows(); ++i) A.row(i) *= std::pow(10.0, random.uniform(-6.0, 6.0));
-      levels.push_back(test::equalities(A, A * x));
+      levels.push_back(equalities(A, A * x));
     }
-    const Solution solution = test::solve<TypeParam>(kUnknowns, levels);
+    const Solution solution = solve<TypeParam>(kUnknowns, levels);
     ASSERT_LE((solution.x - x).norm(), 1e-8 * (1.0 + x.norm()));
   }
 }
@@ -313,23 +281,20 @@ TYPED_TEST(Properties, ConflictingRowsOfMixedScaleAreWeighed) {
     const MatrixXd A = (MatrixXd(2, 1) << weight, 1.0).finished();
     const VectorXd b = (VectorXd(2) << weight, 2.0).finished();
     const double mean = (weight * weight + 2.0) / (weight * weight + 1.0);
-    EXPECT_NEAR(test::solve<TypeParam>(1, {test::equalities(A, b)}).x[0], mean, 1e-14) << weight;
+    EXPECT_NEAR(solve<TypeParam>(1, {equalities(A, b)}).x[0], mean, 1e-14) << weight;
   }
 }
 
 TYPED_TEST(Properties, LightRowsBesideHeavyOnesKeepTheirSay) {
   // Heavy rows that agree act like a level above; the light rows after them are in conflict.
   constexpr double kWeight = 1e10;
-  for (int seed = 0; seed < 100; ++seed) {
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    test::RandomMatrices random(static_cast<std::uint64_t>(seed));
+  for (SeededRandom& random : Seeds(100)) {
     MatrixXd heavy = random.matrix(3, 4);
     heavy.row(2) = heavy.row(0) + heavy.row(1);
-    const test::LevelData above = test::equalities(heavy, heavy * random.vector(4));
-    const test::LevelData light = test::equalities(random.matrix(5, 4), random.vector(5));
-    const Solution two_levels = test::solve<TypeParam>(4, {above, light});
-    const Solution one_level =
-        test::solve<TypeParam>(4, {test::joined(light, scaled(above, kWeight))});
+    const LevelData above = equalities(heavy, heavy * random.vector(4));
+    const LevelData light = equalities(random.matrix(5, 4), random.vector(5));
+    const Solution two_levels = solve<TypeParam>(4, {above, light});
+    const Solution one_level = solve<TypeParam>(4, {joined(light, scaled(above, kWeight))});
     ASSERT_LE((two_levels.x - one_level.x).norm(), 1e-8 * (1.0 + two_levels.x.norm()));
   }
 }

@@ -1,42 +1,21 @@
 #include "surefoot/solver/substitution.hpp"
 
 #include "tests/solver/solve.hpp"
-#include "tests/support/malloc_counter.hpp"
+#include "tests/support/substitutions.hpp"
 
-#include <Eigen/QR>
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstdint>
 #include <limits>
-#include <string>
 
 namespace surefoot::solver {
 namespace {
 
-using Eigen::Index;
-using Eigen::MatrixXd;
-using Eigen::VectorXd;
-
 constexpr Index kUnknowns = 30;
 
-/// All solutions of the first two levels, in a skew basis and from an arbitrary one of them.
-Substitution skew_substitution(const test::HierarchyData& levels, test::RandomMatrices& random) {
-  const test::LevelData both = test::joined(levels[0], levels[1]);
-  const Eigen::HouseholderQR<MatrixXd> qr(both.A.transpose());
-  const MatrixXd Q = qr.householderQ();
-  const MatrixXd N = Q.rightCols(kUnknowns - both.A.rows());
-  const VectorXd x = both.A.completeOrthogonalDecomposition().solve(both.upper);
-  Substitution result;
-  result.num_levels = 2;
-  result.basis = N * random.matrix(N.cols(), N.cols());
-  result.offset = x + N * random.vector(N.cols());
-  return result;
-}
-
-void expect_same(const test::HierarchyData& levels, test::RandomMatrices& random) {
-  const Substitution substitution = skew_substitution(levels, random);
-  const Hierarchy hierarchy = test::make_hierarchy(kUnknowns, levels);
+void expect_same(const HierarchyData& levels, RandomMatrices& random) {
+  const Substitution substitution = skew_substitution_of(levels, 2, random);
+  const Hierarchy hierarchy = make_hierarchy(kUnknowns, levels);
   const Solution expected = LexicographicSolver(hierarchy).solve(hierarchy);
   LexicographicSolver solver(hierarchy);
   const Solution& solution = solver.solve(hierarchy, substitution);
@@ -46,30 +25,21 @@ void expect_same(const test::HierarchyData& levels, test::RandomMatrices& random
             expected.levels.back().degrees_of_freedom_left);
 }
 
-TEST(Substitution, GivesTheSameX) {
-  for (int seed = 0; seed < 200; ++seed) {
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    test::RandomMatrices random(static_cast<std::uint64_t>(seed));
-    const double aggression = 0.5 * (seed % 3);
-    expect_same(test::table_one_levels(random, 2 + seed % 3, aggression), random);
-  }
-}
-
-TEST(Substitution, GivesTheShortestXWhereItIsOpen) {
-  for (int seed = 0; seed < 200; ++seed) {
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    test::RandomMatrices random(static_cast<std::uint64_t>(seed));
-    test::HierarchyData levels = test::table_one_levels(random, 2 + seed % 3, 0.5 * (seed % 3));
-    levels.resize(5);
-    expect_same(levels, random);
+TEST(Substitution, GivesTheSameXAndTheShortestWhereItIsOpen) {
+  for (const std::size_t num_levels : {11u, 5u}) {
+    for (SeededRandom& random : Seeds(200)) {
+      HierarchyData levels = walk_levels(random, 0.5 * (random.seed() % 3));
+      levels.resize(num_levels);
+      expect_same(levels, random);
+    }
   }
 }
 
 TEST(Substitution, IsNotUsedWhereItDoesNotFit) {
-  test::RandomMatrices random(1);
-  const test::HierarchyData levels = test::table_one_levels(random, 3, 0.3);
-  const Substitution good = skew_substitution(levels, random);
-  const Hierarchy hierarchy = test::make_hierarchy(kUnknowns, levels);
+  RandomMatrices random(1);
+  const HierarchyData levels = table_one_levels(random, 3, 0.3);
+  const Substitution good = skew_substitution_of(levels, 2, random);
+  const Hierarchy hierarchy = make_hierarchy(kUnknowns, levels);
   LexicographicSolver solver(hierarchy);
   const VectorXd expected = solver.solve(hierarchy).x;
   Substitution bad = good;
@@ -91,27 +61,13 @@ TEST(Substitution, IsNotUsedWhereItDoesNotFit) {
   }
 }
 
-TEST(Substitution, DoesNotAllocate) {
-  test::RandomMatrices random(1);
-  test::HierarchyData levels = test::table_one_levels(random, 3, 1.0);
-  levels.resize(5);
-  const Substitution substitution = skew_substitution(levels, random);
-  const Hierarchy hierarchy = test::make_hierarchy(kUnknowns, levels);
-  LexicographicSolver solver(hierarchy);
-  const test::MallocCounter counter;
-  (void)solver.solve(hierarchy, substitution);
-  EXPECT_EQ(counter.count(), 0u);
-}
-
 TEST(Substitution, TheLengthOfItsColumnsDoesNotMatter) {
-  for (int seed = 0; seed < 60; ++seed) {
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    test::RandomMatrices random(static_cast<std::uint64_t>(seed));
-    test::HierarchyData levels = test::table_one_levels(random, 2 + seed % 3, 0.5 * (seed % 3));
-    if (seed % 2 == 1) levels.resize(5);
-    const Hierarchy hierarchy = test::make_hierarchy(kUnknowns, levels);
+  for (SeededRandom& random : Seeds(60)) {
+    HierarchyData levels = walk_levels(random, 0.5 * (random.seed() % 3));
+    if (random.seed() % 2 == 1) levels.resize(5);
+    const Hierarchy hierarchy = make_hierarchy(kUnknowns, levels);
     const Solution expected = LexicographicSolver(hierarchy).solve(hierarchy);
-    Substitution substitution = skew_substitution(levels, random);
+    Substitution substitution = skew_substitution_of(levels, 2, random);
     for (Index j = 0; j < substitution.basis.cols(); ++j) {
       substitution.basis.col(j) *= std::pow(10.0, random.integer(-12, 6));
     }

@@ -4,23 +4,18 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cstdint>
 #include <functional>
 #include <limits>
-#include <string>
 #include <vector>
 
 namespace surefoot::solver {
 namespace {
 
-using Eigen::Index;
-using Eigen::VectorXd;
-
 TEST(SweepKernels, TheWidestThatTheProcessorHasAreUsedUnlessOthersAreAskedFor) {
   const std::vector<const SweepKernels*> all = all_kernels();
   EXPECT_TRUE(std::ranges::is_sorted(all, std::less_equal{}, &SweepKernels::pack));
-  test::RandomMatrices random(3);
-  const Hierarchy hierarchy = test::make_hierarchy(30, test::table_one_levels(random, 3, 1.0));
+  RandomMatrices random(3);
+  const Hierarchy hierarchy = make_hierarchy(30, table_one_levels(random, 3, 1.0));
   const auto x = [&](const SweepKernels* kernels) -> VectorXd {
     return LexicographicSolver(hierarchy, {.kernels = kernels}).solve(hierarchy).x;
   };
@@ -43,24 +38,19 @@ void expect_same_x(const Hierarchy& hierarchy, const VectorXd& expected) {
 }
 
 TEST(SweepKernels, AllInstructionSetsGiveTheSameAnswer) {
-  for (int seed = 0; seed < 200; ++seed) {
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    test::RandomMatrices random(static_cast<std::uint64_t>(seed));
+  for (SeededRandom& random : Seeds(200)) {
     const Index n = random.integer(1, 40);
-    test::HierarchyData levels = test::random_levels(
-        random, {.unknowns = n, .levels = 5, .max_rows = 9, .inequality_share = 0.6});
-    levels.push_back(test::close_to(random.vector(n)));
-    const Hierarchy hierarchy = test::make_hierarchy(n, levels);
+    HierarchyData levels =
+        random_levels(random, {.unknowns = n, .levels = 5, .max_rows = 9, .inequality_share = 0.6});
+    levels.push_back(close_to(random.vector(n)));
+    const Hierarchy hierarchy = make_hierarchy(n, levels);
     expect_same_x(hierarchy, CascadeSolver(hierarchy).solve(hierarchy).x);
   }
 }
 
 TEST(SweepKernels, AllInstructionSetsAgreeOnManyActiveRows) {
-  for (int seed = 0; seed < 100; ++seed) {
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    test::RandomMatrices random(static_cast<std::uint64_t>(seed));
-    const Hierarchy hierarchy =
-        test::make_hierarchy(30, test::table_one_levels(random, 2 + seed % 3, 1.0));
+  for (SeededRandom& random : Seeds(100)) {
+    const Hierarchy hierarchy = make_hierarchy(30, walk_levels(random, 1.0));
     expect_same_x(hierarchy, CascadeSolver(hierarchy).solve(hierarchy).x);
   }
 }
@@ -69,9 +59,9 @@ TEST(SweepKernels, AllInstructionSetsSeeNumbersThatAreNone) {
   for (const SweepKernels* kernels : all_kernels()) {
     SCOPED_TRACE(kernels->name);
     for (Index column = 0; column < 11; ++column) {
-      test::HierarchyData levels{test::equalities(Eigen::MatrixXd::Ones(1, 11), VectorXd::Ones(1))};
+      HierarchyData levels{equalities(MatrixXd::Ones(1, 11), VectorXd::Ones(1))};
       levels[0].A(0, column) = std::numeric_limits<double>::quiet_NaN();
-      const Hierarchy hierarchy = test::make_hierarchy(11, levels);
+      const Hierarchy hierarchy = make_hierarchy(11, levels);
       LexicographicSolver solver(hierarchy, {.kernels = kernels});
       ASSERT_EQ(solver.solve(hierarchy).status, SolveStatus::invalid_input) << column;
     }

@@ -3,6 +3,7 @@
 #include "surefoot/base/error.hpp"
 #include "surefoot/math/numbers.hpp"
 #include "tests/support/malloc_counter.hpp"
+#include "tests/support/messages.hpp"
 #include "tests/tasks/scene.hpp"
 
 #include <gtest/gtest.h>
@@ -15,22 +16,12 @@ namespace surefoot::tasks {
 namespace {
 
 using test::all_contact_sets;
+using test::message_of;
 using test::plan_with_contacts;
 using test::Random;
 using test::Scene;
 using test::written;
 using test::WrittenRows;
-
-/// What a call throws, as text.
-template <typename Call>
-std::string message_of(const Call& call) {
-  try {
-    call();
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "nothing was thrown";
-}
 
 TEST(TaskCatalog, makes_every_task_under_its_own_name_with_its_defaults) {
   EXPECT_EQ(task_catalog().size(), 16u);

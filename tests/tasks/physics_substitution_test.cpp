@@ -1,6 +1,5 @@
 #include "surefoot/tasks/physics_substitution.hpp"
 
-#include "surefoot/base/error.hpp"
 #include "surefoot/config/stack_file.hpp"
 #include "surefoot/control/task_stack.hpp"
 #include "surefoot/solver/cascade_solver.hpp"
@@ -12,7 +11,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace surefoot::tasks {
 namespace {

@@ -20,10 +20,11 @@ std::string message_of(const Action& action) {
   return "";
 }
 
-/// Does a text hold another? With both in the message if not.
+/// Does a text hold another? With both in the message of a failure.
 inline testing::AssertionResult holds(const std::string& text, const std::string& part) {
-  if (text.find(part) != std::string::npos) return testing::AssertionSuccess();
-  return testing::AssertionFailure() << "\"" << part << "\" is not in \"" << text << "\"";
+  const bool is_in = text.find(part) != std::string::npos;
+  return (is_in ? testing::AssertionSuccess() : testing::AssertionFailure())
+         << "\"" << part << (is_in ? "\" is in \"" : "\" is not in \"") << text << "\"";
 }
 
 }  // namespace surefoot::test
