@@ -14,7 +14,7 @@ TEST(ContentsText, SaysOfASteeredRunThatItsCommandAloneGivesAnother) {
   contents.header.command = "bin/surefoot run step_down";
   EXPECT_FALSE(holds(contents_text("run.mcap", contents), "steered"));
   contents.changes = 30;
-  EXPECT_TRUE(holds(contents_text("run.mcap", contents), "steered 30 changes and pushes"));
+  EXPECT_TRUE(holds(contents_text("run.mcap", contents), "steered      30 changes and pushes"));
 }
 
 }  // namespace

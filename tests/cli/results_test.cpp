@@ -78,7 +78,8 @@ TEST(RunJson, tells_the_events_in_words_with_leg_count_and_first_time) {
   EXPECT_EQ(json.at("events")[0].at("count"), 3);
   EXPECT_EQ(json.at("events")[0].at("first_s"), 5.25);
   const std::string table = run_table(Scenario{}, json);
-  EXPECT_TRUE(holds(table, "no ground within reach: foot taken back LF 3 times first at 5.2500 s"));
+  EXPECT_TRUE(
+      holds(table, "no ground within reach: foot taken back   LF   3 times   first at 5.2500 s"));
 }
 
 TEST(RunJson, of_a_scenario_without_a_goal_says_nothing_of_one) {
@@ -129,7 +130,7 @@ TEST(RunTable, counts_the_drawn_values_of_a_vector) {
   EXPECT_TRUE(holds(table,
                     "seed 3: initial.x 0.2, initial.yaw 0.1, disturbances.base_mass_scale 0.9, "
                     "sensors.encoders.offset (3 values),\n"
-                    " disturbances.base_com_offset (2 values)\n"));
+                    "  disturbances.base_com_offset (2 values)\n"));
 }
 
 TEST(RunTable, shows_a_metric_beside_its_limit_and_the_papers_figure) {

@@ -55,7 +55,7 @@ TEST(TickText, ATickThatSolvedNothingShowsNeitherForcesNorLevelsNorLimits) {
   const std::string text = unsolved().text();
   EXPECT_TRUE(holds(text, "No hierarchy was solved: "));
   EXPECT_TRUE(holds(text, "because the torso tilted too far"));
-  EXPECT_TRUE(holds(text, "command damping, as the torso tilted too far; largest torque"));
+  EXPECT_TRUE(holds(text, "command   damping, as the torso tilted too far; largest torque"));
   for (const char* absent : {"17522", "com_xy", "No limit acts", "stance", "nan"})
     EXPECT_FALSE(holds(text, absent));
 }
@@ -181,7 +181,7 @@ TEST(TickText, WhatStoppedTheRobotStaysTheReasonAndWhatIsWrongNowIsToldApart) {
 
 TEST(TickText, TheJsonOfATickThatSolvedNothingHasNoNumbersOfAnother) {
   const auto json = explanation_json(unsolved());
-  EXPECT_EQ(text_of(json), explanation_json(unsolved()));
+  EXPECT_EQ(text_of(json), unsolved().json());
   EXPECT_EQ(json.at("solved"), false);
   EXPECT_TRUE(json.at("model").is_null() && json.at("plan").is_null());
   EXPECT_TRUE(json.at("levels").empty() && json.at("gave_way").empty());
@@ -239,7 +239,7 @@ TEST(TickText, WhatTheRobotIsFoundToCarryIsToldWithItsPlace) {
   };
   const Vec3 at(0.05, -0.02, 0.2);
   EXPECT_TRUE(
-      holds(says(6.9, at), "weighs 6.9 kg more than described, at x 0.05, y -0.02, z 0.20 m"));
+      holds(says(6.9, at), "weighs    6.9 kg more than described, at x 0.05, y -0.02, z 0.20 m"));
   EXPECT_TRUE(holds(says(-2.0, at), "2.0 kg less than described\n"));
   for (const double nothing : {0.0, -0.2, kNaN})
     EXPECT_FALSE(holds(says(nothing, at), "weighs")) << nothing;
@@ -348,7 +348,7 @@ TEST(TickText, AResidualHasTheSameDigitsInTheSentenceAndInTheTable) {
   TickExplanation explanation = pushed_over();
   explanation.tick.hierarchy.levels[1].residual = 1064.3;
   EXPECT_TRUE(holds(explanation.sentence(), "gave way by 1064 m/s²"));
-  EXPECT_TRUE(holds(explanation.text(), "2 com_xy missed 1064 m/s²"));
+  EXPECT_TRUE(holds(explanation.text(), "2 com_xy          missed   1064 m/s²"));
 }
 
 TEST(TickText, RowsSayByHowMuchTheyAreBeyondABoundOrWereMissed) {
@@ -364,11 +364,11 @@ TEST(TickText, RowsSayByHowMuchTheyAreBeyondABoundOrWereMissed) {
   explanation.row_names[{1, 0}] = "x";
   const std::string text = explanation.text();
   EXPECT_TRUE(holds(text,
-                    " friction_cone LF +x, at its upper bound\n"
-                    " friction_cone RH −y, beyond its lower bound by 12.5 N\n"
-                    " friction_cone RH −y, beyond its upper bound\n"
+                    "  friction_cone LF +x, at its upper bound\n"
+                    "  friction_cone RH −y, beyond its lower bound by 12.5 N\n"
+                    "  friction_cone RH −y, beyond its upper bound\n"
                     "Rows that were missed:\n"
-                    " com_xy x, by -30.5 m/s²\n"));
+                    "  com_xy x, by -30.5 m/s²\n"));
   EXPECT_FALSE(holds(text, "0.001"));
   const auto json = explanation_json(explanation);
   EXPECT_EQ(json.at("limits").at(1).at("by"), -12.5);

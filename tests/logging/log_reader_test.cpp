@@ -210,19 +210,21 @@ TEST(LogReader, AnAttachmentThatIsLostIsNoEndOfARunWithoutTimings) {
 }
 
 /// What is said of a log with this header.
-std::string refusal_of(const std::string& header) {
+void read_log_with(const std::string& header) {
   const TemporaryFolder folder;
-  {
-    McapWriter writer(folder / "run.mcap");
-    writer.attach("header.json", "application/json", header);
-    writer.close();
-  }
-  return message_of([&] { LogReader log(folder / "run.mcap"); });
+  McapWriter writer(folder / "run.mcap");
+  writer.attach("header.json", "application/json", header);
+  writer.close();
+  const LogReader log(folder / "run.mcap");
+}
+
+std::string refusal_of(const std::string& header) {
+  return message_of([&] { read_log_with(header); });
 }
 
 TEST(LogReader, ADamagedHeaderIsToldInWordsWithWhatCanStillBeDone) {
   const std::string whole = to_json(SyntheticRun::header());
-  EXPECT_EQ(refusal_of(whole), "");
+  EXPECT_NO_THROW(read_log_with(whole));
   const std::string cut = refusal_of(whole.substr(0, 300));
   EXPECT_TRUE(holds(cut,
                     "run.mcap: its header.json, which says what run it is, is damaged at its byte "

@@ -1,5 +1,6 @@
 #include "surefoot/logging/mend_log.hpp"
 
+#include "surefoot/base/error.hpp"
 #include "surefoot/logging/mcap_chunks.hpp"
 #include "surefoot/logging/mcap_reader.hpp"
 #include "surefoot/logging/mcap_writer.hpp"

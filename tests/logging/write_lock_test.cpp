@@ -1,5 +1,6 @@
 #include "surefoot/logging/write_lock.hpp"
 
+#include "surefoot/base/error.hpp"
 #include "tests/logging/temporary_folder.hpp"
 
 #include <gtest/gtest.h>

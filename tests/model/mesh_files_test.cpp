@@ -1,5 +1,6 @@
 #include "surefoot/model/mesh_files.hpp"
 
+#include "surefoot/base/error.hpp"
 #include "tests/logging/temporary_folder.hpp"
 
 #include <gtest/gtest.h>

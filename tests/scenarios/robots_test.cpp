@@ -96,7 +96,8 @@ TEST(Sizes, WalkTheSameWalk) {
     EXPECT_NEAR(scale.mass, std::pow(size, 3.0), 1e-9);
     const evaluation::Metrics other = walked("walk_flat", robot);
     EXPECT_TRUE(other.succeeded) << size << ": " << other.reason;
-    // The calibration averages for as long at any size, so the walk begins a little sooner or later.
+    // The calibration averages for as long at any size, so the walk begins a little sooner or
+    // later.
     EXPECT_NEAR(other.steps_taken, one.steps_taken, 0.05 * one.steps_taken) << size;
     EXPECT_NEAR(other.speed_mps / std::sqrt(size), one.speed_mps, 0.02 * one.speed_mps) << size;
     EXPECT_NEAR(other.com_lateral_sway_m / size, one.com_lateral_sway_m,
