@@ -14,8 +14,9 @@ namespace {
 /// Names as YAML text, so that ": ", "#" and spaces in them do no harm.
 std::string quoted(const std::string& text) {
   if (text.find_first_not_of(
-          "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_/.-") ==
+          "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_/.:-") ==
           std::string::npos &&
+      !text.ends_with(':') &&
       text.find_first_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ/.") == 0)
     return text;
   std::string result = "\"";
