@@ -1,11 +1,9 @@
 #include "surefoot/doctor/anatomy.hpp"
 
-#include "surefoot/base/formatted.hpp"
 #include "surefoot/doctor/found_feet.hpp"
 #include "surefoot/doctor/found_legs.hpp"
 
-#include <algorithm>
-#include <set>
+#include <utility>
 
 namespace surefoot::doctor {
 namespace {

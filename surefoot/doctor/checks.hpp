@@ -18,6 +18,8 @@ void check_limits(Diagnosis& robot);
 void check_symmetry(Diagnosis& robot);
 /// Joints that turn the other way than those of the other legs, and knees that bend one way only.
 void check_signs(Diagnosis& robot);
+/// Joints whose names say another leg than the one at whose place they are.
+void check_names(Diagnosis& robot);
 /// The start of a walk as the program checks it: stance, overlaps, shapes below the feet.
 void check_stance(Diagnosis& robot);
 

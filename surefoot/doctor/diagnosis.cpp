@@ -65,6 +65,7 @@ Diagnosis examine(const std::string& urdf, const std::string& name) {
   check_inertias(robot);
   check_feet(robot);
   check_signs(robot);
+  check_names(robot);
   load(robot);
   check_symmetry(robot);
   check_limits(robot);

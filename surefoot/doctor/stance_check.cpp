@@ -8,8 +8,11 @@
 namespace surefoot::doctor {
 namespace {
 
-/// Notes on inertias are those of check_inertias.
-bool is_of_inertia(const std::string& note) { return note.find("inertia") != std::string::npos; }
+/// check_inertias and check_feet tell these.
+bool is_told_already(const std::string& note) {
+  return note.find("inertia") != std::string::npos ||
+         note.find("foot sphere was added") != std::string::npos;
+}
 
 }  // namespace
 
@@ -22,7 +25,7 @@ void check_stance(Diagnosis& robot) {
     const config::Scenario scenario = config::load_scenario(
         {.name_or_path = "walk_flat", .seed = 0, .assignments = {"robot=" + file}});
     for (const std::string& note : closed_loop::check_setup(scenario)) {
-      if (is_of_inertia(note)) continue;
+      if (is_told_already(note)) continue;
       robot.findings.push_back({Severity::note, Confidence::certain, "walk_flat", 0, note, ""});
     }
   } catch (const Error& error) {

@@ -5,6 +5,8 @@
 #include "surefoot/closed_loop/closed_loop.hpp"
 #include "surefoot/config/scenario_file.hpp"
 
+#include <utility>
+
 namespace surefoot::doctor {
 namespace {
 

@@ -36,6 +36,7 @@ TEST_F(Anatomy, goes_by_places_not_by_names) {
   EXPECT_EQ((*robot.anatomy.legs)[index(Leg::LF)].foot.link, "RH_FOOT");
   EXPECT_EQ((*robot.anatomy.legs)[index(Leg::RH)].foot.link, "LF_FOOT");
   EXPECT_FALSE(has_error(robot.findings)) << robot.findings.front().what;
+  EXPECT_TRUE(has(robot, Severity::warning, "joint \"RH_HAA\": by its name it belongs to RH"));
 }
 
 TEST_F(Anatomy, with_a_joint_too_few_says_that_legs_are_missing) {
@@ -54,6 +55,21 @@ TEST_F(Anatomy, with_an_arm_says_which_joints_must_be_fixed) {
   ASSERT_TRUE(robot.anatomy.legs);
   ASSERT_EQ(robot.anatomy.others.size(), 1U);
   EXPECT_TRUE(has(robot, Severity::error, "joint \"arm\" is prismatic"));
+}
+
+TEST_F(Anatomy, takes_the_four_lowest_of_five_limbs_for_legs) {
+  std::string arm;
+  std::string parent = "base";
+  for (const std::string name : {"arm_1", "arm_2", "arm_3"}) {
+    arm += "<link name=\"" + name + "\"/><joint name=\"to_" + name +
+           "\" type=\"revolute\"><origin xyz=\"0.1 0 0.1\"/><parent link=\"" + parent +
+           "\"/><child link=\"" + name + "\"/></joint>";
+    parent = name;
+  }
+  change("</robot>", "</robot>", arm + "</robot>");
+  const Diagnosis robot = diagnosis();
+  ASSERT_TRUE(robot.anatomy.legs);
+  EXPECT_TRUE(has(robot, Severity::error, "four others reach lower"));
 }
 
 TEST_F(Anatomy, of_a_robot_that_looks_along_y_says_so) {
