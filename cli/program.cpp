@@ -1,5 +1,6 @@
 #include "cli/program.hpp"
 
+#include "cli/doctor_command.hpp"
 #include "cli/dump_command.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/list_command.hpp"
@@ -133,6 +134,24 @@ Examples:
   surefoot list schema scenario > scenario.schema.json   for editors: scenario, randomisation, robot or stack
 )";
 
+constexpr const char* kDoctorFooter = R"(
+It finds base, limbs, legs (four limbs of three hinges), feet and their spheres by how the URDF
+connects them, whatever the names are, and checks masses, inertias, units, limits, symmetry, signs
+and the stance. A finding has a severity, how sure it is, its place and what to do. What the URDF
+can't tell stands in the robot file as a comment or a guess that is called one.
+
+--walk runs walk_flat for 20 s of walk and step_down in simulation; guesses stand in for limits and
+a foot's radius that are missing.
+
+Exit codes: 0 no error is found, 1 a trial walk does not succeed, 2 there are errors, or the input
+can't be read. A robot file that exists is never written over.
+
+Examples:
+  surefoot doctor robot.urdf
+  surefoot doctor robot.urdf --out robot.yaml --walk
+  surefoot doctor package://my_robot/urdf/robot.urdf --json
+)";
+
 // Each seed has its results in memory, each job is a process.
 constexpr int kMaxSeeds = 1'000'000, kMaxJobs = 1000;
 
@@ -197,6 +216,22 @@ void add_list(CLI::App& app, Command& chosen) {
   list->callback([&chosen, what, filter] {
     chosen = [what, filter] { return list_command(*what, *filter); };
   });
+}
+
+void add_doctor(CLI::App& app, Command& chosen) {
+  CLI::App* doctor = app.add_subcommand("doctor", "Examine a URDF and make the robot file of it");
+  doctor->footer(kDoctorFooter);
+  const auto arguments = std::make_shared<DoctorArguments>();
+  doctor->add_option("description", arguments->urdf, "URDF: a file, or a package:// name")
+      ->required();
+  doctor->add_option("--out", arguments->out, "Write the robot file here (YAML)")
+      ->check(some_name());
+  doctor->add_option("--name", arguments->name, "Of the robot; the URDF's by default")
+      ->check(some_name());
+  doctor->add_flag("--walk", arguments->walk, "Let it walk, and step down, in simulation");
+  doctor->add_flag("--json", arguments->json, "Print one JSON object instead of a report");
+  doctor->callback(
+      [&chosen, arguments] { chosen = [arguments] { return doctor_command(*arguments); }; });
 }
 
 void add_solve(CLI::App& app, Command& chosen) {
@@ -322,6 +357,7 @@ int run_program(int argc, char** argv) {
   app.set_help_all_flag("--help-all", "Help on all commands");
   Command chosen;
   add_run(app, chosen);
+  add_doctor(app, chosen);
   add_list(app, chosen);
   add_solve(app, chosen);
   add_dump(app, chosen);

@@ -17,7 +17,8 @@ using tinyxml2::XMLElement;
 /// Reads links and joints.
 class Reader : public UrdfReader {
  public:
-  using UrdfReader::UrdfReader;
+  Reader(const std::string& path, ImpossibleInertia impossible)
+      : UrdfReader(path), impossible_(impossible) {}
 
   UrdfLink link(const XMLElement& element) const {
     const XMLElement* inertial = element.FirstChildElement("inertial");
@@ -80,7 +81,7 @@ class Reader : public UrdfReader {
     Inertia result;
     const XMLElement& mass = child(inertial, "mass", link);
     result.mass = number(mass, "value");
-    if (result.mass < 0.0) {
+    if (result.mass < 0.0 && impossible_ == ImpossibleInertia::refused) {
       fail(mass.GetLineNum(), "link \"" + link + "\": mass " + mass.Attribute("value") +
                                   " kg is negative; it must be 0 or more");
     }
@@ -102,6 +103,8 @@ class Reader : public UrdfReader {
     }
     return link;
   }
+
+  ImpossibleInertia impossible_;
 };
 
 void check_joint_names(const Reader& reader, const Urdf& urdf) {
@@ -190,8 +193,8 @@ std::map<std::string, Weld> welds(const Urdf& urdf) {
   return found;
 }
 
-Urdf read_urdf(const std::string& path) {
-  const Reader reader(path);
+Urdf read_urdf(const std::string& path, ImpossibleInertia impossible) {
+  const Reader reader(path, impossible);
   tinyxml2::XMLDocument xml;
   const XMLElement& robot = reader.robot(xml);
 
@@ -206,7 +209,7 @@ Urdf read_urdf(const std::string& path) {
   check_joint_names(reader, urdf);
   urdf.root = find_root(reader, urdf);
   check_connected(reader, urdf);
-  check_inertias(reader, urdf);
+  if (impossible == ImpossibleInertia::refused) check_inertias(reader, urdf);
   return urdf;
 }
 

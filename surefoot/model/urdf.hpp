@@ -42,11 +42,16 @@ struct Urdf {
   [[nodiscard]] const UrdfLink* find_link(const std::string& name) const;
 };
 
+/// What reading a URDF does with masses and inertias that no body can have.
+enum class ImpossibleInertia { refused, kept };
+
 /// Reads a URDF. Ignores a placeholder inertia of the root link, with a note. Throws FileError,
 /// with file and line, if the file is missing, not XML or no robot, if the links do not form one
 /// tree, a joint's name repeats, a mass is negative, an inertia has a negative eigenvalue beyond
-/// rounding or a number is not finite. Ignores faults in parts that are not kept.
-[[nodiscard]] Urdf read_urdf(const std::string& path);
+/// rounding or a number is not finite. Ignores faults in parts that are not kept. With `kept`,
+/// masses and inertias stay as written, whatever they are.
+[[nodiscard]] Urdf read_urdf(const std::string& path,
+                             ImpossibleInertia impossible = ImpossibleInertia::refused);
 
 /// The body that a link is fixed to, and its frame in the body's.
 struct Weld {

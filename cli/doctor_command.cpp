@@ -1,0 +1,68 @@
+#include "cli/doctor_command.hpp"
+
+#include "cli/exit_code.hpp"
+#include "cli/progress.hpp"
+#include "surefoot/base/printable.hpp"
+#include "surefoot/doctor/report.hpp"
+#include "surefoot/doctor/robot_file_text.hpp"
+#include "surefoot/logging/scratch_folder.hpp"
+#include "surefoot/runtime/interrupt.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <iostream>
+#include <memory>
+
+namespace surefoot::cli {
+namespace {
+
+/// Guesses stand in for what the robot file lacks.
+std::vector<doctor::Trial> walk(const doctor::Diagnosis& robot) {
+  const logging::ScratchFolder scratch;
+  const std::string file = scratch.write(
+      "robot.yaml", robot_file_text(robot, scratch.path(), doctor::Guesses::as_numbers));
+  std::unique_ptr<Progress> progress;
+  std::string shown;
+  doctor::TrialOptions options;
+  options.interrupted = runtime::interrupted;
+  options.progress = [&](const std::string& scenario, double time, double duration) {
+    if (scenario != shown) {
+      progress.reset();
+      progress = std::make_unique<Progress>(scenario, duration, "s");
+      shown = scenario;
+    }
+    progress->update(time);
+  };
+  return doctor::try_walking(file, options);
+}
+
+/// Without legs the findings say more than a file could.
+void write_file(const doctor::Diagnosis& robot, const std::string& file) {
+  if (!robot.anatomy.legs) {
+    std::fprintf(stderr, "surefoot: no robot file: four legs were not found, see the errors\n");
+    return;
+  }
+  write_robot_file(robot, file);
+  std::fprintf(stderr, "robot file: %s\n", file.c_str());
+}
+
+}  // namespace
+
+int doctor_command(const DoctorArguments& arguments) {
+  runtime::watch_for_interrupt();
+  const doctor::Diagnosis robot = doctor::examine(arguments.urdf, arguments.name);
+  const bool can_walk = robot.robot.has_value();
+  if (!arguments.out.empty()) write_file(robot, arguments.out);
+  if (arguments.walk && !can_walk)
+    std::fprintf(stderr, "surefoot: no trial: the program refuses the robot, see the errors\n");
+  const std::vector<doctor::Trial> trials =
+      arguments.walk && can_walk ? walk(robot) : std::vector<doctor::Trial>();
+  std::cout << printable(
+                   arguments.json ? report_json(robot, trials) + "\n" : report_text(robot, trials),
+                   "\n")
+            << std::flush;
+  if (has_error(robot.findings)) return kWrongInput;
+  return std::ranges::all_of(trials, &doctor::Trial::succeeded) ? kPassed : kFailed;
+}
+
+}  // namespace surefoot::cli

@@ -1,0 +1,113 @@
+#include "surefoot/doctor/anatomy.hpp"
+
+#include "surefoot/doctor/found_feet.hpp"
+#include "surefoot/doctor/found_legs.hpp"
+
+#include <utility>
+
+namespace surefoot::doctor {
+namespace {
+
+bool is_hinge(const model::UrdfJoint& joint) {
+  return joint.type == "revolute" || joint.type == "continuous";
+}
+
+/// Collects what moves behind a joint, and says why it is no leg.
+class LimbFinder {
+ public:
+  LimbFinder(const model::Urdf& urdf, const std::map<std::string, model::Weld>& welds)
+      : urdf_(urdf), welds_(welds) {}
+
+  [[nodiscard]] std::vector<model::UrdfJoint> moving_from(const std::string& body) const {
+    std::vector<model::UrdfJoint> joints;
+    for (const model::UrdfJoint& joint : urdf_.joints) {
+      if (joint.type != "fixed" && welds_.at(joint.parent).body == body) joints.push_back(joint);
+    }
+    return joints;
+  }
+
+  [[nodiscard]] Limb limb(const model::UrdfJoint& first) const {
+    Limb limb;
+    collect(first, limb);
+    if (!limb.no_leg.empty()) return limb;
+    if (limb.joints.size() != kJointsPerLeg)
+      limb.no_leg = "it has " + std::to_string(limb.joints.size()) + " joints, a leg has 3";
+    return limb;
+  }
+
+ private:
+  void collect(const model::UrdfJoint& joint, Limb& limb) const {
+    limb.joints.push_back(joint);
+    if (!is_hinge(joint)) limb.no_leg = "joint \"" + joint.name + "\" is " + joint.type;
+    if (!joint.mimics.empty()) limb.no_leg = "joint \"" + joint.name + "\" mimics another";
+    const std::vector<model::UrdfJoint> next = moving_from(joint.child);
+    if (next.size() > 1) limb.no_leg = "it branches behind joint \"" + joint.name + "\"";
+    for (const model::UrdfJoint& child : next) collect(child, limb);
+  }
+
+  const model::Urdf& urdf_;
+  const std::map<std::string, model::Weld>& welds_;
+};
+
+std::string heaviest_link(const model::Urdf& urdf, const Anatomy& anatomy) {
+  const model::UrdfLink* heaviest = urdf.find_link(anatomy.base);
+  for (const model::UrdfLink& link : urdf.links) {
+    if (anatomy.welds.at(link.name).body != anatomy.base) continue;
+    if (link.inertia.mass > heaviest->inertia.mass) heaviest = &link;
+  }
+  return heaviest->name;
+}
+
+/// A massless root before a joint that carries the whole robot is a world, not a base.
+void find_base(const model::Urdf& urdf, const LimbFinder& finder, Anatomy& anatomy,
+               Findings& findings) {
+  anatomy.root = anatomy.base = urdf.root;
+  const std::vector<model::UrdfJoint> from_root = finder.moving_from(urdf.root);
+  if (from_root.size() != 1 || finder.moving_from(from_root.front().child).size() < 2) return;
+  const model::UrdfJoint& joint = from_root.front();
+  anatomy.base = joint.child;
+  findings.push_back(
+      {Severity::error, Confidence::certain, "joint \"" + joint.name + "\"", joint.line,
+       "the whole robot hangs on this " + joint.type + " joint of the root \"" + urdf.root +
+           "\", but the base must be the root",
+       "take joint and root link out of the URDF, so that \"" + joint.child + "\" is the root"});
+}
+
+void tell_others(const Anatomy& anatomy, Findings& findings) {
+  for (const Limb& limb : anatomy.others) {
+    std::string names;
+    for (const model::UrdfJoint& joint : limb.joints) names += " " + joint.name;
+    const model::UrdfJoint& first = limb.joints.front();
+    findings.push_back({Severity::error, Confidence::certain, "joint \"" + first.name + "\"",
+                        first.line,
+                        "the limb that begins here is no leg (" + limb.no_leg +
+                            "), and a joint beside the legs is refused:" + names,
+                        "set type=\"fixed\" at these joints; the limb is then part of its parent"});
+  }
+}
+
+}  // namespace
+
+Anatomy find_anatomy(const model::Urdf& urdf, Findings& findings) {
+  Anatomy anatomy;
+  anatomy.welds = model::welds(urdf);
+  const LimbFinder finder(urdf, anatomy.welds);
+  find_base(urdf, finder, anatomy, findings);
+  anatomy.torso = heaviest_link(urdf, anatomy);
+  std::vector<FoundLeg> legs;
+  const FootFinder feet(urdf, anatomy.welds);
+  for (const model::UrdfJoint& joint : finder.moving_from(anatomy.base)) {
+    Limb limb = finder.limb(joint);
+    if (limb.no_leg.empty()) {
+      legs.push_back(measured_leg(limb, anatomy.welds, feet));
+    } else {
+      anatomy.others.push_back(std::move(limb));
+    }
+  }
+  keep_lowest(legs, anatomy);
+  name_legs(legs, anatomy, findings);
+  tell_others(anatomy, findings);
+  return anatomy;
+}
+
+}  // namespace surefoot::doctor

@@ -1,0 +1,60 @@
+#pragma once
+
+#include "surefoot/doctor/finding.hpp"
+#include "surefoot/model/leg_chain.hpp"
+#include "surefoot/model/urdf.hpp"
+
+#include <array>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace surefoot::doctor {
+
+/// The moving joints behind one joint that leaves the base.
+struct Limb {
+  std::vector<model::UrdfJoint> joints;  ///< from the base outward
+  std::string no_leg;                    ///< why it is none; empty: it may be one
+};
+
+/// What a foot's radius was guessed from where its link collides with nothing.
+inline constexpr const char* kNoShape = "no shape";
+
+/// The link that a leg stands on, and its sphere.
+struct Foot {
+  std::string link;
+  int line = 0;                ///< of the link in the URDF
+  double radius = 0.0;         ///< of the URDF's sphere, or a guess [m]
+  Vec3 center = Vec3::Zero();  ///< of the sphere in the foot link's frame [m]
+  /// What the radius was guessed from: "a mesh", kNoShape …; empty: the URDF has the sphere.
+  std::string guessed_from;
+};
+
+/// A leg and its measures.
+struct FoundLeg {
+  std::array<model::UrdfJoint, kJointsPerLeg> joints;  ///< HAA, HFE, KFE
+  Foot foot;
+  model::LegChain chain;    ///< with the hip on the HFE axis
+  Vec3 hip = Vec3::Zero();  ///< origin of the HFE joint in B at q = 0 [m]
+  Vec3 tip = Vec3::Zero();  ///< centre of the foot sphere in B at q = 0 [m]
+  double thigh = 0.0;       ///< HFE axis to KFE axis [m]
+  double shank = 0.0;       ///< KFE axis to sphere centre [m]
+};
+
+/// The parts of a robot as its URDF connects them.
+struct Anatomy {
+  std::string root;             ///< of the URDF
+  std::string base;             ///< the link that the limbs leave, with all fixed to it
+  std::string torso;            ///< the heaviest link of it
+  std::vector<Limb> others;     ///< limbs that are no legs
+  std::vector<FoundLeg> loose;  ///< legs that could not be told apart; else empty
+  std::optional<PerLeg<FoundLeg>> legs;
+  std::map<std::string, model::Weld> welds;  ///< of all links
+};
+
+/// Finds base, limbs, legs and feet. What can't be found is an error in `findings`. Throws
+/// FileError if the file can't be read.
+[[nodiscard]] Anatomy find_anatomy(const model::Urdf& urdf, Findings& findings);
+
+}  // namespace surefoot::doctor

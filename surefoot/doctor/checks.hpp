@@ -1,0 +1,37 @@
+#pragma once
+
+#include "surefoot/doctor/diagnosis.hpp"
+
+namespace surefoot::doctor {
+
+// Each check adds what it finds to the diagnosis.
+
+/// Masses and inertias of links and bodies: impossible ones, and those in other units.
+void check_inertias(Diagnosis& robot);
+/// Total mass and leg length: g for kg, mm for m.
+void check_size(Diagnosis& robot);
+/// Feet that differ, are missing or have no sphere.
+void check_feet(Diagnosis& robot);
+/// Effort, velocity and position limits: missing, placeholders, too weak to stand.
+void check_limits(Diagnosis& robot);
+/// Left against right, front against hind.
+void check_symmetry(Diagnosis& robot);
+/// Joints that turn the other way than those of the other legs, and knees that bend one way only.
+void check_signs(Diagnosis& robot);
+/// Joints whose names say another leg than the one at whose place they are.
+void check_names(Diagnosis& robot);
+/// The start of a walk as the program checks it: stance, overlaps, shapes below the feet.
+void check_stance(Diagnosis& robot);
+
+/// Which of a joint's limits have to be filled in.
+struct LimitGaps {
+  bool effort = false, velocity = false, position = false;  ///< a placeholder, or missing
+};
+
+/// Of all legs' joints. Without the standing torque an effort counts as a placeholder from 1000 N·m
+/// on.
+[[nodiscard]] LimitGaps limit_gaps(const Diagnosis& robot);
+/// Has this joint position limits that are no placeholders?
+[[nodiscard]] bool has_position_limits(const model::UrdfJoint& joint);
+
+}  // namespace surefoot::doctor

@@ -1,0 +1,77 @@
+#include "surefoot/doctor/diagnosis.hpp"
+
+#include "surefoot/base/error.hpp"
+#include "surefoot/config/data_directory.hpp"
+#include "surefoot/config/robot_file.hpp"
+#include "surefoot/control/standing_torque.hpp"
+#include "surefoot/doctor/checks.hpp"
+#include "surefoot/doctor/robot_file_text.hpp"
+#include "surefoot/logging/scratch_folder.hpp"
+#include "surefoot/model/mesh_files.hpp"
+#include "surefoot/model/robot_model.hpp"
+
+#include <algorithm>
+#include <filesystem>
+
+namespace surefoot::doctor {
+namespace {
+
+std::string find_urdf(const std::string& given) {
+  if (given.find("://") == std::string::npos) return given;
+  const model::MeshFolders folders{.packages = config::package_directories(), .urdf = {}};
+  const std::filesystem::path found = model::find_mesh(given, folders);
+  if (found.empty()) throw FileError(model::missing_text(given, folders));
+  return found.string();
+}
+
+/// Is this line of the URDF among the errors already?
+bool is_told(const Findings& findings, const std::string& message) {
+  return std::ranges::any_of(findings, [&](const Finding& finding) {
+    return finding.severity == Severity::error && finding.line > 0 &&
+           message.find(":" + std::to_string(finding.line) + ":") != std::string::npos;
+  });
+}
+
+/// Lets the program read the robot file; what it refuses is an error unless a check told it.
+void load(Diagnosis& robot) {
+  if (!robot.anatomy.legs) return;
+  const logging::ScratchFolder scratch;
+  const std::string file =
+      scratch.write("robot.yaml", robot_file_text(robot, scratch.path(), Guesses::as_numbers));
+  try {
+    robot.robot = config::load_robot(file);
+    model::RobotModel model(*robot.robot);
+    robot.standing_torque = control::standing_torque(model, robot.robot->q_nominal);
+    robot.proportions = model::proportions_of(model);
+  } catch (const Error& error) {
+    robot.robot.reset();
+    std::string what = error.what();
+    if (is_told(robot.findings, what)) return;
+    if (what.starts_with(file)) what.erase(0, file.size() + 1);
+    robot.findings.push_back({Severity::error, Confidence::certain, "robot file", 0,
+                              "the program refuses the robot: " + what, ""});
+  }
+}
+
+}  // namespace
+
+Diagnosis examine(const std::string& urdf, const std::string& name) {
+  Diagnosis robot;
+  robot.given = urdf;
+  robot.urdf = model::read_urdf(find_urdf(urdf), model::ImpossibleInertia::kept);
+  robot.name = name.empty() ? std::filesystem::path(robot.urdf.path).stem().string() : name;
+  robot.anatomy = find_anatomy(robot.urdf, robot.findings);
+  check_size(robot);
+  check_inertias(robot);
+  check_feet(robot);
+  check_signs(robot);
+  check_names(robot);
+  load(robot);
+  check_symmetry(robot);
+  check_limits(robot);
+  check_stance(robot);
+  sort_worst_first(robot.findings);
+  return robot;
+}
+
+}  // namespace surefoot::doctor

@@ -1,0 +1,21 @@
+#pragma once
+
+#include "surefoot/doctor/anatomy.hpp"
+
+namespace surefoot::doctor {
+
+class FootFinder;
+
+/// A limb of three hinges, with its foot and its lengths.
+[[nodiscard]] FoundLeg measured_leg(const Limb& limb,
+                                    const std::map<std::string, model::Weld>& welds,
+                                    const FootFinder& feet);
+
+/// Of more than four the ones with the lowest tips stay; the others go to `anatomy.others`.
+void keep_lowest(std::vector<FoundLeg>& legs, Anatomy& anatomy);
+
+/// Tells LF, RF, LH and RH apart by the hips' places, x forward and y left. Fewer than four, or
+/// four that are not in the four quadrants, are an error.
+void name_legs(const std::vector<FoundLeg>& legs, Anatomy& anatomy, Findings& findings);
+
+}  // namespace surefoot::doctor

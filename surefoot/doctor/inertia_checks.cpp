@@ -1,0 +1,145 @@
+#include "surefoot/base/formatted.hpp"
+#include "surefoot/doctor/checks.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace surefoot::doctor {
+namespace {
+
+// A body's radius of gyration against how far its joints and links lie from its centre of mass.
+constexpr double kMostGyration = 4.0, kLeastGyration = 0.02;
+constexpr double kLeastReach = 0.02;  // of a body whose joints lie at one place [m]
+constexpr double kFarCom = 5.0;       // of its reach
+
+Finding of_link(const model::UrdfLink& link, Severity severity, Confidence confidence,
+                std::string what, std::string remedy) {
+  return {severity,  confidence,      "link \"" + link.name + "\"",
+          link.line, std::move(what), std::move(remedy)};
+}
+
+void check_link(const model::UrdfLink& link, bool is_root, Findings& findings) {
+  const Vec3 moments = principal_moments(link.inertia);
+  const double largest = moments.cwiseAbs().maxCoeff();
+  if (link.inertia.mass < 0.0) {
+    findings.push_back(of_link(link, Severity::error, Confidence::certain,
+                               formatted("its mass is negative, %g kg", link.inertia.mass),
+                               "correct <mass value>"));
+  }
+  if (is_root && model::is_placeholder(link.inertia)) {
+    findings.push_back(of_link(link, Severity::note, Confidence::certain,
+                               "the root's inertia is a placeholder and is left out", ""));
+  } else if (moments[0] < -model::kInertiaRounding * largest) {
+    findings.push_back(of_link(
+        link, Severity::error, Confidence::certain,
+        formatted("its inertia has a negative principal moment, %.3g kg·m²", moments[0]),
+        "correct the signs in <inertia>: ixx, iyy and izz are positive, and each of ixy, ixz, iyz "
+        "is smaller"));
+  } else if (!model::obeys_triangle_inequality(moments)) {
+    findings.push_back(of_link(
+        link, Severity::note, Confidence::certain,
+        formatted("alone no body can have its moments of inertia, %.3g, %.3g, %.3g kg·m²: the "
+                  "largest is above the sum of the others",
+                  moments[0], moments[1], moments[2]),
+        "take the inertia from CAD anew; what counts is the body with all that is fixed to it"));
+  }
+}
+
+/// A link after a moving joint, with all that is fixed to it.
+struct Body {
+  const model::UrdfLink* link;
+  model::Inertia inertia;
+  double reach;  // from its centre of mass to the farthest of its joints and links [m]
+};
+
+Body body_of(const Diagnosis& robot, const model::UrdfLink& first) {
+  const std::map<std::string, model::Weld>& welds = robot.anatomy.welds;
+  Body body{&first, {}, kLeastReach};
+  for (const model::UrdfLink& link : robot.urdf.links) {
+    const model::Weld& weld = welds.at(link.name);
+    if (weld.body == first.name) body.inertia = body.inertia + link.inertia.placed(weld.R, weld.p);
+  }
+  const auto reach_to = [&](const Vec3& point) {
+    body.reach = std::max(body.reach, (point - body.inertia.com).norm());
+  };
+  Vec3 farthest = Vec3::Zero();  // of joints and links; the COM itself may be wrong
+  const auto add = [&](const Vec3& point) {
+    if (point.norm() > farthest.norm()) farthest = point;
+    if (body.inertia.com.norm() < kFarCom * std::max(kLeastReach, farthest.norm())) reach_to(point);
+  };
+  for (const auto& [name, weld] : welds) {
+    if (weld.body == first.name) add(weld.p);
+  }
+  for (const model::UrdfJoint& joint : robot.urdf.joints) {
+    const model::Weld& weld = welds.at(joint.parent);
+    if (joint.type != "fixed" && weld.body == first.name) add(weld.p + weld.R * joint.p);
+  }
+  body.reach = std::max(body.reach, farthest.norm());
+  return body;
+}
+
+/// Moments that the whole body can't have are refused by the program.
+void check_moments(const Body& body, Findings& findings) {
+  const Vec3 moments = principal_moments(body.inertia);
+  if (moments[0] > 0.0 && model::obeys_triangle_inequality(moments)) return;
+  findings.push_back(of_link(
+      *body.link, Severity::error, Confidence::certain,
+      formatted("with all that is fixed to it, it has moments of inertia that no body has: %.3g, "
+                "%.3g, %.3g kg·m²; all must be above 0, and none above the sum of the others",
+                moments[0], moments[1], moments[2]),
+      "correct <inertia> of this link and of those fixed to it"));
+}
+
+void check_units(const Body& body, Findings& findings) {
+  const double gyration = std::sqrt(principal_moments(body.inertia)[2] / body.inertia.mass);
+  const std::string seen = formatted(
+      "its radius of gyration, √(I/m), is %.3g m, but its joints "
+      "and links lie within %.3g m",
+      gyration, body.reach);
+  if (gyration > kMostGyration * body.reach) {
+    findings.push_back(of_link(*body.link, Severity::warning, Confidence::likely,
+                               seen + ": the inertia is too large for the mass",
+                               "is <inertia> in kg·mm² (divide by 1e6) or g·mm² (by 1e9), or the "
+                               "mass too small? Expected are kg and kg·m²"));
+  } else if (gyration < kLeastGyration * body.reach) {
+    findings.push_back(of_link(*body.link, Severity::warning, Confidence::likely,
+                               seen + ": the inertia is too small for the mass",
+                               "is the mass in g (divide by 1000), or <inertia> a placeholder? "
+                               "Expected are kg and kg·m²"));
+  }
+  if (body.inertia.com.norm() > kFarCom * body.reach) {
+    findings.push_back(of_link(
+        *body.link, Severity::warning, Confidence::likely,
+        formatted(
+            "its centre of mass is %.3g m from its joint, but its joints and links lie within "
+            "%.3g m",
+            body.inertia.com.norm(), body.reach),
+        "is <inertial><origin> in mm? Expected are m"));
+  }
+}
+
+void check_body(const Diagnosis& robot, const model::UrdfLink& link, Findings& findings) {
+  const Body body = body_of(robot, link);
+  if (body.inertia.mass <= 0.0) {
+    findings.push_back(of_link(link, Severity::error, Confidence::certain,
+                               "it moves, but has no mass, with all that is fixed to it",
+                               "add <inertial> with its mass, or make its joint fixed"));
+    return;
+  }
+  check_moments(body, findings);
+  check_units(body, findings);
+}
+
+}  // namespace
+
+void check_inertias(Diagnosis& robot) {
+  for (const model::UrdfLink& link : robot.urdf.links)
+    check_link(link, link.name == robot.urdf.root, robot.findings);
+  for (const model::UrdfLink& link : robot.urdf.links) {
+    const bool is_empty_root = link.name == robot.urdf.root && link.name != robot.anatomy.base;
+    const bool is_first_of_body = robot.anatomy.welds.at(link.name).body == link.name;
+    if (is_first_of_body && !is_empty_root) check_body(robot, link, robot.findings);
+  }
+}
+
+}  // namespace surefoot::doctor

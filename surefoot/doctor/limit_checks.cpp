@@ -1,0 +1,177 @@
+#include "surefoot/base/formatted.hpp"
+#include "surefoot/doctor/checks.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace surefoot::doctor {
+namespace {
+
+constexpr double kMuchTorque = 20.0;     // times what standing needs
+constexpr double kLargeEffort = 1000.0;  // where that is not known [N·m]
+constexpr double kFastest = 100.0;       // [rad/s]
+constexpr double kWholeTurn = 2.0 * kPi - 1e-3;
+constexpr double kMostOfLimit = 0.6;  // of the limit, to stand: little is left to walk
+
+bool is_missing(double number) { return std::isnan(number) || number <= 0.0; }
+
+double most_standing_torque(const Diagnosis& robot) {
+  return robot.standing_torque.cwiseAbs().maxCoeff();
+}
+
+bool is_effort_placeholder(const Diagnosis& robot, double effort) {
+  const double most = most_standing_torque(robot);
+  return std::isnan(most) ? effort >= kLargeEffort : effort > kMuchTorque * most;
+}
+
+bool is_position_placeholder(const model::UrdfJoint& joint) {
+  return joint.lower <= -kWholeTurn || joint.upper >= kWholeTurn || joint.lower >= joint.upper;
+}
+
+bool has_no_position(const model::UrdfJoint& joint) {
+  return std::isnan(joint.lower) || std::isnan(joint.upper);
+}
+
+/// The joints of all legs with the same fault, in one finding, by value.
+class JointList {
+ public:
+  void add(const model::UrdfJoint& joint, const std::string& value) {
+    if (line_ == 0) line_ = joint.line;
+    ++count_;
+    const auto same = std::ranges::find(groups_, value, &Group::value);
+    Group& group = same == groups_.end() ? groups_.emplace_back(Group{value, {}, 0}) : *same;
+    group.names += (group.count++ == 0 ? "" : " ") + joint.name;
+  }
+  void tell(Severity severity, Confidence confidence, const std::string& what,
+            const std::string& remedy, Findings& findings) const {
+    if (count_ == 0) return;
+    std::string text;
+    for (const Group& group : groups_) {
+      text += (text.empty() ? "" : "; ") +
+              (group.count == kNumJoints ? "all joints of the legs" : group.names) +
+              (group.value.empty() ? "" : ", " + group.value);
+    }
+    findings.push_back({severity, confidence, count_ == 1 ? "joint" : "joints", line_,
+                        what + ": " + text, remedy});
+  }
+
+ private:
+  struct Group {
+    std::string value, names;
+    int count;
+  };
+  std::vector<Group> groups_;
+  int line_ = 0, count_ = 0;
+};
+
+std::string number(double value, const char* unit) { return formatted("%.4g %s", value, unit); }
+
+void check_effort(Diagnosis& robot) {
+  JointList missing, placeholders;
+  for (const FoundLeg& leg : *robot.anatomy.legs) {
+    for (const model::UrdfJoint& joint : leg.joints) {
+      if (is_missing(joint.effort)) {
+        missing.add(joint, "");
+      } else if (is_effort_placeholder(robot, joint.effort)) {
+        placeholders.add(joint, number(joint.effort, "N·m"));
+      }
+    }
+  }
+  missing.tell(Severity::error, Confidence::certain, "the URDF has no effort limit",
+               "fill in limits.torque of the robot file", robot.findings);
+  placeholders.tell(Severity::warning, Confidence::likely,
+                    "the effort limit looks like a placeholder, far above what standing needs" +
+                        (std::isnan(most_standing_torque(robot))
+                             ? std::string()
+                             : formatted(" (at most %.3g N·m)", most_standing_torque(robot))),
+                    "fill in limits.torque of the robot file with the drive's torque",
+                    robot.findings);
+}
+
+void check_velocity(Diagnosis& robot) {
+  JointList missing, placeholders;
+  for (const FoundLeg& leg : *robot.anatomy.legs) {
+    for (const model::UrdfJoint& joint : leg.joints) {
+      if (is_missing(joint.velocity)) {
+        missing.add(joint, "");
+      } else if (joint.velocity > kFastest) {
+        placeholders.add(joint, number(joint.velocity, "rad/s"));
+      }
+    }
+  }
+  missing.tell(Severity::error, Confidence::certain, "the URDF has no velocity limit",
+               "fill in limits.velocity of the robot file", robot.findings);
+  placeholders.tell(Severity::warning, Confidence::likely,
+                    "the velocity limit looks like a placeholder, above 100 rad/s",
+                    "fill in limits.velocity of the robot file with the drive's no-load speed",
+                    robot.findings);
+}
+
+void check_position(Diagnosis& robot) {
+  JointList missing, placeholders;
+  for (const FoundLeg& leg : *robot.anatomy.legs) {
+    for (const model::UrdfJoint& joint : leg.joints) {
+      if (has_no_position(joint)) {
+        missing.add(joint, "");
+      } else if (is_position_placeholder(joint)) {
+        placeholders.add(joint, formatted("%.4g to %.4g rad", joint.lower, joint.upper));
+      }
+    }
+  }
+  missing.tell(Severity::error, Confidence::certain, "the URDF has no position limits",
+               "fill in limits.position_min and position_max of the robot file", robot.findings);
+  placeholders.tell(Severity::warning, Confidence::likely,
+                    "the position limits look like placeholders, a whole turn or more, or empty",
+                    "fill in limits.position_min and position_max of the robot file with what the "
+                    "legs can do",
+                    robot.findings);
+}
+
+void check_strength(Diagnosis& robot) {
+  if (std::isnan(most_standing_torque(robot))) return;
+  JointList weak, tired;
+  for (const Leg leg : kLegs) {
+    for (std::size_t j = 0; j < kJointsPerLeg; ++j) {
+      const model::UrdfJoint& joint = (*robot.anatomy.legs)[index(leg)].joints[j];
+      const double needed =
+          std::abs(robot.standing_torque[first_joint(leg) + static_cast<Eigen::Index>(j)]);
+      if (is_missing(joint.effort) || needed < kMostOfLimit * joint.effort) continue;
+      JointList& list = needed > joint.effort ? weak : tired;
+      list.add(joint, formatted("%.3g of %.3g N·m", needed, joint.effort));
+    }
+  }
+  weak.tell(Severity::error, Confidence::likely, "to stand takes more torque than the limit",
+            "are masses in g or efforts in other units? Expected are kg and N·m", robot.findings);
+  tired.tell(Severity::warning, Confidence::likely,
+             "to stand takes most of the torque limit, so little is left to walk",
+             "check masses and effort limits", robot.findings);
+}
+
+}  // namespace
+
+bool has_position_limits(const model::UrdfJoint& joint) {
+  return !has_no_position(joint) && !is_position_placeholder(joint);
+}
+
+LimitGaps limit_gaps(const Diagnosis& robot) {
+  LimitGaps gaps;
+  if (!robot.anatomy.legs) return gaps;
+  for (const FoundLeg& leg : *robot.anatomy.legs) {
+    for (const model::UrdfJoint& joint : leg.joints) {
+      gaps.effort |= is_missing(joint.effort) || is_effort_placeholder(robot, joint.effort);
+      gaps.velocity |= is_missing(joint.velocity) || joint.velocity > kFastest;
+      gaps.position |= !has_position_limits(joint);
+    }
+  }
+  return gaps;
+}
+
+void check_limits(Diagnosis& robot) {
+  if (!robot.anatomy.legs) return;
+  check_effort(robot);
+  check_velocity(robot);
+  check_position(robot);
+  check_strength(robot);
+}
+
+}  // namespace surefoot::doctor

@@ -1,0 +1,108 @@
+#include "surefoot/base/formatted.hpp"
+#include "surefoot/base/text_table.hpp"
+#include "surefoot/doctor/knees.hpp"
+#include "surefoot/doctor/report.hpp"
+
+#include <algorithm>
+
+namespace surefoot::doctor {
+namespace {
+
+std::string joints_text(const std::vector<model::UrdfJoint>& joints) {
+  std::string names;
+  for (const model::UrdfJoint& joint : joints) names += (names.empty() ? "" : " ") + joint.name;
+  return names;
+}
+
+std::string base_text(const Diagnosis& robot) {
+  const Anatomy& anatomy = robot.anatomy;
+  const auto num_moving = std::ranges::count_if(
+      robot.urdf.joints, [](const model::UrdfJoint& joint) { return joint.type != "fixed"; });
+  std::string text = robot.name + ": " + robot.urdf.path + ", " +
+                     std::to_string(robot.urdf.links.size()) + " links, " +
+                     std::to_string(num_moving) + " joints that move\n";
+  text += "base: " + anatomy.base;
+  if (anatomy.base == anatomy.root) text += ", the root";
+  if (anatomy.torso != anatomy.base)
+    text += "; \"" + anatomy.torso + "\", fixed to it, is heaviest";
+  return text + "\n";
+}
+
+std::string foot_text(const Foot& foot) {
+  return foot.link +
+         formatted(", %s%.4g m", foot.guessed_from.empty() ? "" : "guessed ", foot.radius);
+}
+
+std::string legs_table(const PerLeg<FoundLeg>& legs) {
+  std::vector<std::vector<std::string>> rows{
+      {"leg", "hip x, y", "thigh", "shank", "knee bends", "foot, radius", "joints"}};
+  for (const Leg leg : kLegs) {
+    const FoundLeg& found = legs[index(leg)];
+    rows.push_back({std::string(kLegNames[index(leg)]),
+                    formatted("%.3f, %.3f m", found.hip.x(), found.hip.y()),
+                    formatted("%.3f m", found.thigh), formatted("%.3f m", found.shank),
+                    name(knee_sides(found)), foot_text(found.foot),
+                    joints_text({found.joints.begin(), found.joints.end()})});
+  }
+  return aligned(rows);
+}
+
+std::string limbs_text(const Anatomy& anatomy) {
+  std::string text;
+  for (const FoundLeg& leg : anatomy.loose) {
+    text += "limb of three hinges: " + joints_text({leg.joints.begin(), leg.joints.end()}) +
+            formatted(", hip at x = %.3g, y = %.3g m, foot ", leg.hip.x(), leg.hip.y()) +
+            leg.foot.link + "\n";
+  }
+  for (const Limb& limb : anatomy.others)
+    text += "other limb: " + joints_text(limb.joints) + "; no leg: " + limb.no_leg + "\n";
+  return text;
+}
+
+std::string proportions_text(const Diagnosis& robot) {
+  if (!robot.proportions) return "";
+  const model::Proportions& found = *robot.proportions;
+  const Scale scale = model::scale_of(found);
+  return formatted(
+             "leg %.3f m, mass %.2f kg; against ANYmal B: %.2f of the leg, %.2f of the mass\n",
+             found.leg, found.mass, scale.length, scale.mass) +
+         formatted("to stand: at most %.3g N·m at a joint\n",
+                   robot.standing_torque.cwiseAbs().maxCoeff());
+}
+
+std::string finding_text(const Finding& finding, const std::string& file) {
+  std::string text = std::string(name(finding.severity)) + " (" + name(finding.confidence) +
+                     "): " + finding.subject;
+  if (finding.line > 0) text += " (" + file + ":" + std::to_string(finding.line) + ")";
+  text += ": " + finding.what;
+  return text + (finding.remedy.empty() ? "" : "\n  → " + finding.remedy) + "\n";
+}
+
+std::string count_text(const Findings& findings) {
+  std::string text;
+  for (const Severity severity : {Severity::error, Severity::warning, Severity::note}) {
+    const auto count = std::ranges::count(findings, severity, &Finding::severity);
+    text += (text.empty() ? "" : ", ") + std::to_string(count) + " " + name(severity) +
+            (count == 1 ? "" : "s");
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string report_text(const Diagnosis& robot, const std::vector<Trial>& trials) {
+  std::string text = base_text(robot);
+  if (robot.anatomy.legs) text += "\n" + legs_table(*robot.anatomy.legs);
+  text += limbs_text(robot.anatomy) + proportions_text(robot);
+  text += "\n" + count_text(robot.findings) + "\n";
+  const std::size_t slash = robot.urdf.path.find_last_of('/') + 1;
+  for (const Finding& finding : robot.findings)
+    text += finding_text(finding, robot.urdf.path.substr(slash));
+  for (const Trial& trial : trials) {
+    text += "\n" + trial.scenario + (trial.succeeded ? ": succeeded: " : ": did not succeed: ") +
+            trial.why;
+  }
+  return text + (trials.empty() ? "" : "\n");
+}
+
+}  // namespace surefoot::doctor

@@ -1,0 +1,93 @@
+#include "surefoot/doctor/checks.hpp"
+#include "surefoot/doctor/knees.hpp"
+
+#include <string>
+#include <string_view>
+
+namespace surefoot::doctor {
+namespace {
+
+/// Signs of the four legs at one joint, LF, RF, LH, RH.
+PerLeg<double> signs_of(const PerLeg<FoundLeg>& legs, std::size_t joint) {
+  PerLeg<double> signs{};
+  for (const Leg leg : kLegs)
+    signs[index(leg)] = turning_signs(legs[index(leg)])[static_cast<Eigen::Index>(joint)];
+  return signs;
+}
+
+/// The leg that alone turns its own way; kNumLegs: none.
+std::size_t odd_one(const PerLeg<double>& signs) {
+  double sum = 0.0;
+  for (const double sign : signs) sum += sign;
+  for (std::size_t leg = 0; leg < kNumLegs; ++leg) {
+    if (signs[leg] * sum == -2.0) return leg;
+  }
+  return kNumLegs;
+}
+
+void tell_odd(Diagnosis& robot, std::size_t leg, std::size_t joint) {
+  const model::UrdfJoint& odd = (*robot.anatomy.legs)[leg].joints[joint];
+  robot.findings.push_back(
+      {Severity::error, Confidence::likely, "joint \"" + odd.name + "\"", odd.line,
+       "the " + std::string(kJointNames[joint]) + " of " + std::string(kLegNames[leg]) +
+           " turns the other way than those of the other legs; all legs are commanded alike",
+       "change the sign of its <axis>, and exchange and negate its lower and upper limit"});
+}
+
+/// Two and two: which belong together?
+void tell_pairs(Diagnosis& robot, const PerLeg<double>& signs, std::size_t joint) {
+  const bool sides_alike = signs[0] == signs[2] && signs[1] == signs[3];
+  if (joint == 0 && sides_alike) return;
+  const model::UrdfJoint& first = (*robot.anatomy.legs)[sides_alike ? 1 : 2].joints[joint];
+  const bool is_hind = !sides_alike && signs[0] == signs[1];
+  robot.findings.push_back(
+      {joint == 0 ? Severity::note : Severity::warning, Confidence::certain,
+       "joint \"" + first.name + "\"", first.line,
+       std::string(kJointNames[joint]) + " turns one way in two legs and the other way in the " +
+           (sides_alike ? "right ones"
+            : is_hind   ? "hind ones"
+                        : "diagonal ones"),
+       joint == 0 ? "fine as long as posture.nominal has HAA at 0"
+                  : "give all legs the same direction of <axis>: posture.nominal is one for all"});
+}
+
+void check_joint(Diagnosis& robot, std::size_t joint) {
+  const PerLeg<double> signs = signs_of(*robot.anatomy.legs, joint);
+  double sum = 0.0;
+  for (const double sign : signs) sum += sign;
+  const std::size_t odd = odd_one(signs);
+  if (odd < kNumLegs) {
+    tell_odd(robot, odd, joint);
+  } else if (sum == 0.0) {
+    tell_pairs(robot, signs, joint);
+  }
+}
+
+/// Legs whose knees bend to one side only, told together.
+void tell_knees(Diagnosis& robot, const char* side, const std::string& legs) {
+  if (legs.empty()) return;
+  const model::UrdfJoint& knee = robot.anatomy.legs->front().joints[2];
+  const bool never = std::string_view(side) == name(KneeSides{});
+  robot.findings.push_back({never ? Severity::error : Severity::note, Confidence::certain, "knees",
+                            knee.line,
+                            "by their limits the knees of" + legs + " bend " + side +
+                                (never ? "" : " only; scenarios choose their stance by that"),
+                            never ? "correct <limit> lower and upper of KFE, rad" : ""});
+}
+
+}  // namespace
+
+void check_signs(Diagnosis& robot) {
+  if (!robot.anatomy.legs) return;
+  for (std::size_t joint = 0; joint < kJointsPerLeg; ++joint) check_joint(robot, joint);
+  for (const KneeSides& sides : {KneeSides{true, false}, KneeSides{false, true}, KneeSides{}}) {
+    std::string legs;
+    for (const Leg leg : kLegs) {
+      if (name(knee_sides((*robot.anatomy.legs)[index(leg)])) == std::string_view(name(sides)))
+        legs += " " + std::string(kLegNames[index(leg)]);
+    }
+    tell_knees(robot, name(sides), legs);
+  }
+}
+
+}  // namespace surefoot::doctor

@@ -1,0 +1,57 @@
+#include "surefoot/doctor/trial.hpp"
+
+#include "surefoot/base/error.hpp"
+#include "surefoot/base/formatted.hpp"
+#include "surefoot/closed_loop/closed_loop.hpp"
+#include "surefoot/config/scenario_file.hpp"
+
+#include <utility>
+
+namespace surefoot::doctor {
+namespace {
+
+/// Ten seconds of calibration, then twenty of walk.
+constexpr const char* kShortWalk = "duration=30";
+
+std::string limit_of(const evaluation::Criterion& criterion) {
+  if (criterion.equals) return *criterion.equals ? "must be true" : "must be false";
+  if (criterion.max) return formatted("must be at most %.4g", *criterion.max);
+  return formatted("must be at least %.4g", criterion.min.value_or(0.0));
+}
+
+std::string why(const closed_loop::RunResult& result) {
+  std::string text = result.metrics.reason;
+  for (const evaluation::CriterionResult& each : result.criteria) {
+    if (each.passed) continue;
+    text += "; " + each.criterion.metric + formatted(" is %.4g, ", each.value) +
+            limit_of(each.criterion);
+  }
+  return text;
+}
+
+Trial run(const std::string& name, std::vector<std::string> assignments,
+          const TrialOptions& options) {
+  try {
+    const config::Scenario scenario = config::load_scenario(
+        {.name_or_path = name, .seed = 0, .assignments = std::move(assignments)});
+    closed_loop::ClosedLoopOptions loop;
+    loop.interrupted = options.interrupted;
+    if (options.progress)
+      loop.progress = [&](double time) { options.progress(name, time, scenario.duration); };
+    const closed_loop::RunResult result = closed_loop::run_closed_loop(scenario, loop);
+    if (result.ending == closed_loop::Ending::interrupted) throw Error("interrupted: no results");
+    return {name, result.metrics.succeeded, why(result)};
+  } catch (const Error& error) {
+    if (options.interrupted && options.interrupted()) throw;
+    return {name, false, error.what()};
+  }
+}
+
+}  // namespace
+
+std::vector<Trial> try_walking(const std::string& robot_file, const TrialOptions& options) {
+  const std::string robot = "robot=" + robot_file;
+  return {run("walk_flat", {robot, kShortWalk}, options), run("step_down", {robot}, options)};
+}
+
+}  // namespace surefoot::doctor

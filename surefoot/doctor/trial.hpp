@@ -1,0 +1,26 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace surefoot::doctor {
+
+/// How a scenario went with the robot, in simulation.
+struct Trial {
+  std::string scenario;
+  bool succeeded = false;
+  std::string why;  ///< how it ended, and the criteria that were missed
+};
+
+struct TrialOptions {
+  std::function<void(const std::string& scenario, double time, double duration)> progress{};
+  std::function<bool()> interrupted{};
+};
+
+/// Walks on flat ground for 20 s, and down a step, with a robot file. What the program refuses is a
+/// trial that failed. Throws Error if it was interrupted.
+[[nodiscard]] std::vector<Trial> try_walking(const std::string& robot_file,
+                                             const TrialOptions& options);
+
+}  // namespace surefoot::doctor

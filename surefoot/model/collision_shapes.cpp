@@ -1,0 +1,51 @@
+#include "surefoot/model/collision_shapes.hpp"
+
+#include "surefoot/model/urdf_reader.hpp"
+
+#include <tinyxml2.h>
+
+#include <algorithm>
+
+namespace surefoot::model {
+namespace {
+
+using tinyxml2::XMLElement;
+
+double radius_of(const UrdfReader& reader, const XMLElement& shape) {
+  if (shape.Attribute("size") != nullptr) return 0.5 * reader.vector(shape, "size").minCoeff();
+  return shape.DoubleAttribute("radius");
+}
+
+void add_shapes(const UrdfReader& reader, const XMLElement& link,
+                std::vector<CollisionShape>& shapes) {
+  for (const XMLElement* element = link.FirstChildElement("collision"); element != nullptr;
+       element = element->NextSiblingElement("collision")) {
+    const XMLElement* geometry = element->FirstChildElement("geometry");
+    const XMLElement* shape = geometry == nullptr ? nullptr : geometry->FirstChildElement();
+    if (shape == nullptr) continue;
+    CollisionShape& added = shapes.emplace_back();
+    added.link = reader.name(link);
+    added.kind = shape->Name();
+    added.radius = radius_of(reader, *shape);
+    if (const char* file = shape->Attribute("filename")) added.mesh = file;
+    if (shape->Attribute("scale") != nullptr) added.scale = reader.vector(*shape, "scale");
+    added.line = shape->GetLineNum();
+    reader.read_origin(*element, added.R, added.center);
+  }
+}
+
+}  // namespace
+
+std::vector<CollisionShape> collision_shapes(const std::string& urdf_path) {
+  const UrdfReader reader(urdf_path);
+  tinyxml2::XMLDocument xml;
+  std::vector<CollisionShape> shapes;
+  const XMLElement& robot = reader.robot(xml);
+  for (const XMLElement* link = robot.FirstChildElement("link"); link != nullptr;
+       link = link->NextSiblingElement("link")) {
+    add_shapes(reader, *link, shapes);
+  }
+  return shapes;
+}
+
+}  // namespace surefoot::model

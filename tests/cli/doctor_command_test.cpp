@@ -1,0 +1,57 @@
+// What `surefoot doctor` tells its caller.
+#include "cli/doctor_command.hpp"
+
+#include "cli/exit_code.hpp"
+#include "tests/config/messages.hpp"
+#include "tests/doctor/changed_robot.hpp"
+
+#include <nlohmann/json.hpp>
+
+namespace surefoot::cli {
+namespace {
+
+class DoctorCommand : public test::ChangedRobot {
+ protected:
+  int run() {
+    test::write_file(folder_ / "robot.urdf", urdf_);
+    arguments_.urdf = folder_ / "robot.urdf";
+    testing::internal::CaptureStdout();
+    const int code = doctor_command(arguments_);
+    printed_ = testing::internal::GetCapturedStdout();
+    return code;
+  }
+
+  DoctorArguments arguments_;
+  std::string printed_;
+};
+
+TEST_F(DoctorCommand, passes_a_sound_robot_and_writes_its_file) {
+  arguments_.out = folder_ / "robot.yaml";
+  arguments_.name = "rex";
+  EXPECT_EQ(run(), kPassed);
+  EXPECT_EQ(config::load_robot(arguments_.out).name, "rex");
+  EXPECT_TRUE(test::holds(printed_, "rex: "));
+}
+
+TEST_F(DoctorCommand, tells_an_error_by_its_exit_code_and_as_data) {
+  change("<joint name=\"RH_KFE\"", "<axis xyz=\"0 1 0\"", "<axis xyz=\"0 -1 0\"");
+  arguments_.json = true;
+  EXPECT_EQ(run(), kWrongInput);
+  EXPECT_EQ(nlohmann::json::parse(printed_)["findings"][0]["severity"], "error");
+}
+
+TEST_F(DoctorCommand, writes_no_file_of_a_robot_without_legs) {
+  change("<joint name=\"RH_HAA\"", "type=\"revolute\"", "type=\"fixed\"");
+  arguments_.out = folder_ / "robot.yaml";
+  EXPECT_EQ(run(), kWrongInput);
+  EXPECT_FALSE(std::filesystem::exists(arguments_.out));
+}
+
+TEST_F(DoctorCommand, refuses_what_is_no_urdf) {
+  urdf_ = "<sdf/>";
+  EXPECT_TRUE(test::holds(test::message_of([&] { (void)run(); }), "not a URDF"));
+  (void)testing::internal::GetCapturedStdout();
+}
+
+}  // namespace
+}  // namespace surefoot::cli

@@ -1,0 +1,107 @@
+// What the doctor finds in a URDF that it has never seen: base, legs, feet.
+#include "surefoot/doctor/knees.hpp"
+#include "tests/doctor/changed_robot.hpp"
+
+namespace surefoot::doctor {
+namespace {
+
+using test::has;
+using Anatomy = test::ChangedRobot;
+
+TEST_F(Anatomy, of_anymal_b_is_that_of_its_robot_file) {
+  const Diagnosis robot = diagnosis();
+  EXPECT_FALSE(has_error(robot.findings)) << robot.findings.front().what;
+  EXPECT_EQ(robot.anatomy.base, "base");
+  ASSERT_TRUE(robot.anatomy.legs);
+  for (const Leg leg : kLegs) {
+    const FoundLeg& found = (*robot.anatomy.legs)[index(leg)];
+    const std::string name(kLegNames[index(leg)]);
+    EXPECT_EQ(found.joints[0].name, name + "_HAA");
+    EXPECT_EQ(found.joints[2].name, name + "_KFE");
+    EXPECT_EQ(found.foot.link, name + "_FOOT");
+    EXPECT_EQ(found.foot.radius, 0.031);
+    EXPECT_NEAR(found.foot.center.z(), 0.02325, 1e-12);
+    EXPECT_STREQ(doctor::name(knee_sides(found)), "both ways");
+  }
+  ASSERT_TRUE(robot.proportions);
+  EXPECT_NEAR(robot.proportions->leg, 0.5643, 1e-3);
+}
+
+TEST_F(Anatomy, goes_by_places_not_by_names) {
+  replace_all("\\bLF_", "XX_");
+  replace_all("\\bRH_", "LF_");
+  replace_all("\\bXX_", "RH_");
+  const Diagnosis robot = diagnosis();
+  ASSERT_TRUE(robot.anatomy.legs);
+  EXPECT_EQ((*robot.anatomy.legs)[index(Leg::LF)].foot.link, "RH_FOOT");
+  EXPECT_EQ((*robot.anatomy.legs)[index(Leg::RH)].foot.link, "LF_FOOT");
+  EXPECT_FALSE(has_error(robot.findings)) << robot.findings.front().what;
+  EXPECT_TRUE(has(robot, Severity::warning, "joint \"RH_HAA\": by its name it belongs to RH"));
+}
+
+TEST_F(Anatomy, with_a_joint_too_few_says_that_legs_are_missing) {
+  change("<joint name=\"RH_HAA\"", "type=\"revolute\"", "type=\"fixed\"");
+  const Diagnosis robot = diagnosis();
+  EXPECT_FALSE(robot.anatomy.legs);
+  EXPECT_TRUE(has(robot, Severity::error, "3 limbs of exactly three hinges"));
+  EXPECT_TRUE(has(robot, Severity::error, "joint \"RH_HFE\": the limb that begins here"));
+}
+
+TEST_F(Anatomy, with_an_arm_says_which_joints_must_be_fixed) {
+  change("</robot>", "</robot>",
+         "<link name=\"gripper\"/><joint name=\"arm\" type=\"prismatic\"><parent link=\"base\"/>"
+         "<child link=\"gripper\"/></joint></robot>");
+  const Diagnosis robot = diagnosis();
+  ASSERT_TRUE(robot.anatomy.legs);
+  ASSERT_EQ(robot.anatomy.others.size(), 1U);
+  EXPECT_TRUE(has(robot, Severity::error, "joint \"arm\" is prismatic"));
+}
+
+TEST_F(Anatomy, takes_the_four_lowest_of_five_limbs_for_legs) {
+  std::string arm;
+  std::string parent = "base";
+  for (const std::string name : {"arm_1", "arm_2", "arm_3"}) {
+    arm += "<link name=\"" + name + "\"/><joint name=\"to_" + name +
+           "\" type=\"revolute\"><origin xyz=\"0.1 0 0.1\"/><parent link=\"" + parent +
+           "\"/><child link=\"" + name + "\"/></joint>";
+    parent = name;
+  }
+  change("</robot>", "</robot>", arm + "</robot>");
+  const Diagnosis robot = diagnosis();
+  ASSERT_TRUE(robot.anatomy.legs);
+  EXPECT_TRUE(has(robot, Severity::error, "four others reach lower"));
+}
+
+TEST_F(Anatomy, of_a_robot_that_looks_along_y_says_so) {
+  for (const char* leg : {"LF", "RF", "LH", "RH"}) {
+    const std::string joint = std::string("<joint name=\"") + leg + "_HAA\"";
+    change(joint, "<origin xyz=", "<origin rpy=\"0 0 1.5707963\" xyz=");
+  }
+  EXPECT_TRUE(has(diagnosis(), Severity::error, "HFE axes do not lie along y"));
+}
+
+TEST_F(Anatomy, below_a_joint_that_floats_names_that_joint) {
+  change("<link name=\"base\"", "<link",
+         "<link name=\"world\"/><joint name=\"free\" type=\"floating\"><parent link=\"world\"/>"
+         "<child link=\"base\"/></joint><link");
+  const Diagnosis robot = diagnosis();
+  EXPECT_TRUE(has(robot, Severity::error, "joint \"free\": the whole robot hangs on this"));
+  EXPECT_TRUE(robot.anatomy.legs);
+}
+
+TEST_F(Anatomy, without_a_foot_says_whose) {
+  change("<child link=\"LF_ADAPTER\"/>", "xyz=\"0.0 0.0 -0.32125\"", "xyz=\"0 0 0\"");
+  EXPECT_TRUE(has(diagnosis(), Severity::error, "the feet of the other legs: its foot is missing"));
+}
+
+TEST_F(Anatomy, guesses_the_radius_of_a_foot_without_sphere) {
+  replace_all("<sphere radius=\"0.031\"/>", "<box size=\"0.05 0.04 0.03\"/>");
+  const Diagnosis robot = diagnosis();
+  ASSERT_TRUE(robot.anatomy.legs);
+  EXPECT_EQ(robot.anatomy.legs->front().foot.guessed_from, "a box");
+  EXPECT_NEAR(robot.anatomy.legs->front().foot.radius, 0.015, 1e-12);
+  EXPECT_TRUE(has(robot, Severity::warning, "foot.radius is a guess"));
+}
+
+}  // namespace
+}  // namespace surefoot::doctor

@@ -1,0 +1,81 @@
+// The robot file that the doctor writes.
+#include "surefoot/doctor/robot_file_text.hpp"
+
+#include "surefoot/doctor/report.hpp"
+#include "tests/config/messages.hpp"
+#include "tests/doctor/changed_robot.hpp"
+
+#include <nlohmann/json.hpp>
+
+namespace surefoot::doctor {
+namespace {
+
+using test::holds;
+using test::message_of;
+
+class WrittenFile : public testing::TestWithParam<const char*> {};
+
+TEST_P(WrittenFile, makes_the_robot_that_ships) {
+  const test::TemporaryFolder folder;
+  const model::RobotDescription ships = config::load_robot(GetParam());
+  write_robot_file(examine(ships.urdf_path, GetParam()), folder / "robot.yaml");
+  const model::RobotDescription robot = config::load_robot(folder / "robot.yaml");
+  EXPECT_EQ(robot.name, GetParam());
+  EXPECT_TRUE(std::filesystem::equivalent(robot.urdf_path, ships.urdf_path));
+  for (const Leg leg : kLegs) {
+    EXPECT_EQ(robot.legs[index(leg)].joints, ships.legs[index(leg)].joints);
+    EXPECT_EQ(robot.legs[index(leg)].foot_frame, ships.legs[index(leg)].foot_frame);
+  }
+  EXPECT_NEAR(robot.foot_radius, ships.foot_radius, 0.01);
+  EXPECT_TRUE(robot.foot_center.isApprox(ships.foot_center, 1e-9));
+}
+
+INSTANTIATE_TEST_SUITE_P(Of, WrittenFile,
+                         testing::Values("anymal_b", "anymal_c", "a1", "go1", "go2", "b1",
+                                         "laikago", "hyq", "solo12"));
+
+using RobotFileText = test::ChangedRobot;
+
+TEST_F(RobotFileText, has_placeholders_as_comments) {
+  const Diagnosis robot = diagnosis();
+  const std::string text = robot_file_text(robot, folder_.path(), Guesses::as_comments);
+  EXPECT_TRUE(holds(text, "\nurdf: robot.urdf\n"));
+  EXPECT_TRUE(holds(text, "\n# limits:"));
+  EXPECT_TRUE(holds(text, "\n#   position_min: ["));
+  EXPECT_EQ(text.find("torque:"), std::string::npos);
+}
+
+TEST_F(RobotFileText, of_a_foot_without_shape_lacks_the_radius) {
+  replace_all("<sphere radius=\"0.031\"/>", "");
+  const Diagnosis robot = diagnosis();
+  EXPECT_TRUE(test::has(robot, Severity::error, "no shape"));
+  EXPECT_TRUE(
+      holds(robot_file_text(robot, folder_.path(), Guesses::as_comments), "\n  # radius: "));
+  write_robot_file(robot, folder_ / "robot.yaml");
+  EXPECT_TRUE(
+      holds(message_of([&] { (void)config::load_robot(folder_ / "robot.yaml"); }), "foot.radius"));
+}
+
+TEST_F(RobotFileText, is_never_written_over_another_file) {
+  const Diagnosis robot = diagnosis();
+  test::write_file(folder_ / "robot.yaml", "mine");
+  EXPECT_TRUE(holds(message_of([&] { write_robot_file(robot, folder_ / "robot.yaml"); }),
+                    "exists already"));
+  EXPECT_EQ(test::contents(folder_ / "robot.yaml"), "mine");
+  EXPECT_TRUE(holds(message_of([&] { write_robot_file(robot, folder_ / "robot.txt"); }), ".yaml"));
+}
+
+TEST_F(RobotFileText, comes_with_a_report_for_people_and_one_for_programs) {
+  change("<joint name=\"RH_KFE\"", "<axis xyz=\"0 1 0\"", "<axis xyz=\"0 -1 0\"");
+  const Diagnosis robot = diagnosis();
+  const std::string text = report_text(robot, {{"walk_flat", false, "it fell"}});
+  EXPECT_TRUE(holds(text, "error (likely): joint \"RH_KFE\" (robot.urdf:"));
+  EXPECT_TRUE(holds(text, "walk_flat: did not succeed: it fell"));
+  const auto json = nlohmann::json::parse(report_json(robot, {}));
+  EXPECT_EQ(json["legs"]["RH"]["joints"][2], "RH_KFE");
+  EXPECT_EQ(json["findings"][0]["severity"], "error");
+  EXPECT_EQ(json["findings"].size(), robot.findings.size());
+}
+
+}  // namespace
+}  // namespace surefoot::doctor
