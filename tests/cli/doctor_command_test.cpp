@@ -2,8 +2,8 @@
 #include "cli/doctor_command.hpp"
 
 #include "cli/exit_code.hpp"
-#include "tests/config/messages.hpp"
 #include "tests/doctor/changed_robot.hpp"
+#include "tests/support/messages.hpp"
 
 #include <nlohmann/json.hpp>
 

@@ -2,8 +2,8 @@
 #include "surefoot/doctor/robot_file_text.hpp"
 
 #include "surefoot/doctor/report.hpp"
-#include "tests/config/messages.hpp"
 #include "tests/doctor/changed_robot.hpp"
+#include "tests/support/messages.hpp"
 
 #include <nlohmann/json.hpp>
 
