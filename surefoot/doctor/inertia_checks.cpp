@@ -7,7 +7,7 @@
 namespace surefoot::doctor {
 namespace {
 
-// A body's radius of gyration against how far its joints and links lie from its centre of mass.
+// A body's radius of gyration against how far its joints and links reach.
 constexpr double kMostGyration = 4.0, kLeastGyration = 0.02;
 constexpr double kLeastReach = 0.02;  // of a body whose joints lie at one place [m]
 constexpr double kFarCom = 5.0;       // of its reach
@@ -49,7 +49,7 @@ void check_link(const model::UrdfLink& link, bool is_root, Findings& findings) {
 struct Body {
   const model::UrdfLink* link;
   model::Inertia inertia;
-  double reach;  // from its centre of mass to the farthest of its joints and links [m]
+  double reach;  // from its origin to the farthest of its joints and links [m]
 };
 
 Body body_of(const Diagnosis& robot, const model::UrdfLink& first) {
@@ -59,14 +59,7 @@ Body body_of(const Diagnosis& robot, const model::UrdfLink& first) {
     const model::Weld& weld = welds.at(link.name);
     if (weld.body == first.name) body.inertia = body.inertia + link.inertia.placed(weld.R, weld.p);
   }
-  const auto reach_to = [&](const Vec3& point) {
-    body.reach = std::max(body.reach, (point - body.inertia.com).norm());
-  };
-  Vec3 farthest = Vec3::Zero();  // of joints and links; the COM itself may be wrong
-  const auto add = [&](const Vec3& point) {
-    if (point.norm() > farthest.norm()) farthest = point;
-    if (body.inertia.com.norm() < kFarCom * std::max(kLeastReach, farthest.norm())) reach_to(point);
-  };
+  const auto add = [&](const Vec3& point) { body.reach = std::max(body.reach, point.norm()); };
   for (const auto& [name, weld] : welds) {
     if (weld.body == first.name) add(weld.p);
   }
@@ -74,7 +67,6 @@ Body body_of(const Diagnosis& robot, const model::UrdfLink& first) {
     const model::Weld& weld = welds.at(joint.parent);
     if (joint.type != "fixed" && weld.body == first.name) add(weld.p + weld.R * joint.p);
   }
-  body.reach = std::max(body.reach, farthest.norm());
   return body;
 }
 
