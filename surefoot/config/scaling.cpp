@@ -172,7 +172,8 @@ void fit_defaults(const Group& options, const model::RobotDescription& robot, Sc
 void scale_level(control::LevelSpec& level, const Scale& scale, bool only_defaults) {
   for (control::TaskSpec& task : level.tasks) {
     const tasks::TaskInfo& info = tasks::task_info(task.task);
-    if (level.tasks.size() > 1) task.weight /= scale.of(info.unit.substr(0, info.unit.find(' ')));
+    if (!only_defaults && level.tasks.size() > 1)
+      task.weight /= scale.of(info.unit.substr(0, info.unit.find(' ')));
     for (const tasks::TaskParameter& parameter : info.parameters) {
       const std::string name(parameter.name);
       const auto given = task.numbers.find(name);

@@ -125,8 +125,9 @@ TEST_F(Scaling, TasksGoWithTheRobot) {
   EXPECT_EQ(first(own, "com_xy").numbers.at("kp"), 400.0);
   EXPECT_DOUBLE_EQ(first(own, "com_xy").numbers.at("kd"), 45.0 / go1_.time());
   const control::StackOptions mixed = parse_stack(
-      "name: m\nlevels: [{name: motion, tasks: [{task: torso_yaw}, {task: swing_foot}]}]", "m",
-      go1_);
+      "name: m\nscaled: true\n"
+      "levels: [{name: motion, tasks: [{task: torso_yaw}, {task: swing_foot}]}]",
+      "m", go1_);
   EXPECT_DOUBLE_EQ(mixed.levels[0].tasks[0].weight, go1_.length);
   EXPECT_EQ(mixed.levels[0].tasks[1].weight, 1.0);
 }

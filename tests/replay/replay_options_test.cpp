@@ -38,6 +38,18 @@ TEST(Verification, EstimatesTheStateOfARunWithSensorsAgain) {
   for (const MessageDifferences& topic : result.messages) EXPECT_EQ(topic.ticks, 0) << topic.topic;
 }
 
+// The log has the robot's own numbers, so nothing is scaled again.
+TEST(Verification, IsToTheBitForARobotOfAnotherSize) {
+  for (const char* robot : {"go2", "hyq"}) {
+    const test::TemporaryFolder folder;
+    record(folder / "run.mcap",
+           {"walk_flat",
+            1,
+            {"duration=2", "planner.calibration.duration=0", std::string("robot=") + robot}});
+    EXPECT_TRUE(verify_log(folder / "run.mcap").is_same()) << robot;
+  }
+}
+
 TEST(Verification, BelievesTheLoggedStateWhereTheRunHadTheTruth) {
   const test::TemporaryFolder folder;
   record(folder / "run.mcap", kTruth);
