@@ -140,7 +140,7 @@ connects them, whatever the names are, and checks masses, inertias, units, limit
 and the stance. A finding has a severity, how sure it is, its place and what to do. What the URDF
 can't tell stands in the robot file as a comment or a guess that is called one.
 
---walk runs walk_flat for 20 s of walk and step_down in simulation; guesses stand in for limits and
+--walk runs walk_flat and step_down in simulation; guesses stand in for limits and
 a foot's radius that are missing.
 
 Exit codes: 0 no error is found, 1 a trial walk does not succeed, 2 there are errors, or the input

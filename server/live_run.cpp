@@ -61,7 +61,7 @@ void print_kept(const LiveResult& before, const std::string& next) {
 LiveResult run_live(const config::Scenario& scenario, closed_loop::ClosedLoopOptions options,
                     const ViewArguments& arguments,
                     const std::function<void(const closed_loop::RunResult&)>& ended) {
-  LiveOperator wishes(scenario, ViewLimits());
+  LiveOperator wishes(scenario, limits_for(scenario.robot.scale));
   LiveFeed feed(scenario, wishes, options.record_path);
   LiveView view(wishes, feed, options.interrupted, !arguments.no_wait);
   options.steering = &view;

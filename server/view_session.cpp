@@ -1,6 +1,9 @@
 #include "server/view_session.hpp"
 
+#include "surefoot/base/formatted.hpp"
 #include "surefoot/logging/json_text.hpp"
+
+#include <cstdlib>
 
 namespace surefoot::server {
 namespace {
@@ -67,6 +70,19 @@ void levels_members(logging::JsonText& json, const ViewSession& session) {
 }
 
 }  // namespace
+
+ViewLimits limits_for(const Scale& scale) {
+  const auto in_two_digits = [](double number) {
+    return std::strtod(formatted("%.2g", number).c_str(), nullptr);
+  };
+  ViewLimits limits;
+  limits.push_impulse = in_two_digits(limits.push_impulse * scale.of("N·s"));
+  limits.push_force = in_two_digits(limits.push_force * scale.force());
+  limits.walk_velocity = in_two_digits(limits.walk_velocity * scale.speed());
+  limits.walk_yaw_rate = in_two_digits(limits.walk_yaw_rate * scale.rate());
+  limits.walk_height = in_two_digits(limits.walk_height * scale.length);
+  return limits;
+}
 
 std::string to_json(const ViewSession& session) {
   std::string out;

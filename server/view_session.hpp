@@ -1,6 +1,7 @@
 #pragma once
 
 #include "server/view_channels.hpp"
+#include "surefoot/base/scale.hpp"
 #include "surefoot/model/mesh_files.hpp"
 
 #include <array>
@@ -22,6 +23,9 @@ struct ViewLimits {
   double walk_height = 0.1;    ///< offset, up or down [m]
   double friction_min = 0.05, friction_max = 2.0;
 };
+
+/// Those of a robot of this size, in two digits.
+[[nodiscard]] ViewLimits limits_for(const Scale& scale);
 
 /// A number of a task that can be changed.
 struct ViewNumber {

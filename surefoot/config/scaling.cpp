@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <optional>
 #include <string_view>
 #include <utility>
 
@@ -41,13 +42,11 @@ Rule rule_of(const Field& field, const Scale& scale) {
 void apply(const Rule& rule, ConfigNode& node) {
   for (ConfigNode& item : node.items) apply(rule, item);
   for (auto& [key, member] : node.members) apply(rule, member);
-  const char* const end = node.text.data() + node.text.size();
-  double number = 0.0;
-  const auto [stopped, error] = std::from_chars(node.text.data(), end, number);
-  if (node.kind != ConfigNode::Kind::scalar || error != std::errc() || stopped != end) return;
+  const std::optional<double> number = number_in(node.text);
+  if (node.kind != ConfigNode::Kind::scalar || !number) return;
   std::array<char, 32> text{};
   const auto written =
-      std::to_chars(text.data(), text.data() + text.size(), rule.factor * number + rule.offset);
+      std::to_chars(text.data(), text.data() + text.size(), rule.factor * *number + rule.offset);
   node.text.assign(text.data(), written.ptr);
 }
 
@@ -103,10 +102,19 @@ void scale_option(const std::string& path, ConfigNode& node, const Scale& scale)
     scale_option(path + "." + std::to_string(i), node.items[i], scale);
 }
 
-void scale_defaults(const Group& group, const Scale& scale) {
-  for (const Field& field : group.fields) {
+void scale_defaults(Group& group, const Scale& scale) {
+  for (Field& field : group.fields) {
     const auto [factor, offset] = rule_of(field, scale);
-    if (const auto* below = std::get_if<Group>(&field.value)) scale_defaults(*below, scale);
+    if (auto* below = std::get_if<Group>(&field.value)) scale_defaults(*below, scale);
+    if (auto* entries = std::get_if<Entries>(&field.value)) {
+      for (Entries::Shape& shape : entries->shapes) {
+        shape.add = [add = shape.add, scale] {
+          Group entry = add();
+          scale_defaults(entry, scale);
+          return entry;
+        };
+      }
+    }
     if (const auto* value = std::get_if<double*>(&field.value)) **value = factor * **value + offset;
     if (const auto* numbers = std::get_if<Numbers>(&field.value)) {
       for (std::size_t i = 0; i < numbers->names.size(); ++i)
@@ -142,7 +150,19 @@ bool take_scaled(ConfigNode& file) {
 }
 
 void scale_ranges(ConfigNode& ranges, const Scale& scale) {
-  for (auto& [path, range] : ranges.members) scale_option(path, range, scale);
+  for (auto& [path, range] : ranges.members) {
+    constexpr std::string_view kTasks = "tasks.";
+    const std::size_t dot = path.rfind('.');
+    const tasks::TaskParameter* parameter =
+        path.starts_with(kTasks) && dot > kTasks.size()
+            ? find_parameter(path.substr(kTasks.size(), dot - kTasks.size()), path.substr(dot + 1))
+            : nullptr;
+    if (parameter != nullptr) {
+      apply({.factor = scale.of(parameter->unit)}, range);
+    } else {
+      scale_option(path, range, scale);
+    }
+  }
 }
 
 void fit_scenario(ConfigNode& tree, const model::RobotDescription& robot) {
@@ -161,7 +181,7 @@ void fit_scenario(ConfigNode& tree, const model::RobotDescription& robot) {
   }
 }
 
-void fit_defaults(const Group& options, const model::RobotDescription& robot, Scenario& scenario) {
+void fit_defaults(Group& options, const model::RobotDescription& robot, Scenario& scenario) {
   scale_defaults(options, robot.scale);
   gaits::KneeConfiguration& knees = scenario.controller.planner.stance.knees;
   knees = knees_that_fit(robot, knees);

@@ -17,9 +17,10 @@ void fit_scenario(ConfigNode& tree, const model::RobotDescription& robot);
 /// The same of `randomise:`, a map from options to ranges.
 void scale_ranges(ConfigNode& ranges, const Scale& scale);
 /// The same of a scenario's defaults, which `options` are those of; drives are the robot's.
-void fit_defaults(const Group& options, const model::RobotDescription& robot, Scenario& scenario);
+void fit_defaults(Group& options, const model::RobotDescription& robot, Scenario& scenario);
 /// The same of the parameters of a level's tasks: of all, or of those alone that keep their
-/// defaults. Rows of several units in one level weigh as much against each other as they did.
+/// defaults. With all of them weights go along, so that rows of several units in one level weigh as
+/// much against each other as they did.
 void scale_level(control::LevelSpec& level, const Scale& scale, bool only_defaults);
 
 }  // namespace surefoot::config

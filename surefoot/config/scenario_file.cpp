@@ -161,7 +161,7 @@ void read_body(Section& top, const model::RobotDescription* robot, Scenario& sce
                               "\"actuators.model\": sea or ideal");
   }
   scenario.commands = {TimedCommand{}};
-  const Group options = scenario_fields(scenario);
+  Group options = scenario_fields(scenario);
   if (robot != nullptr) fit_defaults(options, *robot, scenario);
   read(top, options);
   const bool has_goal = std::isfinite(scenario.goal.feet_beyond_x);
@@ -343,7 +343,13 @@ Scenario load_scenario(const ScenarioRequest& request) {
   ConfigNode tree = read_with_base(file, robot, files);
   drop_paper_of_another(tree, request.assignments);
   check_taken_ranges(tree, file.parent_path(), request.assignments);
-  for (const std::string& assignment : request.assignments) apply_assignment(tree, assignment);
+  for (const std::string& assignment : request.assignments) {
+    if (assigned_path(assignment) == kScaled)
+      throw Error(
+          "scaled: stands in a file alone, and says what that file's numbers are for; "
+          "numbers of --set are the robot's own");
+    apply_assignment(tree, assignment);
+  }
 
   Scenario scenario;
   scenario.file = file.string();

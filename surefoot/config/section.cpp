@@ -35,6 +35,11 @@ bool parse(const std::string& text, Number& value) {
 
 }  // namespace
 
+std::optional<double> number_in(const std::string& text) {
+  double value = 0.0;
+  return parse(text, value) ? std::optional(value) : std::nullopt;
+}
+
 void fail_at(const ConfigNode& node, const std::string& path, const std::string& message) {
   const std::string place = node.where.empty() ? "" : node.where + ": ";
   throw Error(place + (path.empty() ? "" : path + ": ") + message);

@@ -74,6 +74,8 @@ class Section final : public Given {
   std::vector<std::string> required_;
 };
 
+/// The number that a text is, with or without a sign.
+[[nodiscard]] std::optional<double> number_in(const std::string& text);
 /// A finite number in the range. Throws Error that names `path` and the node's place.
 [[nodiscard]] double read_number(const ConfigNode& node, const std::string& path,
                                  NumberRange range = kAnyNumber);

@@ -10,23 +10,21 @@
 namespace surefoot::doctor {
 namespace {
 
-/// Ten seconds of calibration, then twenty of walk.
-constexpr const char* kShortWalk = "duration=30";
-
-std::string limit_of(const evaluation::Criterion& criterion) {
-  if (criterion.equals) return *criterion.equals ? "must be true" : "must be false";
-  if (criterion.max) return formatted("must be at most %.4g", *criterion.max);
-  return formatted("must be at least %.4g", criterion.min.value_or(0.0));
+std::string number_of(const evaluation::CriterionResult& missed) {
+  const evaluation::Criterion& criterion = missed.criterion;
+  if (criterion.equals) return "";
+  const bool is_above = criterion.max && missed.value > *criterion.max;
+  return formatted(" (%.4g, %s %.4g)", missed.value, is_above ? "at most" : "at least",
+                   is_above ? *criterion.max : criterion.min.value_or(0.0));
 }
 
 std::string why(const closed_loop::RunResult& result) {
-  std::string text = result.metrics.reason;
+  std::string missed;
   for (const evaluation::CriterionResult& each : result.criteria) {
     if (each.passed) continue;
-    text += "; " + each.criterion.metric + formatted(" is %.4g, ", each.value) +
-            limit_of(each.criterion);
+    missed += (missed.empty() ? "; missed: " : ", ") + each.criterion.metric + number_of(each);
   }
-  return text;
+  return result.metrics.reason + missed;
 }
 
 Trial run(const std::string& name, std::vector<std::string> assignments,
@@ -51,7 +49,7 @@ Trial run(const std::string& name, std::vector<std::string> assignments,
 
 std::vector<Trial> try_walking(const std::string& robot_file, const TrialOptions& options) {
   const std::string robot = "robot=" + robot_file;
-  return {run("walk_flat", {robot, kShortWalk}, options), run("step_down", {robot}, options)};
+  return {run("walk_flat", {robot}, options), run("step_down", {robot}, options)};
 }
 
 }  // namespace surefoot::doctor

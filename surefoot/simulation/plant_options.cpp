@@ -168,7 +168,7 @@ Group fields(ActuatorOptions& o) {
       {"rotor", fields(o.rotor), "motor and gear, at level 2"},
       {"torque_loop",
        Group{{"damping", &o.torque_loop.damping, kPositive, "", "ratio of the closed loop"},
-             {"integral_time", &o.torque_loop.integral_time, kPositive, "s", ""}},
+             {"integral_time", &o.torque_loop.integral_time, kPositive, "s", "", Sizing::none}},
        "on the spring's torque, at level 2"}};
 }
 

@@ -84,6 +84,19 @@ TEST_F(Scaling, DrivesAreTheRobots) {
   EXPECT_EQ(load("actuators: {stall_torque: 7}\n").plant.actuators.stall_torque[4], 7.0);
 }
 
+TEST_F(Scaling, DefaultsOfEntriesGoWithTheRobot) {
+  const Scenario scenario = load("disturbances: {lifts: {a: {time: 1}}}\n");
+  EXPECT_DOUBLE_EQ(scenario.plant.disturbances.lifts[0].point.z(), 0.3 * go1_.length);
+}
+
+TEST_F(Scaling, RangesOfTasksGoWithTheRobot) {
+  test::write_file(folder_ / "scenario.yaml",
+                   "robot: go1\nstack: walk\nscaled: true\n"
+                   "randomise: {tasks.com_xy.kp: [400, 400]}\n");
+  const Scenario scenario = load_scenario({folder_ / "scenario.yaml", 7, {}});
+  EXPECT_DOUBLE_EQ(scenario.drawn.at(0).value, 400.0 / go1_.length);
+}
+
 TEST_F(Scaling, RangesGoWithTheRobot) {
   test::write_file(folder_ / "ranges.yaml", "scaled: true\ndisturbances.payload.mass: [1, 1]\n");
   test::write_file(folder_ / "scenario.yaml",
@@ -130,6 +143,17 @@ TEST_F(Scaling, TasksGoWithTheRobot) {
       "m", go1_);
   EXPECT_DOUBLE_EQ(mixed.levels[0].tasks[0].weight, go1_.length);
   EXPECT_EQ(mixed.levels[0].tasks[1].weight, 1.0);
+}
+
+TEST_F(Scaling, StandsInAFileAlone) {
+  EXPECT_TRUE(test::holds(test::message_of([&] { (void)load("", {"scaled=true"}); }),
+                          "scaled: stands in a file alone"));
+}
+
+TEST_F(Scaling, ANumberMayHaveAPlus) {
+  EXPECT_DOUBLE_EQ(
+      load("scaled: true\nplanner: {swing: {apex: +0.1}}\n").controller.planner.swing.apex,
+      0.1 * go1_.length);
 }
 
 TEST_F(Scaling, ScaledIsTrueOrFalse) {

@@ -129,5 +129,17 @@ TEST_F(LiveOperatorTest, after_its_end_a_run_can_only_be_begun_again) {
   EXPECT_TRUE(taken().reset);
 }
 
+TEST(ViewLimits, GoWithTheRobotsSizeInTwoDigits) {
+  const ViewLimits reference = limits_for({}), limits;
+  EXPECT_EQ(reference.push_impulse, limits.push_impulse);
+  EXPECT_EQ(reference.walk_height, limits.walk_height);
+  const ViewLimits small = limits_for({.length = 0.36, .mass = 0.1});
+  EXPECT_EQ(small.push_impulse, 3.6);
+  EXPECT_EQ(small.push_force, 30.0);
+  EXPECT_EQ(small.walk_velocity, 0.3);
+  EXPECT_EQ(small.walk_yaw_rate, 1.0);
+  EXPECT_EQ(small.walk_height, 0.036);
+}
+
 }  // namespace
 }  // namespace surefoot::server

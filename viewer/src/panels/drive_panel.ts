@@ -53,7 +53,7 @@ export class DrivePanel {
     this.most = { forward: limits.walk_velocity, left: limits.walk_velocity, turn: limits.walk_yaw_rate, height: limits.walk_height };
     const number = (id: string, value: number, max: number, step: number): HTMLInputElement =>
       h("input", { type: "number", id, value, min: 0, max, step });
-    this.impulse = number("push-impulse", Math.min(15, limits.push_newton_seconds), limits.push_newton_seconds, 1);
+    this.impulse = number("push-impulse", Math.max(1, Math.round(limits.push_newton_seconds / 4)), limits.push_newton_seconds, 1);
     this.duration = number("push-duration", 0.2, limits.push_seconds, 0.05);
     this.direction = h("input", { type: "range", id: "push-direction", min: -180, max: 180, step: 5, value: 90, oninput: () => this.showDirection() });
     this.showDirection();
