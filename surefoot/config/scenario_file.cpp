@@ -226,9 +226,14 @@ void check_reach(const ConfigNode& tree, const model::RobotModel& model,
     const ConfigNode* tasks = tree.find("tasks");
     const ConfigNode* task = tasks == nullptr ? nullptr : tasks->find(error.task());
     const ConfigNode* number = task == nullptr ? nullptr : task->find(error.number());
-    if (number != nullptr) fail_at(*number, "tasks", error.what());
+    const std::string message =
+        std::string(error.what()) + (model.description().scale.length == 1.0
+                                         ? ""
+                                         : "; numbers for ANYmal B fit it with scaled: true in "
+                                           "their file");
+    if (number != nullptr) fail_at(*number, "tasks", message);
     const ConfigNode* named = tree.find("stack");
-    fail_at(named == nullptr ? tree : *named, "stack", error.what());
+    fail_at(named == nullptr ? tree : *named, "stack", message);
   }
 }
 

@@ -1,5 +1,6 @@
 #include "surefoot/base/formatted.hpp"
 #include "surefoot/base/text_table.hpp"
+#include "surefoot/doctor/checks.hpp"
 #include "surefoot/doctor/knees.hpp"
 #include "surefoot/doctor/report.hpp"
 
@@ -88,6 +89,21 @@ std::string count_text(const Findings& findings) {
   return text;
 }
 
+std::string trials_text(const Diagnosis& robot, const std::vector<Trial>& trials) {
+  if (trials.empty()) return "";
+  std::string text = "\n";
+  const LimitGaps gaps = limit_gaps(robot);
+  if (gaps.effort || gaps.velocity || gaps.position)
+    text += "walked with guessed limits, which the robot file has as comments:\n";
+  for (const Trial& trial : trials) {
+    text += trial.scenario + (trial.succeeded ? ": succeeded: " : ": did not succeed: ") +
+            trial.why + "\n";
+    if (!trial.succeeded)
+      text += "  → surefoot run " + trial.scenario + " --set robot=FILE --view shows it\n";
+  }
+  return text;
+}
+
 }  // namespace
 
 std::string report_text(const Diagnosis& robot, const std::vector<Trial>& trials) {
@@ -98,11 +114,7 @@ std::string report_text(const Diagnosis& robot, const std::vector<Trial>& trials
   const std::size_t slash = robot.urdf.path.find_last_of('/') + 1;
   for (const Finding& finding : robot.findings)
     text += finding_text(finding, robot.urdf.path.substr(slash));
-  for (const Trial& trial : trials) {
-    text += "\n" + trial.scenario + (trial.succeeded ? ": succeeded: " : ": did not succeed: ") +
-            trial.why;
-  }
-  return text + (trials.empty() ? "" : "\n");
+  return text + trials_text(robot, trials);
 }
 
 }  // namespace surefoot::doctor

@@ -82,7 +82,7 @@ std::string limit_lines(const Diagnosis& robot, Guesses guesses) {
   if (!gaps.effort && !gaps.velocity && !gaps.position) return "";
   const Scale scale = robot.proportions ? model::scale_of(*robot.proportions) : Scale();
   const bool is_comment = guesses == Guesses::as_comments;
-  const std::string begin = is_comment ? "# " : "";
+  const std::string begin = is_comment ? "#" : "";
   std::string text = begin + "limits:" +
                      (is_comment ? "                      # fill in, and take the # away: the URDF "
                                    "has placeholders or nothing; these are ANYmal B's, to size"

@@ -40,8 +40,8 @@ TEST_F(RobotFileText, has_placeholders_as_comments) {
   const Diagnosis robot = diagnosis();
   const std::string text = robot_file_text(robot, folder_.path(), Guesses::as_comments);
   EXPECT_TRUE(holds(text, "\nurdf: robot.urdf\n"));
-  EXPECT_TRUE(holds(text, "\n# limits:"));
-  EXPECT_TRUE(holds(text, "\n#   position_min: ["));
+  EXPECT_TRUE(holds(text, "\n#limits:"));
+  EXPECT_TRUE(holds(text, "\n#  position_min: ["));
   EXPECT_EQ(text.find("torque:"), std::string::npos);
 }
 
