@@ -73,6 +73,19 @@ void find_base(const model::Urdf& urdf, const LimbFinder& finder, Anatomy& anato
        "take joint and root link out of the URDF, so that \"" + joint.child + "\" is the root"});
 }
 
+std::string remedy_of(const Limb& limb) {
+  const std::string fixed =
+      "set type=\"fixed\" at these joints; the limb is then part of its parent";
+  const bool mimics = std::ranges::any_of(
+      limb.joints, [](const model::UrdfJoint& joint) { return !joint.mimics.empty(); });
+  if (mimics)
+    return "if it is a leg, take out <mimic>: each of its joints has a drive of its own; else " +
+           fixed;
+  if (limb.joints.size() < kJointsPerLeg)
+    return "if it is a leg, this robot can't be used: a leg must have three joints; else " + fixed;
+  return fixed;
+}
+
 void tell_others(const Anatomy& anatomy, Findings& findings) {
   for (const Limb& limb : anatomy.others) {
     std::string names;
@@ -82,7 +95,7 @@ void tell_others(const Anatomy& anatomy, Findings& findings) {
                         first.line,
                         "the limb that begins here is no leg (" + limb.no_leg +
                             "), and a joint beside the legs is refused:" + names,
-                        "set type=\"fixed\" at these joints; the limb is then part of its parent"});
+                        remedy_of(limb)});
   }
 }
 
