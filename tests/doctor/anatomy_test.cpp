@@ -1,6 +1,7 @@
 // What the doctor finds in a URDF that it has never seen: base, legs, feet.
 #include "surefoot/doctor/knees.hpp"
 #include "tests/doctor/changed_robot.hpp"
+#include "tests/support/messages.hpp"
 
 namespace surefoot::doctor {
 namespace {
@@ -45,6 +46,14 @@ TEST_F(Anatomy, with_a_joint_too_few_says_that_legs_are_missing) {
   EXPECT_FALSE(robot.anatomy.legs);
   EXPECT_TRUE(has(robot, Severity::error, "3 limbs of exactly three hinges"));
   EXPECT_TRUE(has(robot, Severity::error, "joint \"RH_HFE\": the limb that begins here"));
+  EXPECT_TRUE(test::holds(test::finding(robot, Severity::error, "it has 2 joints").remedy,
+                          "a leg must have three joints"));
+}
+
+TEST_F(Anatomy, of_a_leg_with_a_mimic_joint_says_to_take_that_out) {
+  change("<joint name=\"LF_KFE\"", ">", "><mimic joint=\"LF_HFE\"/>");
+  const Finding finding = test::finding(diagnosis(), Severity::error, "mimics another");
+  EXPECT_TRUE(test::holds(finding.remedy, "take out <mimic>"));
 }
 
 TEST_F(Anatomy, with_an_arm_says_which_joints_must_be_fixed) {
