@@ -20,6 +20,8 @@
 namespace surefoot::test {
 namespace {
 
+constexpr int kNumVelocities = 6 + kNumLegJoints, kNumUnknowns = kNumVelocities + kNumLegJoints;
+
 /// One standing robot, its contacts and the rows of both tasks.
 class Example {
  public:
@@ -33,7 +35,7 @@ class Example {
     const tasks::EquationsOfMotion equations_of_motion;
     const tasks::NoContactMotion no_contact_motion({});
     hierarchy_.add_level("equations_of_motion", kNumVelocities);
-    hierarchy_.add_level("no_contact_motion", kNumJoints);
+    hierarchy_.add_level("no_contact_motion", kNumLegJoints);
     equations_of_motion.write(input, hierarchy_.level(0));
     no_contact_motion.write(input, hierarchy_.level(1));
   }
@@ -53,7 +55,7 @@ class Example {
 void BM_ClosedForm(benchmark::State& state) {
   const Example example(static_cast<int>(state.range(0)));
   const Eigen::VectorXd contact = example.hierarchy().level(1).lower();
-  tasks::PhysicsSubstitution substitution;
+  tasks::PhysicsSubstitution substitution{kNumLegJoints};
   for (auto _ : state) {
     benchmark::DoNotOptimize(substitution.update(example.dynamics(), example.support(), contact));
   }
@@ -88,7 +90,7 @@ constexpr int kForceRows = tasks::FrictionCone::kRowsPerLeg + 3;
 
 void BM_EachForceRow(benchmark::State& state) {
   const Example example(static_cast<int>(state.range(0)));
-  tasks::PhysicsSubstitution physics;
+  tasks::PhysicsSubstitution physics{kNumLegJoints};
   const solver::Substitution& substitution =
       *physics.update(example.dynamics(), example.support(), example.hierarchy().level(1).lower());
   const Eigen::MatrixXd rows =
@@ -103,7 +105,7 @@ BENCHMARK(BM_EachForceRow)->DenseRange(2, 4);
 
 void BM_ForcesOnce(benchmark::State& state) {
   const Example example(static_cast<int>(state.range(0)));
-  tasks::PhysicsSubstitution physics;
+  tasks::PhysicsSubstitution physics{kNumLegJoints};
   const solver::Substitution& substitution =
       *physics.update(example.dynamics(), example.support(), example.hierarchy().level(1).lower());
   const int legs = example.support().num_contacts();

@@ -61,7 +61,7 @@ class TickTable {
     else
       origin(other->command, other->hierarchy);
     for (const double torque : logged.command.torque) number(torque);
-    for (Eigen::Index i = 0; i < kNumJoints; ++i)
+    for (Eigen::Index i = 0; i < logged.command.torque.size(); ++i)
       number(is_answered ? other->command.torque[i] : std::nan(""));
     for (std::size_t k = 0; k < header.level_names.size(); ++k)
       number(is_of(logged, k) ? logged.hierarchy.levels[k].residual : std::nan(""));

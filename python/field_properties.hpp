@@ -122,6 +122,14 @@ class FieldProperties {
     type_.def_prop_ro(name, get, with_shape(doc, std::to_string(kRows) + ",").c_str());
   }
 
+  void add(const char* name, Place<JointVector> place, const std::string& doc) {
+    const auto get = [place](Self self) {
+      JointVector& values = place.in(self);
+      return View<-1>(values.data(), {static_cast<std::size_t>(values.size())}, self);
+    };
+    type_.def_prop_ro(name, get, with_shape(doc, "number of joints,").c_str());
+  }
+
   void add(const char* name, Place<Mat3> place, const std::string& doc) {
     const auto get = [place](Self self) {
       return View<3, 3>(place.in(self).data(), {3, 3}, self, {1, 3});

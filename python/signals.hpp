@@ -4,16 +4,21 @@
 #include "surefoot/signals/plan_event.hpp"
 
 #include <nanobind/stl/array.h>
+#include <nanobind/stl/vector.h>
 
 #include <algorithm>
 #include <array>
 
 namespace surefoot::python {
 
-using Twelve = std::array<double, kNumJoints>;
+using JointNumbers = std::vector<double>;
 
-inline JointCommand joint_command(const Twelve& torque) {
+inline JointCommand joint_command(const JointNumbers& torque) {
+  if (torque.size() > kMaxJoints)
+    throw Error("torque has " + std::to_string(torque.size()) + " numbers; a robot has at most " +
+                std::to_string(kMaxJoints) + " joints");
   JointCommand command;
+  command.torque.resize(static_cast<Eigen::Index>(torque.size()));
   std::ranges::copy(torque, command.torque.data());
   return command;
 }
@@ -36,10 +41,10 @@ inline void bind_signals(nb::module_& module) {
   signal<JointCommand>(module, "JointCommand", "Torques for the actuators at one tick.")
       .def(
           "__init__",
-          [](JointCommand* self, const Twelve& torque) {
+          [](JointCommand* self, const JointNumbers& torque) {
             new (self) JointCommand(joint_command(torque));
           },
-          nb::arg("torque") = Twelve{});
+          nb::arg("torque") = JointNumbers(kNumLegJoints));
 
   signal<GroupHealth>(module, "GroupHealth", "How one group of sensors is at one tick.");
   signal<SensorHealth>(module, "SensorHealth", "How the readings of one tick are.");

@@ -33,11 +33,7 @@ class TimedController {
 };
 
 inline std::vector<std::string> joint_names(const config::Scenario& scenario) {
-  std::vector<std::string> names;
-  for (const model::LegDescription& leg : scenario.robot.legs) {
-    names.insert(names.end(), leg.joints.begin(), leg.joints.end());
-  }
-  return names;
+  return scenario.robot.joint_names();
 }
 
 inline nb::typed<nb::dict, std::string, double> drawn(const config::Scenario& scenario) {
@@ -76,15 +72,16 @@ inline void bind_scenario(nb::module_& module) {
       .def_prop_ro(
           "estimation", [](const config::Scenario& self) { return name(self.estimation); },
           "where the controller's state comes from")
-      .def_prop_ro("joint_names", &joint_names,
-                   "in the order of every array of 12: HAA, HFE, KFE of LF, RF, LH, RH")
+      .def_prop_ro(
+          "joint_names", &joint_names,
+          "in the order of every array of joints: HAA, HFE, KFE of LF, RF, LH, RH, then arms")
       .def_prop_ro(
           "torque_limit",
           [](nb::handle_t<config::Scenario> self) {
-            return View<kNumJoints>(nb::inst_ptr<config::Scenario>(self)->robot.torque_limit.data(),
-                                    {kNumJoints}, self);
+            JointVector& limit = nb::inst_ptr<config::Scenario>(self)->robot.torque_limit;
+            return View<-1>(limit.data(), {static_cast<std::size_t>(limit.size())}, self);
           },
-          "|torque| ≤ limit [N·m], shape (12,)")
+          "|torque| ≤ limit [N·m], shape (number of joints,)")
       .def_prop_ro("drawn", &drawn, "what the seed chose: path → value")
       .def_ro("options_json", &config::Scenario::options_json,
               "the whole scenario as it was read, assignments and draws included")
@@ -118,7 +115,9 @@ inline void bind_plant(nb::module_& module) {
            "Applies a command and advances the physics by one control period.")
       .def(
           "write",
-          [](simulation::Plant& self, const Twelve& torque) { self.write(joint_command(torque)); },
+          [](simulation::Plant& self, const JointNumbers& torque) {
+            self.write(joint_command(torque));
+          },
           nb::arg("torque"), nb::call_guard<nb::gil_scoped_release>(),
           "The same for 12 torques [N·m].")
       .def_prop_ro("time", &simulation::Plant::time, "since the start of the run [s]")

@@ -47,10 +47,9 @@ std::vector<std::string> ChannelLister::labels(int rows, int columns) {
     for (int j = 0; j < columns; ++j) {
       if (columns > 1) {
         result.push_back(std::to_string(i + 1) + std::to_string(j + 1));
-      } else if (rows == kNumJoints) {
-        const auto k = static_cast<std::size_t>(i);
-        result.push_back(std::string(kLegNames[k / kJointsPerLeg]) + "_" +
-                         std::string(kJointNames[k % kJointsPerLeg]));
+      } else if (rows >= kNumLegJoints) {
+        result.push_back(i < kNumLegJoints ? leg_joint_name(i)
+                                           : "arm " + std::to_string(i - kNumLegJoints + 1));
       } else if (rows <= 3) {
         result.emplace_back(server::kAxes[static_cast<std::size_t>(i)]);
       } else {

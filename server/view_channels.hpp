@@ -88,7 +88,8 @@ class ChannelLister {
     } else if constexpr (std::same_as<T, Quat>) {
       add_channel(about, {"w", "x", "y", "z"});
     } else if constexpr (Matrix<T>) {
-      add_channel(about, labels(T::RowsAtCompileTime, T::ColsAtCompileTime));
+      add_channel(about,
+                  labels(static_cast<int>(content.rows()), static_cast<int>(content.cols())));
     } else if constexpr (kIsPerLeg<T>) {
       for (const Leg leg : kLegs) below(kLegNames[index(leg)], content[index(leg)], about);
     } else if constexpr (kIsByLevel<T>) {

@@ -55,7 +55,7 @@ RobotState draw_state(Random& random, const model::RobotDescription& robot, cons
     for (double& angle : state.q) angle += random.uniform(-1e-6, 1e-6);
     return state;
   }
-  for (int j = 0; j < kNumJoints; ++j) {
+  for (int j = 0; j < kNumLegJoints; ++j) {
     state.q[j] = robot.q_nominal[j] + random.uniform(-draws.posture, draws.posture);
   }
   return state;

@@ -31,11 +31,7 @@ logging::LogRobot robot_of(const model::RobotModel& model) {
   const model::RobotDescription& description = model.description();
   logging::LogRobot robot;
   robot.name = description.name;
-  for (const Leg leg : kLegs) {
-    for (std::size_t j = 0; j < kJointsPerLeg; ++j) {
-      robot.joint_names[kJointsPerLeg * index(leg) + j] = description.legs[index(leg)].joints[j];
-    }
-  }
+  robot.joint_names = description.joint_names();
   robot.torque_limit = description.torque_limit;
   robot.mass = model.mass();
   robot.foot_radius = description.foot_radius;

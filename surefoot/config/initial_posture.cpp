@@ -53,14 +53,14 @@ namespace {
 
 /// The first joint of a posture that is outside its limits; −1: none.
 Eigen::Index outside_limits(const model::RobotDescription& robot, const JointVector& q) {
-  for (Eigen::Index i = 0; i < kNumJoints; ++i) {
+  for (Eigen::Index i = 0; i < q.size(); ++i) {
     if (q[i] < robot.q_min[i] - kRounding || q[i] > robot.q_max[i] + kRounding) return i;
   }
   return -1;
 }
 
 JointVector posture_of(const model::RobotModel& model, const gaits::StanceOptions& stance) {
-  JointVector q = JointVector::Zero();
+  JointVector q = model.description().q_nominal;
   for (const Leg leg : kLegs) {
     Vec3 p_BF;
     p_BF << gaits::nominal_offset(stance, leg), -stance.height;

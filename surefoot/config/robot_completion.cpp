@@ -82,19 +82,18 @@ class JointNumbers {
 
   [[nodiscard]] JointVector of(const char* key, const LegJoints& given,
                                double model::UrdfJoint::* described, bool is_positive) const {
-    JointVector numbers = JointVector::Zero();
-    for (const Leg leg : kLegs) {
-      for (std::size_t i = 0; i < kJointsPerLeg; ++i) {
-        const Eigen::Index joint = first_joint(leg) + static_cast<Eigen::Index>(i);
-        numbers[joint] = given[static_cast<Eigen::Index>(i)];
-        if (!std::isnan(numbers[joint])) continue;
-        const model::UrdfJoint& from = *std::ranges::find(
-            urdf_.joints, robot_.legs[index(leg)].joints[i], &model::UrdfJoint::name);
-        numbers[joint] = from.*described;
-        if (std::isnan(numbers[joint]) || (is_positive && numbers[joint] <= 0.0)) {
-          top_.fail(key, "this key is missing, and the URDF does not limit joint \"" + from.name +
-                             "\" (" + urdf_.path + ":" + std::to_string(from.line) + ")");
-        }
+    JointVector numbers(robot_.num_joints());
+    const std::vector<std::string> names = robot_.joint_names();
+    for (Eigen::Index joint = 0; joint < numbers.size(); ++joint) {
+      const bool is_leg = joint < kNumLegJoints;
+      numbers[joint] = is_leg ? given[joint % kJointsPerLeg] : kNaN;
+      if (!std::isnan(numbers[joint])) continue;
+      const model::UrdfJoint& from = *std::ranges::find(
+          urdf_.joints, names[static_cast<std::size_t>(joint)], &model::UrdfJoint::name);
+      numbers[joint] = from.*described;
+      if (std::isnan(numbers[joint]) || (is_positive && numbers[joint] <= 0.0)) {
+        top_.fail(key, "this key is missing, and the URDF does not limit joint \"" + from.name +
+                           "\" (" + urdf_.path + ":" + std::to_string(from.line) + ")");
       }
     }
     return numbers;
@@ -107,8 +106,11 @@ class JointNumbers {
 };
 
 JointVector or_else(const LegJoints& given, const JointVector& others) {
-  const JointVector all = given.replicate<kNumLegs, 1>();
-  return all.array().isNaN().select(others, all);
+  JointVector all = others;
+  for (Eigen::Index i = 0; i < kNumLegJoints; ++i) {
+    if (!std::isnan(given[i % kJointsPerLeg])) all[i] = given[i % kJointsPerLeg];
+  }
+  return all;
 }
 
 }  // namespace
@@ -148,15 +150,13 @@ void complete_limits(const Section& top, const model::Urdf& urdf, const RobotInF
   robot.velocity_limit = numbers.of("limits.velocity", given.velocity, &UrdfJoint::velocity, true);
   robot.q_min = numbers.of("limits.position_min", given.position_min, &UrdfJoint::lower, false);
   robot.q_max = numbers.of("limits.position_max", given.position_max, &UrdfJoint::upper, false);
-  for (Eigen::Index i = 0; i < kNumJoints; ++i) {
+  for (Eigen::Index i = 0; i < robot.num_joints(); ++i) {
     if (robot.q_min[i] < robot.q_max[i]) continue;
     top.fail("limits.position_max",
              formatted("must be above position_min at every joint, but joint \"%s\" has %g and %g "
                        "rad",
-                       robot.legs[static_cast<std::size_t>(i / kJointsPerLeg)]
-                           .joints[static_cast<std::size_t>(i % kJointsPerLeg)]
-                           .c_str(),
-                       robot.q_min[i], robot.q_max[i]));
+                       robot.joint_names()[static_cast<std::size_t>(i)].c_str(), robot.q_min[i],
+                       robot.q_max[i]));
   }
   robot.stall_torque = or_else(given.stall_torque, robot.torque_limit);
   robot.no_load_speed = or_else(given.no_load_speed, robot.velocity_limit);

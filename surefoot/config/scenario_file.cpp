@@ -261,7 +261,7 @@ void complete_posture(const ConfigNode& tree, const model::RobotModel& model, Sc
   simulation::InitialState& initial = scenario.plant.initial;
   const JointVector stance = read_posture(tree, model, scenario.controller.planner.stance);
   if (!initial.is_given) initial.q = stance;
-  for (Eigen::Index i = 0; i < kNumJoints; ++i) {
+  for (Eigen::Index i = 0; i < initial.q.size(); ++i) {
     double& q = initial.q[i];
     if (std::isnan(q)) q = stance[i];
     const model::RobotDescription& robot = scenario.robot;
@@ -281,14 +281,12 @@ void check_strength(const ConfigNode& tree, model::RobotModel& model, const Join
   const model::RobotDescription& robot = model.description();
   Eigen::Index i = 0;
   if (torque.cwiseQuotient(robot.torque_limit).maxCoeff(&i) <= 1.0) return;
-  const auto leg = static_cast<std::size_t>(i / kJointsPerLeg);
-  const auto joint = static_cast<std::size_t>(i % kJointsPerLeg);
   const ConfigNode* named = tree.find("robot");
   fail_at(
       named == nullptr ? tree : *named, "robot",
       formatted("it can't stand: with %g kg, joint \"%s\" needs %.4g N·m in the stance, and its "
                 "limits.torque is %g N·m; check this limit, and the masses in the URDF, in kg",
-                model.mass(), robot.legs[leg].joints[joint].c_str(), torque[i],
+                model.mass(), robot.joint_names()[static_cast<std::size_t>(i)].c_str(), torque[i],
                 robot.torque_limit[i]));
 }
 

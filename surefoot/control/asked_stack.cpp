@@ -9,7 +9,8 @@ namespace surefoot::control {
 AskedStack::AskedStack(const StackOptions& stack, const SolverOptions& solver,
                        const SafetyOptions& safety, const model::RobotDescription& robot)
     : solved_(stack, solver, robot),
-      ladder_at_start_(safety, robot, solved_.stack.first_free_level(), JointVector::Zero(), 0.0),
+      ladder_at_start_(safety, robot, solved_.stack.first_free_level(),
+                       JointVector::Zero(robot.num_joints()), 0.0),
       ladder_(ladder_at_start_) {
   for (Safety* ladder : {&ladder_at_start_, &ladder_}) ladder->skip_beginning();
   at_rest_.before.set();

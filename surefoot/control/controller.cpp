@@ -122,6 +122,7 @@ Controller::Implementation::Implementation(
       stack(options, robot),
       safety(options.safety, robot, stack.tasks().first_free_level(),
              lying_posture(model, options.safety.sit_height), options.period) {
+  record.command.torque.setZero(robot.num_joints());
   memory.last = at_start.last = remember({});
 }
 
@@ -145,6 +146,10 @@ void Controller::Implementation::begin_tick(const SensorReading& reading,
                                             const UserCommand& user) noexcept {
   if (observer != nullptr) observer->tick_begins();
   record.reading = reading;
+  const Eigen::Index n = model.description().num_joints();
+  for (JointVector* values : {&record.reading.q, &record.reading.torque}) {
+    if (values->size() != n) values->setConstant(n, kNaN);
+  }
   record.user = sane(user);
 }
 
@@ -169,7 +174,7 @@ const estimation::ReadingGuard& Controller::Implementation::sense() noexcept {
 void Controller::Implementation::take_in(SensorReading reading) noexcept {
   const KinematicErrors& errors = memory.last.kinematics;
   const Quat imu = exp_rotation(errors.imu);
-  reading.q -= errors.zero;
+  reading.q.head<kNumLegJoints>() -= errors.zero;
   reading.gyro = imu * reading.gyro;
   reading.accelerometer = imu * reading.accelerometer;
   memory.guard.update(reading, memory.last.joint_velocity, record.reading);

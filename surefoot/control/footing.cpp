@@ -111,7 +111,7 @@ void Footing::go(State state, const JointVector& q, const JointVector& to) {
 
 JointVector Footing::posture_at(const model::RobotModel& model, double height) const {
   const model::RobotDescription& robot = model.description();
-  JointVector result;
+  JointVector result = robot.q_nominal;
   for (const Leg leg : kLegs) {
     const Vec3 nominal = robot.q_nominal.segment<3>(first_joint(leg));
     const double knee = kBentKnee * knees_[index(leg)];

@@ -64,7 +64,7 @@ class Footing {
   Scale scale_;
   State state_ = State::stands;
   PerLeg<double> knees_{1.0, 1.0, 1.0, 1.0};  // sides on which they were at the start: ±1
-  JointVector from_ = JointVector::Zero(), to_ = JointVector::Zero();
+  JointVector from_, to_;
   double time_ = 0.0, duration_ = 1.0;  // of the way [s]
   double borne_ = 0.0;                  // share of the weight on the feet when it began to rise
   double stood_for_ = 0.0;              // since then [s]

@@ -15,12 +15,12 @@ struct LastTick {
   MotionPlan plan;
   Vec3 terrain_normal_W = Vec3::UnitZ();  ///< unit
   PerLeg<Vec3> foot_force{Vec3::Constant(kNaN), Vec3::Constant(kNaN), Vec3::Constant(kNaN),
-                          Vec3::Constant(kNaN)};     ///< estimated, in W [N]
-  PerLeg<bool> slips{};                              ///< the foot slides
-  JointVector joint_velocity = JointVector::Zero();  ///< observed [rad/s]
-  JointVector torque = JointVector::Zero();          ///< commanded [N·m]
-  KinematicErrors kinematics;                        ///< calibrated
-  BaseLoad load;                                     ///< of the model's base, calibrated
+                          Vec3::Constant(kNaN)};  ///< estimated, in W [N]
+  PerLeg<bool> slips{};                           ///< the foot slides
+  JointVector joint_velocity;                     ///< observed [rad/s]
+  JointVector torque;                             ///< commanded [N·m]
+  KinematicErrors kinematics;                     ///< calibrated
+  BaseLoad load;                                  ///< of the model's base, calibrated
   HierarchyOutcome outcome;
   std::optional<estimation::ImuStep> imu_step;  ///< what the legs say of a step of the IMU
   bool restarts = false;  ///< the estimate is to begin again, all feet standing

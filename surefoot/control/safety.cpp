@@ -73,6 +73,14 @@ Safety::Safety(const SafetyOptions& options, const model::RobotDescription& robo
       period_(period),
       first_free_level_(first_free_level),
       lying_q_(lying) {
+  const JointVector unknown = JointVector::Constant(robot.num_joints(), kNaN);
+  stopped_q_ = good_q_ = bearing_torque_ = unknown;
+  command_.torque = fading_torque_ = good_torque_ = JointVector::Zero(robot.num_joints());
+  stiffness_ = JointVector::Ones(robot.num_joints());
+  const double strongest = torque_limit_.head<kNumLegJoints>().maxCoeff();
+  for (Eigen::Index i = kNumLegJoints; i < stiffness_.size(); ++i) {
+    stiffness_[i] = std::min(1.0, torque_limit_[i] / strongest);
+  }
   stands_now_.fill(true);
   stands_.fill(true);
 }
@@ -135,7 +143,7 @@ bool Safety::is_good(const RobotState& state, const solver::Solution* solution) 
   const bool usable = solution->status == solver::SolveStatus::optimal ||
                       (solution->status == solver::SolveStatus::iteration_cap &&
                        solution->failed_level >= first_free_level_);
-  return usable && solution->x.allFinite() && solution->x.size() == kNumUnknowns;
+  return usable && solution->x.allFinite() && solution->x.size() == 6 + 2 * torque_limit_.size();
 }
 
 void Safety::look_for_a_stop(const RobotState& state, const SensorHealth& health) {
@@ -184,7 +192,7 @@ double Safety::patience(const RobotState& state, const SensorHealth& health) con
 void Safety::note_lame_joints(const RobotState& state, const SensorHealth& health) {
   const int one = health.encoders.joint;
   bool is_known = false;
-  for (int i = 0; i < kNumJoints; ++i) {
+  for (int i = 0; i < torque_limit_.size(); ++i) {
     bool& lame = lame_[static_cast<std::size_t>(i)];
     lame = lame || i == one || !std::isfinite(state.q[i]);
     is_known = is_known || lame;
@@ -233,7 +241,7 @@ void Safety::stop(CommandMode mode, StopCause cause, const SensorHealth& health)
 void Safety::follow(const RobotState& state, const solver::Solution& solution) {
   const bool solved = solution.status == solver::SolveStatus::optimal;
   command_.mode = solved ? CommandMode::optimal : CommandMode::degraded;
-  command_.torque = solution.x.tail<kNumJoints>();
+  command_.torque = solution.x.tail(torque_limit_.size());
   good_q_ = state.q;
   stands_ = stands_now_;
   bearing_torque_.setConstant(kNaN);  // of another posture
@@ -242,12 +250,12 @@ void Safety::follow(const RobotState& state, const solver::Solution& solution) {
 void Safety::hold(const RobotState& state) {
   command_.mode = CommandMode::hold;
   if (!good_q_.allFinite() && is_posture(state.q)) good_q_ = state.q;
-  command_.torque = good_torque_ + pull(state, good_q_, JointVector::Zero());
+  command_.torque = good_torque_ + pull(state, good_q_, JointVector::Zero(good_q_.size()));
 }
 
 JointVector Safety::pull(const RobotState& state, const JointVector& q, const JointVector& qd,
                          double softness, double spring) const {
-  JointVector kp, kd;
+  JointVector kp = hold_kp_ * stiffness_, kd = hold_kd_ * stiffness_;
   for (const Leg leg : kLegs) {
     const double soft = stands_[index(leg)] ? softness : 1.0;
     kp.segment<3>(first_joint(leg)).setConstant(hold_kp_ * (1.0 - soft * (1.0 - kSoftSpring)));
@@ -272,7 +280,7 @@ void Safety::sit(const RobotState& state) {
   JointVector carried = (1.0 - bears) * good_torque_ + bears * finite_or_zero(bearing_torque_);
   JointVector pulled = pull(state, q, qd, ease(progress(share, kSoftFrom, kSoft)),
                             1.0 - light * (1.0 - kLastSpring));
-  for (int i = 0; i < kNumJoints; ++i) {
+  for (int i = 0; i < torque_limit_.size(); ++i) {
     if (!lame_[static_cast<std::size_t>(i)]) continue;
     carried[i] = good_torque_[i];
     pulled[i] = 0.0;
@@ -294,7 +302,7 @@ void Safety::damp(const RobotState& state) {
   const double last = std::min(damping_kd_, kSoftDamping * hold_kd_);
   const double kd = damping_kd_ + gone * (last - damping_kd_);
   if (gone < 1.0) ++damped_ticks_;
-  command_.torque = -kd * finite_or_zero(state.qd);
+  command_.torque = -kd * finite_or_zero(stiffness_.cwiseProduct(state.qd));
   if (!std::isfinite(damped_at_)) return;
   const double share = (command_.time - damped_at_) / kFadeTime;
   command_.torque += std::clamp(1.0 - share, 0.0, 1.0) * fading_torque_;
@@ -307,7 +315,7 @@ void Safety::limit() {
 
 void Safety::limit_change(const JointVector& before, bool wanted) {
   if (!wanted && !catching_up_) return;
-  const JointVector step = JointVector::Constant(options_.max_torque_change);
+  const JointVector step = JointVector::Constant(before.size(), options_.max_torque_change);
   const JointVector limited = command_.torque.cwiseMax(before - step).cwiseMin(before + step);
   catching_up_ = limited != command_.torque;
   command_.torque = limited;

@@ -41,7 +41,8 @@ namespace surefoot::control {
 ///                encoders of several legs are lost, on top of the last good torques, or those of
 ///                the way down, which fade out within 0.5 s
 ///
-/// The PD of a leg that does not stand (`set_standing`) is soft, for its inertia is small.
+/// An arm's joints are held as far as their drives are weaker than a leg's. The PD of a leg that
+/// does not stand (`set_standing`) is soft, for its inertia is small.
 ///
 /// While the robot is not on its feet or a sensor is at fault, or where its samples may be wrong
 /// (`be_careful`), and after that until they are back where they should be, after every stop, and
@@ -125,6 +126,7 @@ class Safety {
   SafetyOptions options_;
   JointVector torque_limit_;
   double hold_kp_, hold_kd_, damping_kd_;
+  JointVector stiffness_;  // of each joint, as a share of a leg's
   double period_;
   int first_free_level_;
   JointVector lying_q_;
@@ -136,16 +138,14 @@ class Safety {
   std::optional<CommandMode> posed_;  // at this tick, to `posture_`
   StopCause given_up_ = StopCause::none;
   bool catching_up_ = false;             // torques that were limited in their change
-  std::array<bool, kNumJoints> lame_{};  // joints whose encoders are lost
+  std::array<bool, kMaxJoints> lame_{};  // joints whose encoders are lost
   double stopped_at_ = kNaN;             // [s]
   double damped_at_ = kNaN;              // where encoders were lost that it needs [s], …
-  JointVector fading_torque_ = JointVector::Zero();  // … on top of these
-  int unsteady_ticks_ = 0;                           // left of a late beginning
-  int damped_ticks_ = 0;                             // since it damps
-  JointVector stopped_q_ = JointVector::Constant(kNaN);
-  JointVector good_q_ = JointVector::Constant(kNaN);
-  JointVector good_torque_ = JointVector::Zero();
-  JointVector bearing_torque_ = JointVector::Constant(kNaN);
+  JointVector fading_torque_;            // … on top of these
+  int unsteady_ticks_ = 0;               // left of a late beginning
+  int damped_ticks_ = 0;                 // since it damps
+  JointVector stopped_q_, good_q_;
+  JointVector good_torque_, bearing_torque_;
   double borne_ = 0.0;  // share of the bearing torque on the way down
   PerLeg<bool> stands_now_{}, stands_{};
   JointCommand command_;

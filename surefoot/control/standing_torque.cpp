@@ -30,18 +30,17 @@ RobotState level_at_rest(const JointVector& q) {
   state.v_WB.setZero();
   state.w_WB_B.setZero();
   state.q = q;
-  state.qd.setZero();
+  state.qd.setZero(q.size());
   return state;
 }
 
 JointVector standing_torque(model::RobotModel& model, const JointVector& q) noexcept {
   const model::Dynamics& dynamics = model.update(level_at_rest(q), Vec3::UnitZ());
   const Eigen::Vector4d force = bearing_forces(dynamics);
-  JointVector torque = dynamics.h.tail<kNumJoints>();
+  JointVector torque = dynamics.h.tail(q.size());
   for (const Leg leg : kLegs) {
     const model::Jacobian3& J = dynamics.contact[index(leg)].J;
-    torque -=
-        force[static_cast<Eigen::Index>(index(leg))] * J.row(2).tail<kNumJoints>().transpose();
+    torque -= force[static_cast<Eigen::Index>(index(leg))] * J.row(2).tail(q.size()).transpose();
   }
   return torque;
 }
@@ -49,7 +48,7 @@ JointVector standing_torque(model::RobotModel& model, const JointVector& q) noex
 Vec3 borne_force(model::RobotModel& model, const JointVector& q,
                  const JointVector& torque) noexcept {
   const model::Dynamics& dynamics = model.update(level_at_rest(q), Vec3::UnitZ());
-  const JointVector by_ground = dynamics.h.tail<kNumJoints>() - torque;
+  const JointVector by_ground = dynamics.h.tail(q.size()) - torque;
   Vec3 force = Vec3::Zero();
   for (const Leg leg : kLegs) {
     const Mat3 inverse = model::damped_inverse(

@@ -51,12 +51,14 @@ StateEstimation::StateEstimation(const ControllerOptions& options,
       model_(&model),
       bridge_time_(options.safety.bridge_time),
       rest_check_(options.period, model.description().scale),
-      contact_force_(options.contact_force, options.period, model.description().scale),
+      contact_force_(options.contact_force, options.period, model.description().scale,
+                     model.description().num_joints()),
       slip_(options.slip, options.period),
       external_force_(options.external_force),
       consistency_(options.consistency, options.period,
                    {.min = model.description().q_min, .max = model.description().q_max}),
-      lift_(options.period) {}
+      lift_(options.period),
+      joint_velocity_(JointVector::Zero(model.description().num_joints())) {}
 
 bool StateEstimation::has_begun() const { return std::isfinite(time_); }
 
@@ -103,7 +105,7 @@ void StateEstimation::forget_lost_joints(const estimation::ReadingGuard& seen,
                                          const SensorHealth& health) noexcept {
   if (lost_sensor(health, bridge_time_) != StopCause::encoders) return;
   const JointVector age = seen.encoder_age();
-  for (Eigen::Index i = 0; i < kNumJoints; ++i) {
+  for (Eigen::Index i = 0; i < age.size(); ++i) {
     if (!is_lost(age[i], bridge_time_)) continue;
     state_.q[i] = kNaN;
     state_.qd[i] = kNaN;

@@ -66,7 +66,7 @@ class StateEstimation {
   estimation::ExternalForceEstimator external_force_;
   estimation::SensorConsistency consistency_;
   estimation::LiftDetector lift_;
-  JointVector joint_velocity_ = JointVector::Zero();  // [rad/s]
+  JointVector joint_velocity_;  // [rad/s]
   KinematicErrors kinematics_before_;
   double time_ = kNaN;  // of the last state that could be [s]
   std::optional<estimation::ImuStep> imu_step_;

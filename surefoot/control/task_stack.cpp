@@ -12,7 +12,10 @@
 namespace surefoot::control {
 
 TaskStack::TaskStack(const StackOptions& options, const model::RobotDescription& robot)
-    : robot_(robot), hierarchy_(kNumUnknowns), no_motion_(Eigen::VectorXd::Zero(kNumUnknowns)) {
+    : robot_(robot),
+      hierarchy_(6 + 2 * robot.num_joints()),
+      physics_(robot.num_joints()),
+      no_motion_(Eigen::VectorXd::Zero(hierarchy_.unknowns())) {
   if (options.levels.empty() || options.levels.size() > kMaxLevels) {
     throw Error("stack \"" + options.name + "\" has " + std::to_string(options.levels.size()) +
                 " levels; valid are 1 to " + std::to_string(kMaxLevels));
@@ -28,6 +31,7 @@ TaskStack::TaskStack(const StackOptions& options, const model::RobotDescription&
           tasks::make_task(task_spec.task, {task_spec.numbers, task_spec.choices}));
       tasks::Task& task = *level.tasks.back();
       if (const auto* cone = dynamic_cast<const tasks::FrictionCone*>(&task)) friction_cone_ = cone;
+      task.prepare(robot);
       task.set_first_id(ids);
       ids += task.num_ids();
       rows += task.max_rows();
@@ -137,7 +141,8 @@ std::vector<std::vector<std::string>> TaskStack::row_names() const {
   std::vector<std::vector<std::string>> names(levels_.size());
   for (std::size_t level = 0; level < levels_.size(); ++level) {
     const LevelTasks& tasks = levels_[level];
-    const int count = tasks.num_ids + (tasks.damping > 0.0 ? kNumUnknowns : 0);
+    const int count =
+        tasks.num_ids + (tasks.damping > 0.0 ? static_cast<int>(no_motion_.size()) : 0);
     for (int id = 0; id < count; ++id)
       names[level].push_back(row_name(static_cast<int>(level), id));
   }

@@ -18,8 +18,9 @@ struct Diagnosis {
   /// As the program itself reads the robot file, guesses included; none: it refuses the robot.
   std::optional<model::RobotDescription> robot;
   std::optional<model::Proportions> proportions;
-  JointVector standing_torque = JointVector::Constant(kNaN);  ///< in the nominal posture [N·m]
-  Findings findings;                                          ///< worst first
+  JointVector standing_torque =
+      JointVector::Constant(kNumLegJoints, kNaN);  ///< in the nominal posture [N·m]
+  Findings findings;                               ///< worst first
 };
 
 /// Examines a URDF: its parts, units, limits, symmetry, signs, and whether it can stand. `name`:

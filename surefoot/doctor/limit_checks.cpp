@@ -48,7 +48,7 @@ class JointList {
     std::string text;
     for (const Group& group : groups_) {
       text += (text.empty() ? "" : "; ") +
-              (group.count == kNumJoints ? "all joints of the legs" : group.names) +
+              (group.count == kNumLegJoints ? "all joints of the legs" : group.names) +
               (group.value.empty() ? "" : ", " + group.value);
     }
     findings.push_back({severity, confidence, count_ == 1 ? "joint" : "joints", line_,

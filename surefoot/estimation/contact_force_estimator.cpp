@@ -19,10 +19,10 @@ int leg_rows(Leg leg) { return 6 + first_joint(leg); }
 }  // namespace
 
 ContactForceEstimator::ContactForceEstimator(const ContactForceOptions& options, double period,
-                                             const Scale& scale)
+                                             const Scale& scale, int num_joints)
     : options_(options),
       period_(period),
-      force_observer_(2.0 * kPi * options.bandwidth_hz, period),
+      force_observer_(2.0 * kPi * options.bandwidth_hz, period, num_joints),
       velocity_observer_(force_observer_),
       tare_(options.tare, 2.0 * kPi * options.bandwidth_hz, period, scale),
       foot_sensors_(per_leg(FootSensorTrust(period, scale))) {}
@@ -86,7 +86,9 @@ void ContactForceEstimator::update(const model::Dynamics& dynamics, const PerLeg
                                    RobotState& state) noexcept {
   update_base_acceleration(dynamics);
   const JointVector& torque = torques_.ago(-torque_lag_);
-  JointVector free, constrained;
+  JointVector free(torque.size()), constrained(torque.size());
+  expect_of_arms(dynamics, torque, free);
+  constrained = free;
   for (const Leg leg : kLegs) {
     const Vec3 a = free_acceleration(dynamics, leg, torque);
     free.segment<3>(first_joint(leg)) = a;
@@ -97,10 +99,10 @@ void ContactForceEstimator::update(const model::Dynamics& dynamics, const PerLeg
   velocity_observer_.expect(constrained);
   if (begins_) force_observer_.balance();
   begins_ = false;
-  const JointVector missing = missing_torque(dynamics);
+  const LegJointVector missing = missing_torque(dynamics);
   tare_.update(stands, missing, torque, force_observer_.velocity(),
                free + force_observer_.disturbance());
-  const JointVector by_ground = missing - tare_.tare();
+  const LegJointVector by_ground = missing - tare_.tare();
   for (const Leg leg : kLegs) {
     const std::size_t k = index(leg);
     Vec3& force = state.foot_force[k];
@@ -138,8 +140,20 @@ Vec3 ContactForceEstimator::stance_acceleration(const model::Dynamics& dynamics,
   return -model::damped_inverse(model::leg_jacobian(contact, leg), dynamics.scale) * rest;
 }
 
-JointVector ContactForceEstimator::missing_torque(const model::Dynamics& dynamics) const {
-  JointVector result;
+// A leg's and an arm's joints are coupled by the base alone.
+void ContactForceEstimator::expect_of_arms(const model::Dynamics& dynamics,
+                                           const JointVector& torque,
+                                           JointVector& acceleration) const {
+  const Eigen::Index n = torque.size() - kNumLegJoints, first = 6 + kNumLegJoints;
+  if (n == 0) return;
+  const JointVector left =
+      torque.tail(n) - dynamics.h.tail(n) - dynamics.M.block(first, 0, n, 6) * base_acceleration_;
+  const model::MassMatrix M = dynamics.M.bottomRightCorner(n, n);
+  acceleration.tail(n) = M.llt().solve(left);
+}
+
+LegJointVector ContactForceEstimator::missing_torque(const model::Dynamics& dynamics) const {
+  LegJointVector result;
   for (const Leg leg : kLegs) {
     const int first = leg_rows(leg);
     result.segment<3>(first_joint(leg)) =

@@ -44,8 +44,9 @@ struct JointDelays {
 /// of the ground on the foot [N]. Does not allocate.
 class ContactForceEstimator {
  public:
-  /// `period` of the control loop [s], `scale` of the robot.
-  ContactForceEstimator(const ContactForceOptions& options, double period, const Scale& scale = {});
+  /// `period` of the control loop [s], `scale` and number of joints of the robot.
+  ContactForceEstimator(const ContactForceOptions& options, double period, const Scale& scale = {},
+                        int num_joints = kNumLegJoints);
 
   /// First in a tick: takes encoders and joint torques, returns joint velocities [rad/s]. Forces
   /// belong to the later of the two samples. `delays` are the samples' usual ages.
@@ -78,8 +79,11 @@ class ContactForceEstimator {
   [[nodiscard]] Vec3 free_acceleration(const model::Dynamics& dynamics, Leg leg,
                                        const JointVector& torque) const;
   [[nodiscard]] Vec3 stance_acceleration(const model::Dynamics& dynamics, Leg leg) const;
+  /// The same of all joints of arms, which touch nothing.
+  void expect_of_arms(const model::Dynamics& dynamics, const JointVector& torque,
+                      JointVector& acceleration) const;
   /// M_kk d̂_k of all legs [N·m].
-  [[nodiscard]] JointVector missing_torque(const model::Dynamics& dynamics) const;
+  [[nodiscard]] LegJointVector missing_torque(const model::Dynamics& dynamics) const;
 
   ContactForceOptions options_;
   double period_;

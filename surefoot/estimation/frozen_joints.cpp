@@ -27,7 +27,7 @@ Vec3 asked_velocity(const model::Dynamics& dynamics, bool stands, const Vec3& v_
 void FrozenJoints::update(const SensorReading& reading, const model::Dynamics& dynamics,
                           const PerLeg<bool>& stands, const PerLeg<Vec3>& v_WF,
                           const JointVector& command) noexcept {
-  JointVector motion;
+  JointVector motion = JointVector::Zero(q_.size());
   for (const Leg leg : kLegs) {
     const std::size_t k = index(leg);
     motion.segment<kJointsPerLeg>(first_joint(leg)) =
@@ -41,7 +41,7 @@ void FrozenJoints::look_at_angles(const SensorReading& reading, const JointVecto
   const bool is_new = reading.encoder_time > encoder_time_;
   encoder_time_ = reading.encoder_time;
   const double kept = 1.0 - period_ / kMotionMemory;
-  for (int i = 0; i < kNumJoints; ++i) {
+  for (int i = 0; i < q_.size(); ++i) {
     int& same = same_angle_[static_cast<std::size_t>(i)];
     const bool moves =
         reading.q[i] != q_[i] || !std::isfinite(motion[i]) || stops_.holds(i, reading.q[i]);
@@ -51,7 +51,7 @@ void FrozenJoints::look_at_angles(const SensorReading& reading, const JointVecto
   q_ = reading.q;
   encoders_ = {};
   const bool finds = is_new && unseen_.cwiseAbs().maxCoeff() > options_.motion;
-  for (int i = 0; i < kNumJoints && finds; ++i) {
+  for (int i = 0; i < q_.size() && finds; ++i) {
     const int same = same_angle_[static_cast<std::size_t>(i)];
     if (same > 1 && std::abs(unseen_[i]) > kSecondJointShare * options_.motion)
       add(encoders_, i, same);
@@ -68,7 +68,7 @@ void FrozenJoints::look_at_torques(const SensorReading& reading, const JointVect
   const bool is_new = reading.torque_time > torque_time_;
   torque_time_ = reading.torque_time;
   torques_ = {};
-  for (int i = 0; i < kNumJoints; ++i) {
+  for (int i = 0; i < q_.size(); ++i) {
     const auto k = static_cast<std::size_t>(i);
     const bool moves = reading.torque[i] != measured_[i];
     same_torque_[k] = moves ? 0 : same_torque_[k] + 1;

@@ -10,7 +10,8 @@ namespace surefoot::estimation {
 
 /// Mechanical limits of the joints [rad].
 struct JointStops {
-  JointVector min = JointVector::Constant(-kInfinity), max = JointVector::Constant(kInfinity);
+  JointVector min = JointVector::Constant(kNumLegJoints, -kInfinity),
+              max = JointVector::Constant(kNumLegJoints, kInfinity);
 
   /// Within a hundredth of a radian of a stop, or beyond.
   [[nodiscard]] bool holds(Eigen::Index joint, double q) const {
@@ -22,9 +23,10 @@ struct JointStops {
 /// Finds frozen encoders and joint torque sensors: bit-identical values in new samples, though the
 /// joint should move or its command changes.
 ///
-/// A leg's joints must move by q̇ = J⁺ (v_F − J_b u_b), with v_F = 0 of a stance foot's contact
-/// point and the planned velocity of a swing foot. A joint at rest may repeat its value; one that
-/// should have turned by `motion` can't, unless it stands at its stop. Does not allocate.
+/// An arm's joints are looked at only for their torques. A leg's joints must move by q̇ = J⁺ (v_F −
+/// J_b u_b), with v_F = 0 of a stance foot's contact point and the planned velocity of a swing
+/// foot. A joint at rest may repeat its value; one that should have turned by `motion` can't,
+/// unless it stands at its stop. Does not allocate.
 class FrozenJoints {
  public:
   struct Frozen {
@@ -34,7 +36,13 @@ class FrozenJoints {
   };
 
   FrozenJoints(const FrozenJointOptions& options, double period, const JointStops& stops = {})
-      : options_(options), period_(period), stops_(stops) {}
+      : options_(options),
+        period_(period),
+        stops_(stops),
+        q_(JointVector::Constant(stops.min.size(), kNaN)),
+        unseen_(JointVector::Zero(stops.min.size())),
+        measured_(q_),
+        command_(unseen_) {}
 
   /// One tick. `stands`: the feet planned to carry load; `v_WF`: planned velocity of swing feet
   /// [m/s]; `command`: torques [N·m]; all of the tick before.
@@ -58,10 +66,10 @@ class FrozenJoints {
   FrozenJointOptions options_;
   double period_;
   JointStops stops_;
-  JointVector q_ = JointVector::Constant(kNaN);
-  JointVector unseen_ = JointVector::Zero();  // expected motion since the value last changed [rad]
-  JointVector measured_ = JointVector::Constant(kNaN), command_ = JointVector::Zero();
-  std::array<int, kNumJoints> same_angle_{}, same_torque_{}, off_{};  // [ticks]
+  JointVector q_;
+  JointVector unseen_;  // expected motion since the value last changed [rad]
+  JointVector measured_, command_;
+  std::array<int, kMaxJoints> same_angle_{}, same_torque_{}, off_{};  // [ticks]
   double encoder_time_ = kNaN, torque_time_ = kNaN;
   Frozen encoders_, torques_;
 };

@@ -3,9 +3,9 @@
 #include "surefoot/estimation/sample_watch.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 namespace surefoot::estimation {
 
@@ -42,19 +42,26 @@ class StepDoubt {
   bool doubts_ = false;
 };
 
-/// n values that are sampled together: their last good samples and this tick's faults. Judges each
+/// Values that are sampled together: their last good samples and this tick's faults. Judges each
 /// value alone, and all together.
-template <int n>
+template <typename Vector>
 class GuardedValues {
  public:
-  using Vector = Eigen::Matrix<double, n, 1>;
+  explicit GuardedValues(Eigen::Index n)
+      : expected_(Vector::Constant(n, kNaN)),
+        seen_(expected_),
+        sampled_(expected_),
+        repaired_(expected_),
+        measured_(expected_),
+        faults_(static_cast<std::size_t>(n)),
+        doubts_(static_cast<std::size_t>(n)) {}
 
   /// Range of a value, and limits on its distance from the expected one. Beyond `tolerance` it is
   /// refused; beyond `sure` accepted only as `StepDoubt` allows, and with `sure_only` never. If
   /// half of the values are beyond `together`, `StepDoubt` decides on all; if half are beyond
   /// `never`, all are refused. The last three are per period between the samples.
   struct Limits {
-    Vector range, tolerance = Vector::Constant(kUnlimited), sure = Vector::Constant(kUnlimited);
+    Vector range, tolerance, sure;
     double together = kUnlimited, never = kUnlimited;
     bool sure_only = false;
   };
@@ -70,7 +77,7 @@ class GuardedValues {
     if (common == SampleFault::none && doubts_all(raw, watch, limits, patience)) {
       common = SampleFault::jump;
     }
-    for (int i = 0; i < n; ++i) {
+    for (int i = 0; i < size(); ++i) {
       SampleFault& fault = faults_[static_cast<std::size_t>(i)];
       fault = common;
       if (common == SampleFault::none) {
@@ -81,7 +88,7 @@ class GuardedValues {
       repaired_[i] = good ? raw[i] : expected_[i];
       measured_[i] = good ? raw[i] : kNaN;
     }
-    for (int i = 0; i < n; ++i) {
+    for (int i = 0; i < size(); ++i) {
       if (std::isfinite(raw[i])) sampled_[i] = watch.sample_time();
     }
   }
@@ -89,7 +96,7 @@ class GuardedValues {
   /// The values possible by these limits, NaN for others; does not count as a sample.
   [[nodiscard]] Vector plausible(const Vector& raw, const Limits& limits) const noexcept {
     Vector result = raw;
-    for (int i = 0; i < n; ++i) {
+    for (int i = 0; i < size(); ++i) {
       const SampleFault fault = check(i, raw[i], limits.range[i], limits.tolerance[i]);
       if (fault != SampleFault::none) result[i] = kNaN;
     }
@@ -113,7 +120,7 @@ class GuardedValues {
   [[nodiscard]] GroupHealth health(double time) const noexcept {
     GroupHealth result;
     int num_faults = 0;
-    for (int i = 0; i < n; ++i) {
+    for (int i = 0; i < size(); ++i) {
       const double age = std::max(0.0, time - seen_[i]);
       if (!std::isnan(seen_[i]) && !(age <= result.age)) result.age = age;
       const SampleFault fault = faults_[static_cast<std::size_t>(i)];
@@ -132,6 +139,8 @@ class GuardedValues {
   [[nodiscard]] const Vector& seen() const { return seen_; }
 
  private:
+  [[nodiscard]] int size() const noexcept { return static_cast<int>(expected_.size()); }
+
   void accept(int i, double value, double time) noexcept {
     expected_[i] = value;
     seen_[i] = time;
@@ -166,14 +175,15 @@ class GuardedValues {
                                 double patience) noexcept {
     if (!watch.is_new()) return all_.doubts();
     int num_off = 0, num_far = 0;
-    for (int i = 0; i < n; ++i) {
+    for (int i = 0; i < size(); ++i) {
       if (!(watch.sample_time() - seen_[i] <= patience)) continue;  // lost, or NaN
       const double off = std::abs(raw[i] - expected_[i]) / periods(i, watch);
       num_off += off > limits.together ? 1 : 0;
       num_far += off > limits.never ? 1 : 0;
     }
-    const bool is_doubted = all_.of(2 * num_off >= n, false, false, watch.sample_time(), patience);
-    return is_doubted || 2 * num_far >= n;
+    const bool is_doubted =
+        all_.of(2 * num_off >= size(), false, false, watch.sample_time(), patience);
+    return is_doubted || 2 * num_far >= size();
   }
 
   [[nodiscard]] SampleFault check(int i, double raw, double range,
@@ -183,11 +193,11 @@ class GuardedValues {
     return std::abs(raw - expected_[i]) > tolerance ? SampleFault::jump : SampleFault::none;
   }
 
-  Vector expected_ = Vector::Constant(kNaN), seen_ = Vector::Constant(kNaN);
-  Vector sampled_ = Vector::Constant(kNaN);  // times of the samples before [s]
-  Vector repaired_ = Vector::Constant(kNaN), measured_ = Vector::Constant(kNaN);
-  std::array<SampleFault, n> faults_{};
-  std::array<StepDoubt, n> doubts_{};
+  Vector expected_, seen_;
+  Vector sampled_;  // times of the samples before [s]
+  Vector repaired_, measured_;
+  std::vector<SampleFault> faults_;
+  std::vector<StepDoubt> doubts_;
   StepDoubt all_;
 };
 

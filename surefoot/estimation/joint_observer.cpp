@@ -10,8 +10,14 @@ constexpr int kLongestBridge = 40;  // periods for which a prediction is useful
 
 }  // namespace
 
-JointObserver::JointObserver(double bandwidth, double period)
-    : bandwidth_(bandwidth), period_(period), each_period_(gains_after(1)) {}
+JointObserver::JointObserver(double bandwidth, double period, int num_joints)
+    : bandwidth_(bandwidth),
+      period_(period),
+      each_period_(gains_after(1)),
+      q_(JointVector::Constant(num_joints, kNaN)),
+      velocity_(JointVector::Zero(num_joints)),
+      disturbance_(velocity_),
+      expected_(velocity_) {}
 
 JointObserver::Gains JointObserver::gains_after(int periods) const {
   const double dt = periods * period_;
@@ -46,7 +52,7 @@ void JointObserver::update(const JointVector& q, int periods) noexcept {
   const JointVector acceleration = expected_ + disturbance_;
   q_ += dt * velocity_ + 0.5 * dt * dt * acceleration;
   velocity_ += dt * acceleration;
-  for (Eigen::Index i = 0; i < kNumJoints; ++i) {
+  for (Eigen::Index i = 0; i < q_.size(); ++i) {
     int& since = since_[static_cast<std::size_t>(i)];
     since = std::min(since, kLongestBridge) + periods;
     if (!std::isfinite(q[i])) continue;

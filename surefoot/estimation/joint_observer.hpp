@@ -21,7 +21,7 @@ namespace surefoot::estimation {
 class JointObserver {
  public:
   /// `bandwidth` is ω [rad/s].
-  JointObserver(double bandwidth, double period);
+  JointObserver(double bandwidth, double period, int num_joints = kNumLegJoints);
 
   /// At rest at q.
   void start(const JointVector& q) noexcept;
@@ -50,9 +50,8 @@ class JointObserver {
 
   double bandwidth_, period_;
   Gains each_period_;
-  std::array<int, kNumJoints> since_{};  // a joint's last reading, in periods
-  JointVector q_ = JointVector::Constant(kNaN), velocity_ = JointVector::Zero();
-  JointVector disturbance_ = JointVector::Zero(), expected_ = JointVector::Zero();
+  std::array<int, kMaxJoints> since_{};  // a joint's last reading, in periods
+  JointVector q_, velocity_, disturbance_, expected_;
 };
 
 }  // namespace surefoot::estimation

@@ -15,8 +15,8 @@ constexpr double kSurePeriods = 4.5;  // largest unquestioned step of the clock
 constexpr double kOtherStep = 0.5;    // share of a step that confirms the other instrument's
 
 JointVector limited(const JointVector& velocity, const JointVector& limit) {
-  JointVector result;
-  for (Eigen::Index i = 0; i < kNumJoints; ++i) {
+  JointVector result = limit;
+  for (Eigen::Index i = 0; i < limit.size(); ++i) {
     const double v = std::isfinite(velocity[i]) ? velocity[i] : 0.0;
     result[i] = std::clamp(v, -limit[i], limit[i]);
   }
@@ -47,7 +47,13 @@ ReadingGuard::ReadingGuard(const ReadingGuardOptions& options, const model::Robo
       torque_limit_(robot.torque_limit),
       encoder_watch_(period, options.patience, options.max_encoder_delay),
       torque_watch_(period, options.patience, options.max_torque_delay),
-      imu_watch_(period, options.patience, options.max_imu_delay) {}
+      imu_watch_(period, options.patience, options.max_imu_delay),
+      angles_(robot.num_joints()),
+      torques_(robot.num_joints()),
+      given_q_(JointVector::Constant(robot.num_joints(), kNaN)) {
+  repaired_.q = repaired_.torque = given_q_;
+  measured_ = offered_ = repaired_;
+}
 
 void ReadingGuard::update(const SensorReading& reading, const JointVector& joint_velocity,
                           const SensorReading& given) noexcept {
@@ -123,15 +129,14 @@ bool ReadingGuard::is_hit() const {
 }
 
 // An impact can reverse several joints at once.
-GuardedValues<kNumJoints>::Limits ReadingGuard::angle_limits(const JointVector& unseen) const {
+GuardedValues<JointVector>::Limits ReadingGuard::angle_limits(const JointVector& unseen) const {
   const double share = imu_is_shaken() ? kUnlimited : 1.0;
-  return {
-      .range = JointVector::Constant(options_.max_angle),
-      .tolerance = 2.0 * period_ * velocity_limit_ + options_.velocity_margin * unseen +
-                   JointVector::Constant(options_.angle_margin),
-      .sure = share * (period_ * velocity_limit_ + JointVector::Constant(options_.angle_margin)),
-      .together = share * options_.sure_angles,
-      .never = is_loose_ || is_hit() ? kUnlimited : options_.max_angles};
+  const JointVector margin = JointVector::Constant(unseen.size(), options_.angle_margin);
+  return {.range = JointVector::Constant(unseen.size(), options_.max_angle),
+          .tolerance = 2.0 * period_ * velocity_limit_ + options_.velocity_margin * unseen + margin,
+          .sure = share * (period_ * velocity_limit_ + margin),
+          .together = share * options_.sure_angles,
+          .never = is_loose_ || is_hit() ? kUnlimited : options_.max_angles};
 }
 
 void ReadingGuard::take_joints(const SensorReading& reading, const JointVector& joint_velocity,
@@ -189,7 +194,7 @@ void ReadingGuard::note_step(Instrument& instrument, const Vec3& value, const Ve
 }
 
 void ReadingGuard::take(Instrument& instrument, const Vec3& value, const Vec3& given,
-                        const GuardedValues<3>::Limits& limits) {
+                        const GuardedValues<Vec3>::Limits& limits) {
   if (imu_watch_.is_new()) {
     const bool is_same = given == instrument.given;
     instrument.repeats = is_same ? instrument.repeats + 1 : 0;
@@ -233,7 +238,7 @@ void ReadingGuard::describe(const SensorReading& reading) {
 }
 
 JointVector ReadingGuard::encoder_age() const {
-  return JointVector::Constant(time_) - angles_.seen();
+  return JointVector::Constant(angles_.seen().size(), time_) - angles_.seen();
 }
 
 }  // namespace surefoot::estimation

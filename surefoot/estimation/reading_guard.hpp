@@ -67,7 +67,7 @@ class ReadingGuard {
  private:
   /// One of the IMU's two instruments.
   struct Instrument {
-    GuardedValues<3> values;
+    GuardedValues<Vec3> values{3};
     Vec3 last = Vec3::Constant(kNaN);  // sample in range, good or not
     double last_time = kNaN;           // of that sample [s]
     double stepped = kNaN;             // time of the last large step [s]
@@ -82,19 +82,19 @@ class ReadingGuard {
   [[nodiscard]] bool believes_imu_step();
   [[nodiscard]] bool goes_on(double time) noexcept;
   void miss(const SensorReading& reading, const JointVector& given_q) noexcept;
-  [[nodiscard]] GuardedValues<kNumJoints>::Limits angle_limits(const JointVector& unseen) const;
+  [[nodiscard]] GuardedValues<JointVector>::Limits angle_limits(const JointVector& unseen) const;
   void take_joints(const SensorReading& reading, const JointVector& joint_velocity, double dt);
   void take_imu(const SensorReading& reading, const SensorReading& given);
   void note_step(Instrument& instrument, const Vec3& value, const Vec3& large, double range) const;
   void take(Instrument& instrument, const Vec3& value, const Vec3& given,
-            const GuardedValues<3>::Limits& limits);
+            const GuardedValues<Vec3>::Limits& limits);
   void describe(const SensorReading& reading);
 
   ReadingGuardOptions options_;
   double period_;
   JointVector velocity_limit_, torque_limit_;
   SampleWatch encoder_watch_, torque_watch_, imu_watch_;
-  GuardedValues<kNumJoints> angles_, torques_;
+  GuardedValues<JointVector> angles_, torques_;
   Instrument gyro_, accelerometer_;
   double time_ = kNaN;
   double lost_ = kNaN;      // time without a good sample after which any value is accepted [s]
@@ -102,7 +102,7 @@ class ReadingGuard {
   int missed_ = 0;          // readings since the last with a right clock
   int still_ = 0;           // of these, since their angles last changed
   bool moves_ = false;      // their angles change
-  JointVector given_q_ = JointVector::Constant(kNaN);  // of the last reading, with any clock
+  JointVector given_q_;     // of the last reading, with any clock
   bool clock_is_right_ = true;
   bool is_loose_ = false;
   ImuStep imu_step_ = ImuStep::not_judged;

@@ -30,7 +30,7 @@ class SensorConsistency {
         imu_(options.imu, period),
         imu_step_(period),
         frozen_(options.frozen, period, stops),
-        torques_(options.torques, period) {}
+        torques_(options.torques, period, static_cast<int>(stops.min.size())) {}
 
   /// One tick, with the reading as repaired by `ReadingGuard`, and with the `offered` raw samples
   /// of the IMU. Writes contradictions into `health`, unless a worse fault is known.

@@ -40,13 +40,14 @@ SwingTare::SwingTare(const SwingTareOptions& options, double bandwidth, double p
   stages_.fill(Signals::Constant(kNaN));
 }
 
-void SwingTare::update(const PerLeg<bool>& stands, const JointVector& missing,
+void SwingTare::update(const PerLeg<bool>& stands, const LegJointVector& missing,
                        const JointVector& torque, const JointVector& velocity,
                        const JointVector& acceleration) noexcept {
   tare_.setZero();
   if (!options_.enabled) return;
   Signals now;
-  now << torque, velocity, acceleration;
+  now << torque.head<kNumLegJoints>(), velocity.head<kNumLegJoints>(),
+      acceleration.head<kNumLegJoints>();
   const Signals& signals = lagged(now);
   for (const Leg k : kLegs) {
     LegTare& leg = legs_[index(k)];

@@ -39,12 +39,12 @@ class SwingTare {
             const Scale& scale = {});
 
   /// A tick: the model's torque error r [N·m], with the measured torques [N·m], velocities [rad/s]
-  /// and accelerations [rad/s²]. `stands`: the feet in contact.
-  void update(const PerLeg<bool>& stands, const JointVector& missing, const JointVector& torque,
+  /// and accelerations [rad/s²], of legs first. `stands`: the feet in contact.
+  void update(const PerLeg<bool>& stands, const LegJointVector& missing, const JointVector& torque,
               const JointVector& velocity, const JointVector& acceleration) noexcept;
 
   /// θ_jᵀ (1, τ_j, q̇_j, q̈_j) of swing legs, 0 of stance legs [N·m].
-  [[nodiscard]] const JointVector& tare() const { return tare_; }
+  [[nodiscard]] const LegJointVector& tare() const { return tare_; }
 
  private:
   static constexpr int kNumFeatures = 4;
@@ -68,7 +68,7 @@ class SwingTare {
     std::array<Joint, kJointsPerLeg> joints;
   };
 
-  using Signals = Eigen::Matrix<double, kNumJoints, kNumFeatures - 1>;
+  using Signals = Eigen::Matrix<double, kNumLegJoints, kNumFeatures - 1>;
   static constexpr int kNumPoles = 3;
 
   /// τ, q̇, q̈ of all joints as the observer has them.
@@ -85,7 +85,7 @@ class SwingTare {
   std::array<Signals, kNumPoles> stages_;  // NaN until there are signals
   std::size_t wait_;                       // [ticks]
   PerLeg<LegTare> legs_{};
-  JointVector tare_ = JointVector::Zero();
+  LegJointVector tare_ = LegJointVector::Zero();
 };
 
 }  // namespace surefoot::estimation

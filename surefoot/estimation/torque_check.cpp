@@ -13,11 +13,13 @@ constexpr double kMaxUnexplained = 0.5;  // share of a claim that torque errors 
 
 }  // namespace
 
-TorqueCheck::TorqueCheck(const TorqueCheckOptions& options, double period)
+TorqueCheck::TorqueCheck(const TorqueCheckOptions& options, double period, int num_joints)
     : options_(options),
       period_(period),
       gain_(1.0 - std::exp(-period / kSmoothing)),
       claim_gain_(1.0 - std::exp(-period / options.time_constant)),
+      error_(JointVector::Zero(num_joints)),
+      off_for_(error_),
       claim_(
           {.time_constant = options.time_constant, .load_time_constant = options.time_constant}) {}
 
@@ -34,7 +36,7 @@ void TorqueCheck::update(const RobotState& state, const model::Dynamics& dynamic
   const JointVector before = error_;
   const JointVector error = state.torque - command;
   if (error.allFinite()) error_ += gain_ * (error - error_);
-  for (int i = 0; i < kNumJoints; ++i) {
+  for (int i = 0; i < error_.size(); ++i) {
     const bool is_off = std::abs(error_[i]) > options_.max_error && error_[i] * before[i] > 0.0;
     off_for_[i] = is_off ? off_for_[i] + period_ : 0.0;
   }
@@ -81,7 +83,7 @@ double TorqueCheck::wrong_for() const {
 
 int TorqueCheck::joint() const {
   int result = -1, count = 0;
-  for (int i = 0; i < kNumJoints; ++i) {
+  for (int i = 0; i < error_.size(); ++i) {
     if (!(off_for_[i] > options_.duration)) continue;
     result = i;
     ++count;

@@ -11,7 +11,7 @@ namespace surefoot::estimation {
 /// much, it is no sensor fault, but an impact, or a robot lying on its belly. Does not allocate.
 class TorqueCheck {
  public:
-  TorqueCheck(const TorqueCheckOptions& options, double period);
+  TorqueCheck(const TorqueCheckOptions& options, double period, int num_joints = kNumLegJoints);
 
   /// One tick. `command` is of the tick before; `state` has the torques and foot forces of this
   /// one. `moves_exactly`: encoders have a new sample; coarser ones make claims meaningless.
@@ -39,8 +39,7 @@ class TorqueCheck {
 
   TorqueCheckOptions options_;
   double period_, gain_, claim_gain_;
-  JointVector error_ = JointVector::Zero(),
-              off_for_ = JointVector::Zero();  // [N·m], [s]
+  JointVector error_, off_for_;  // [N·m], [s]
   ExternalForceEstimator claim_;
   Wrench by_errors_;                           // share of the claim from torque errors
   double exact_for_ = 0.0, claims_for_ = 0.0;  // [s]

@@ -103,7 +103,7 @@ class Evaluator {
   Squares com_error_, height_error_, orientation_error_;
   double sway_min_ = 0.0, sway_max_ = 0.0;
   std::optional<MotionPlan> plan_before_;  // empty after a restart of the plan
-  JointVector torque_before_ = JointVector::Zero();
+  JointVector torque_before_ = JointVector::Zero(kNumLegJoints);
   PerLeg<Foot> feet_{};
   double footprint_height_ = kNaN;
   bool torso_touched_ = false;

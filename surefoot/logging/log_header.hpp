@@ -19,10 +19,10 @@ inline constexpr std::string_view kLogVersion = "2.12";
 /// Robot data for the report.
 struct LogRobot {
   std::string name;
-  std::array<std::string, kNumJoints> joint_names;  ///< of the URDF, joint j of leg k at 3 k + j
-  JointVector torque_limit = JointVector::Constant(kNaN);  ///< [N·m]
-  double mass = kNaN;                                      ///< [kg]
-  double foot_radius = kNaN;                               ///< [m]
+  std::vector<std::string> joint_names;  ///< of the URDF, in the order of a JointVector
+  JointVector torque_limit = JointVector::Constant(kNumLegJoints, kNaN);  ///< [N·m]
+  double mass = kNaN;                                                     ///< [kg]
+  double foot_radius = kNaN;                                              ///< [m]
 };
 
 /// Limits of the distance between hip and foot (Eq. 35), from the stack; NaN: no such level.

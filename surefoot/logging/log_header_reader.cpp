@@ -39,8 +39,11 @@ LogRobot parse_robot(const json& robot) {
   result.name = member<std::string>(robot, "name");
   const auto names = member<json>(robot, "joint_names");
   const auto limits = member<json>(robot, "torque_limit");
-  for (std::size_t i = 0; i < kNumJoints; ++i) {
-    result.joint_names[i] = names.at(i).get<std::string>();
+  if (names.size() < kNumLegJoints || names.size() > kMaxJoints)
+    throw BadMember{"robot.joint_names"};
+  result.joint_names = names.get<std::vector<std::string>>();
+  result.torque_limit.resize(static_cast<Eigen::Index>(names.size()));
+  for (std::size_t i = 0; i < names.size(); ++i) {
     result.torque_limit[static_cast<Eigen::Index>(i)] = number(limits.at(i));
   }
   result.mass = number_member(robot, "mass");

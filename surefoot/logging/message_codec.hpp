@@ -149,7 +149,7 @@ class SchemaWriter {
       array(0.0, 4);
     } else if constexpr (Matrix<T>) {
       if constexpr (T::ColsAtCompileTime == 1) {
-        array(0.0, T::RowsAtCompileTime);
+        array(0.0, T::RowsAtCompileTime);  // Dynamic, −1: the robot says how many
       } else {
         array(Eigen::Vector<double, T::ColsAtCompileTime>(), T::RowsAtCompileTime);
       }

@@ -114,6 +114,10 @@ class Decoder {
   template <typename T>
   static void matrix(logging::JsonCursor& json, T& content) {
     json.expect('[');
+    if constexpr (T::RowsAtCompileTime == Eigen::Dynamic) {
+      joints(json, content);
+      return;
+    }
     for (Eigen::Index i = 0; i < content.rows(); ++i) {
       if (i > 0) json.expect(',');
       if constexpr (T::ColsAtCompileTime == 1) {
@@ -124,6 +128,16 @@ class Decoder {
         content.row(i) = row;
       }
     }
+    json.expect(']');
+  }
+
+  static void joints(logging::JsonCursor& json, JointVector& content) {
+    content.resize(0);
+    do {
+      if (content.size() == kMaxJoints) throw logging::JsonError{"expected fewer joints"};
+      content.conservativeResize(content.size() + 1);
+      content[content.size() - 1] = json.number();
+    } while (json.accept(','));
     json.expect(']');
   }
 

@@ -31,13 +31,12 @@ std::string verb(SampleFault fault) {
 }
 
 std::string joint_name(int joint) {
-  const auto leg = static_cast<std::size_t>(joint / kJointsPerLeg);
-  const auto one = static_cast<std::size_t>(joint % kJointsPerLeg);
-  return std::string(kLegNames[leg]) + "_" + std::string(kJointNames[one]);
+  return joint < kNumLegJoints ? leg_joint_name(joint)
+                               : "of arm joint " + std::to_string(joint - kNumLegJoints + 1);
 }
 
 /// A log may hold any number.
-bool is_joint(int joint) { return joint >= 0 && joint < kNumJoints; }
+bool is_joint(int joint) { return joint >= 0 && joint < kMaxJoints; }
 
 /// A group is silent or late as a whole; other faults are of single values.
 bool is_of_one_value(SampleFault fault) {
@@ -94,7 +93,7 @@ const std::vector<std::string>& stop_texts() {
     };
     for (std::size_t cause = 0; cause < logged::kCauseNames.size(); ++cause)
       for (std::size_t fault = 0; fault < logged::kFaultNames.size(); ++fault)
-        for (int joint = -1; joint < kNumJoints; ++joint)
+        for (int joint = -1; joint < kMaxJoints; ++joint)
           add(text_of_stop(static_cast<StopCause>(cause), static_cast<SampleFault>(fault), joint));
     return all;
   }();

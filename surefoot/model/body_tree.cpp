@@ -4,20 +4,18 @@
 
 #include <algorithm>
 #include <map>
+#include <ranges>
 #include <sstream>
 
 namespace surefoot::model {
 namespace {
 
 constexpr int kBaseBody = 0;
+constexpr int kFirstArmBody = 1 + kNumLegJoints;
 int body_of(Leg leg, int joint) { return 1 + first_joint(leg) + joint; }
 
 /// The body that a link belongs to, and the link's frame in it.
-struct Placement {
-  int body = kBaseBody;
-  Mat3 R = Mat3::Identity();
-  Vec3 p = Vec3::Zero();
-};
+using Placement = BodyFrame;
 
 std::string known_links(const Urdf& urdf) {
   std::string names;
@@ -33,31 +31,39 @@ std::string known_joints(const Urdf& urdf) {
   return names;
 }
 
+void check_joint(const Urdf& urdf, const std::string& name, const std::string& limb) {
+  const auto found = std::ranges::find(urdf.joints, name, &UrdfJoint::name);
+  if (found == urdf.joints.end()) {
+    throw UnknownNameError("unknown joint \"" + name + "\"; the robot has:" + known_joints(urdf));
+  }
+  if (found->type != "revolute" && found->type != "continuous") {
+    throw Error("joint \"" + name + "\" is " + found->type + "; " + limb +
+                "'s joint must be revolute");
+  }
+  if (found->mimics.empty()) return;
+  throw FileError(urdf.path + ":" + std::to_string(found->line) + ": joint \"" + name +
+                  "\" mimics \"" + found->mimics + "\"; " + limb +
+                  "'s joints must each have a drive of their own");
+}
+
 /// Number of the body behind every described joint.
 std::map<std::string, int> described_joints(const RobotDescription& description, const Urdf& urdf) {
   std::map<std::string, int> bodies;
-  for (const Leg leg : kLegs) {
-    for (int j = 0; j < kJointsPerLeg; ++j) {
-      const std::string& name = description.legs[index(leg)].joints[static_cast<std::size_t>(j)];
-      const auto found = std::find_if(urdf.joints.begin(), urdf.joints.end(),
-                                      [&](const UrdfJoint& joint) { return joint.name == name; });
-      if (found == urdf.joints.end()) {
-        throw UnknownNameError("unknown joint \"" + name +
-                               "\"; the robot has:" + known_joints(urdf));
-      }
-      if (found->type != "revolute" && found->type != "continuous") {
-        throw Error("joint \"" + name + "\" is " + found->type +
-                    "; a leg's joint must be revolute");
-      }
-      if (!found->mimics.empty()) {
-        throw FileError(urdf.path + ":" + std::to_string(found->line) + ": joint \"" + name +
-                        "\" mimics \"" + found->mimics +
-                        "\"; a leg's joints must each have a drive of their own");
-      }
-      if (!bodies.emplace(name, body_of(leg, j)).second) {
-        throw Error("joint \"" + name + "\" is named for two places of the robot");
-      }
+  const auto add = [&](const std::string& name, int body, const std::string& limb) {
+    check_joint(urdf, name, limb);
+    if (!bodies.emplace(name, body).second) {
+      throw Error("joint \"" + name + "\" is named for two places of the robot");
     }
+  };
+  for (const Leg leg : kLegs) {
+    const auto& joints = description.legs[index(leg)].joints;
+    for (int j = 0; j < kJointsPerLeg; ++j) {
+      add(joints[static_cast<std::size_t>(j)], body_of(leg, j), "a leg");
+    }
+  }
+  int body = kFirstArmBody;
+  for (const ArmDescription& arm : description.arms) {
+    for (const std::string& name : arm.joints) add(name, body++, "an arm");
   }
   return bodies;
 }
@@ -67,6 +73,7 @@ class Builder {
  public:
   Builder(const RobotDescription& description, const Urdf& urdf)
       : urdf_(urdf), bodies_(described_joints(description, urdf)) {
+    tree_.arm_bodies.resize(bodies_.size() - kNumLegJoints);
     add_link(urdf.root, Placement());
     check_inertia(*urdf.find_link(urdf.root), tree_.base);
   }
@@ -100,19 +107,34 @@ class Builder {
       if (joint.type != "fixed") {
         throw FileError(
             urdf_.path + ":" + std::to_string(joint.line) + ": joint \"" + joint.name +
-            "\" can move but is not a joint of a leg of the description; make it fixed");
+            "\" can move but is not a joint of a leg or an arm of the description; name it under "
+            "`arms:`, or make it fixed");
       }
       add_link(joint.child, {parent.body, R, p});
       return;
     }
     const int body = described->second;
+    body >= kFirstArmBody ? connect_arm(joint, body, {parent.body, R, p})
+                          : connect_leg(joint, body, {parent.body, R, p});
+    add_link(joint.child, {body, Mat3::Identity(), Vec3::Zero()});
+    check_inertia(*urdf_.find_link(joint.child), inertia_of(body));
+  }
+
+  void connect_leg(const UrdfJoint& joint, int body, const Placement& parent) {
     const int place = (body - 1) % kJointsPerLeg;
     if (parent.body != (place == 0 ? kBaseBody : body - 1)) {
       throw Error("joint \"" + joint.name + "\" is not connected to the one before it in its leg");
     }
-    leg_of(body).chain.hinges[static_cast<std::size_t>(place)] = {R, p, joint.axis};
-    add_link(joint.child, {body, Mat3::Identity(), Vec3::Zero()});
-    check_inertia(*urdf_.find_link(joint.child), inertia_of(body));
+    leg_of(body).chain.hinges[static_cast<std::size_t>(place)] = {parent.R, parent.p, joint.axis};
+  }
+
+  /// On the base, or behind a joint of an arm that comes earlier.
+  void connect_arm(const UrdfJoint& joint, int body, const Placement& parent) {
+    if (parent.body >= body || (parent.body != kBaseBody && parent.body < kFirstArmBody)) {
+      throw Error("joint \"" + joint.name +
+                  "\" of an arm is neither on the base nor behind a joint named before it");
+    }
+    arm_body(body) = {parent.body, {parent.R, parent.p, joint.axis}, Inertia()};
   }
 
   /// `inertia`: of the link and all that is fixed to it.
@@ -132,12 +154,17 @@ class Builder {
                     "\" moves, but with all that is fixed to it " + what);
   }
 
+  ArmBody& arm_body(int body) {
+    return tree_.arm_bodies[static_cast<std::size_t>(body - kFirstArmBody)];
+  }
+
   LegTree& leg_of(int body) {
     return tree_.legs[static_cast<std::size_t>((body - 1) / kJointsPerLeg)];
   }
 
   Inertia& inertia_of(int body) {
     if (body == kBaseBody) return tree_.base;
+    if (body >= kFirstArmBody) return arm_body(body).inertia;
     return leg_of(body).inertias[static_cast<std::size_t>((body - 1) % kJointsPerLeg)];
   }
 
@@ -180,6 +207,9 @@ BodyTree make_body_tree(const RobotDescription& description, const Urdf& urdf) {
                 urdf.root + "\"");
   }
   for (const Leg leg : kLegs) add_points(description, leg, builder);
+  for (const ArmDescription& arm : description.arms) {
+    builder.tree().arm_tips.push_back(builder.placement(arm.tip_frame));
+  }
   return builder.tree();
 }
 

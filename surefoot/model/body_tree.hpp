@@ -13,15 +13,32 @@ struct LegTree {
   Mat3 R_shank = Mat3::Identity();              ///< shank link's axes in the KFE child's frame
 };
 
-/// A legged robot as rigid bodies in our order of legs and joints; frames are those of the URDF.
+/// A body behind a joint of an arm.
+struct ArmBody {
+  int parent = 0;  ///< 0: the base; 1 + j: the body behind joint j of a JointVector
+  Hinge hinge;     ///< in the parent's frame
+  Inertia inertia;
+};
+
+/// A frame that is fixed to a body.
+struct BodyFrame {
+  int body = 0;  ///< as `ArmBody::parent`
+  Mat3 R = Mat3::Identity();
+  Vec3 p = Vec3::Zero();  ///< [m]
+};
+
+/// A legged robot as rigid bodies in our order of legs, arms and joints; frames are those of the
+/// URDF.
 struct BodyTree {
   Inertia base;  ///< in B
   PerLeg<LegTree> legs;
+  std::vector<ArmBody> arm_bodies;  ///< in the order of their joints
+  std::vector<BodyFrame> arm_tips;  ///< by arm
 };
 
 /// Finds the description's parts in a URDF. Throws UnknownNameError (listing the valid names) for
 /// an unknown name; Error unless the parts connect as base – HAA – HFE – KFE – shank – foot;
-/// FileError with the URDF's line if a joint missing in the description can move, a leg's joint
+/// FileError with the URDF's line if a joint missing in the description can move, a described joint
 /// mimics another, or a moving body has an impossible inertia.
 [[nodiscard]] BodyTree make_body_tree(const RobotDescription& description, const Urdf& urdf);
 

@@ -17,6 +17,13 @@ struct LegDescription {
   std::string foot_frame;  ///< frame of the sphere's centre
 };
 
+/// A limb that stands on nothing: an arm, a neck, a tail.
+struct ArmDescription {
+  std::string name;
+  std::vector<std::string> joints;  ///< in the URDF, from the base to the tip
+  std::string tip_frame;            ///< what `frame_position` and `frame_orientation` move
+};
+
 /// Everything specific to a robot; read from robots/*.yaml.
 struct RobotDescription {
   std::string name;
@@ -24,17 +31,26 @@ struct RobotDescription {
   std::vector<std::string> package_folders;  ///< searched for package:// names
   std::string base_link;
   PerLeg<LegDescription> legs;
+  std::vector<ArmDescription> arms;  ///< their joints follow the legs' in every JointVector
   Scale scale;  ///< multiplies every constant and default that has a length, a mass or a time
   double foot_radius = 0.0;         ///< [m]
   Vec3 foot_center = Vec3::Zero();  ///< centre of the foot sphere in the foot frame [m]
-  JointVector torque_limit = JointVector::Zero();    ///< |τ| ≤ limit [N·m]
-  JointVector velocity_limit = JointVector::Zero();  ///< [rad/s]
+  JointVector torque_limit = JointVector::Zero(kNumLegJoints);    ///< |τ| ≤ limit [N·m]
+  JointVector velocity_limit = JointVector::Zero(kNumLegJoints);  ///< [rad/s]
   /// Torque–speed line of the drives: at rest [N·m], and where no torque is left [rad/s].
-  JointVector stall_torque = JointVector::Zero(), no_load_speed = JointVector::Zero();
-  JointVector q_min = JointVector::Zero();  ///< [rad]
-  JointVector q_max = JointVector::Zero();  ///< [rad]
+  JointVector stall_torque = JointVector::Zero(kNumLegJoints),
+              no_load_speed = JointVector::Zero(kNumLegJoints);
+  JointVector q_min = JointVector::Zero(kNumLegJoints);  ///< [rad]
+  JointVector q_max = JointVector::Zero(kNumLegJoints);  ///< [rad]
   /// Nominal standing posture, X-configuration: front knees backward, hind knees forward [rad].
-  JointVector q_nominal = JointVector::Zero();
+  JointVector q_nominal = JointVector::Zero(kNumLegJoints);
+
+  /// n_τ
+  [[nodiscard]] int num_joints() const;
+  /// Of the URDF, in the order of a JointVector.
+  [[nodiscard]] std::vector<std::string> joint_names() const;
+  /// As in messages: "LF_HAA", and the URDF's name of an arm's joint.
+  [[nodiscard]] std::string joint_name(int joint) const;
   double hold_kp = 0.0;     ///< joint hold of the safety ladder [N·m/rad]
   double hold_kd = 0.0;     ///< [N·m·s/rad]
   double damping_kd = 0.0;  ///< damping mode [N·m·s/rad]

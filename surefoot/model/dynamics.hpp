@@ -3,17 +3,30 @@
 #include "surefoot/base/scale.hpp"
 #include "surefoot/signals/leg.hpp"
 
+#include <vector>
+
 namespace surefoot::model {
 
-using Jacobian3 = Eigen::Matrix<double, 3, kNumVelocities>;
-using MassMatrix = Eigen::Matrix<double, kNumVelocities, kNumVelocities>;
+using Jacobian3 = Eigen::Matrix<double, 3, Eigen::Dynamic, Eigen::ColMajor, 3, kMaxVelocities>;
+using MassMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor,
+                                 kMaxVelocities, kMaxVelocities>;
+
+/// J u of three rows. Base and legs have a fixed size, which is faster.
+template <typename Rows, typename Velocity>
+[[nodiscard]] Vec3 product(const Rows& J, const Velocity& u) {
+  constexpr int kBaseAndLegs = 6 + kNumLegJoints;
+  Vec3 result = J.template leftCols<kBaseAndLegs>() * u.template head<kBaseAndLegs>();
+  const Eigen::Index arms = u.size() - kBaseAndLegs;
+  if (arms > 0) result += J.rightCols(arms) * u.tail(arms);
+  return result;
+}
 
 /// Position, velocity and Jacobian of a point P: v_WP = J u, a_WP = J u̇ + Jdot_u (classical), all
 /// in W.
 struct PointKinematics {
   Vec3 p = Vec3::Zero();
   Vec3 v = Vec3::Zero();
-  Jacobian3 J = Jacobian3::Zero();
+  Jacobian3 J = Jacobian3::Zero(3, 6 + kNumLegJoints);
   Vec3 Jdot_u = Vec3::Zero();
 };
 
@@ -21,8 +34,14 @@ struct PointKinematics {
 struct RotationKinematics {
   Mat3 R = Mat3::Identity();
   Vec3 w = Vec3::Zero();
-  Jacobian3 J = Jacobian3::Zero();
+  Jacobian3 J = Jacobian3::Zero(3, 6 + kNumLegJoints);
   Vec3 Jdot_u = Vec3::Zero();
+};
+
+/// A frame on a body.
+struct FrameKinematics {
+  PointKinematics point;  ///< its origin
+  RotationKinematics rotation;
 };
 
 /// Coupling of each link l of a leg (columns: hip, thigh, shank) with each joint j (rows). With
@@ -40,10 +59,12 @@ struct LegLinks {
 /// All model quantities at one state, with u = (v_WB in W, w_WB_B in B, q̇)
 /// and M u̇ + h = Sᵀτ + Σ J_Cᵀ λ (Eq. 2).
 struct Dynamics {
-  MassMatrix M = MassMatrix::Zero();
-  GeneralizedVector h = GeneralizedVector::Zero();
-  GeneralizedVector u = GeneralizedVector::Zero();
-  JointVector q = JointVector::Zero();
+  explicit Dynamics(int num_joints = kNumLegJoints, std::size_t num_arms = 0);
+
+  MassMatrix M;                      ///< n_u × n_u
+  GeneralizedVector h;               ///< n_u
+  GeneralizedVector u;               ///< n_u
+  JointVector q;                     ///< n_τ
   RotationKinematics base_rotation;  ///< of B
   PointKinematics base;              ///< origin of B
   PointKinematics com;               ///< whole-body centre of mass
@@ -57,6 +78,10 @@ struct Dynamics {
   /// part ω × (ω × (−r n)), as the centre of a rolling sphere does not fall.
   PerLeg<PointKinematics> contact;
   PerLeg<LegLinks> links;
+  std::vector<FrameKinematics> arm_tips;  ///< by arm
+
+  [[nodiscard]] int num_joints() const { return static_cast<int>(q.size()); }      ///< n_τ
+  [[nodiscard]] int num_velocities() const { return static_cast<int>(u.size()); }  ///< n_u
 };
 
 }  // namespace surefoot::model

@@ -56,6 +56,13 @@ pinocchio::Model make_pinocchio_model(const BodyTree& tree) {
       model.appendBodyToJoint(parent, to_pinocchio(parts.inertias[j]), SE3::Identity());
     }
   }
+  for (const ArmBody& body : tree.arm_bodies) {
+    const Hinge& hinge = body.hinge;
+    const pinocchio::JointIndex joint = model.addJoint(
+        kBaseJoint + static_cast<pinocchio::JointIndex>(body.parent), revolute(hinge.axis),
+        SE3(hinge.R, hinge.p), "arm_" + std::to_string(model.njoints));
+    model.appendBodyToJoint(joint, to_pinocchio(body.inertia), SE3::Identity());
+  }
   return model;
 }
 
@@ -70,7 +77,8 @@ struct RobotModel::Implementation {
         data(model),
         q(Eigen::VectorXd::Zero(model.nq)),
         u(Eigen::VectorXd::Zero(model.nv)),
-        zero(Eigen::VectorXd::Zero(model.nv)) {
+        zero(Eigen::VectorXd::Zero(model.nv)),
+        dynamics(description.num_joints(), tree.arm_tips.size()) {
     dynamics.scale = description.scale;
     // These blocks stay constant; update() writes the others.
     dynamics.base.J.leftCols<3>().setIdentity();
@@ -79,6 +87,7 @@ struct RobotModel::Implementation {
         point->J.leftCols<3>().setIdentity();
       }
     }
+    for (FrameKinematics& tip : dynamics.arm_tips) tip.point.J.leftCols<3>().setIdentity();
     set_leg_lengths(KinematicErrors{});
     bare_base = model.inertias[kBaseJoint];
     // The rest posture's crba gives the mass.
@@ -141,13 +150,12 @@ struct RobotModel::Implementation {
     dynamics.mass = whole.mass();
     dynamics.com.p = dynamics.base.p + whole.lever();
     dynamics.com.J = dynamics.M.topRows<3>() / dynamics.mass;
-    dynamics.com.v = dynamics.com.J * u;
+    dynamics.com.v = product(dynamics.com.J, u);
     dynamics.com.Jdot_u = dynamics.h.head<3>() / dynamics.mass - kGravity * Vec3::UnitZ();
   }
 
-  /// A point at `offset` in the frame of a leg's joint.
-  void update_point(Leg leg, int joint, const Vec3& offset, PointKinematics& point) const {
-    const pinocchio::JointIndex body = joint_index(leg, joint);
+  /// A point at `offset` in a body's frame; the Jacobian's columns of joints stay as they are.
+  void update_point(pinocchio::JointIndex body, const Vec3& offset, PointKinematics& point) const {
     const Mat3& R = data.oMi[body].rotation();
     const Vec3 v = data.v[body].linear() + data.v[body].angular().cross(offset);
     point.p = data.oMi[body].translation() + R * offset;
@@ -156,10 +164,30 @@ struct RobotModel::Implementation {
     point.Jdot_u = R * (data.a[body].linear() + data.a[body].angular().cross(offset) +
                         data.v[body].angular().cross(v));
     point.J.middleCols<3>(3) = -skew(point.p - dynamics.base.p) * data.oMi[kBaseJoint].rotation();
-    for (int j = 0; j <= joint; ++j) {
-      const auto twist = data.J.col(6 + first_joint(leg) + j);  // linear part: at W's origin
-      point.J.col(6 + first_joint(leg) + j) =
-          twist.head<3>() + Vec3(twist.tail<3>()).cross(point.p);
+  }
+
+  void update_column(Eigen::Index column, PointKinematics& point) const {
+    const auto twist = data.J.col(column);  // linear part: at W's origin
+    point.J.col(column) = twist.head<3>() + Vec3(twist.tail<3>()).cross(point.p);
+  }
+
+  void update_point(Leg leg, int joint, const Vec3& offset, PointKinematics& point) const {
+    update_point(joint_index(leg, joint), offset, point);
+    for (int j = 0; j <= joint; ++j) update_column(6 + first_joint(leg) + j, point);
+  }
+
+  void update_tip(const BodyFrame& frame, FrameKinematics& tip) const {
+    const pinocchio::JointIndex body = kBaseJoint + static_cast<pinocchio::JointIndex>(frame.body);
+    update_point(body, frame.p, tip.point);
+    const Mat3& R = data.oMi[body].rotation();
+    tip.rotation.R = R * frame.R;
+    tip.rotation.w = R * data.v[body].angular();
+    tip.rotation.Jdot_u = R * data.a[body].angular();
+    tip.rotation.J.middleCols<3>(3) = data.oMi[kBaseJoint].rotation();
+    for (pinocchio::JointIndex on = body; on > kBaseJoint; on = model.parents[on]) {
+      const auto column = static_cast<Eigen::Index>(on - kBaseJoint) + 5;
+      update_column(column, tip.point);
+      tip.rotation.J.col(column) = data.J.col(column).tail<3>();
     }
   }
 
@@ -207,6 +235,12 @@ struct RobotModel::Implementation {
     }
   }
 
+  void update_tips() {
+    for (std::size_t i = 0; i < tree.arm_tips.size(); ++i) {
+      update_tip(tree.arm_tips[i], dynamics.arm_tips[i]);
+    }
+  }
+
   void update_leg(Leg leg, const Vec3& normal) {
     const LegChain& chain = chains[index(leg)];
     update_point(leg, chain.hip_hinge, chain.hip, dynamics.hip[index(leg)]);
@@ -242,6 +276,7 @@ const Dynamics& RobotModel::update(const RobotState& state, const Vec3& terrain_
   implementation_->set_state(state);
   implementation_->update_dynamics();
   for (const Leg leg : kLegs) implementation_->update_leg(leg, terrain_normal_W);
+  implementation_->update_tips();
   return implementation_->dynamics;
 }
 

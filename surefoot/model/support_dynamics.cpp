@@ -4,9 +4,12 @@ namespace surefoot::model {
 
 void SupportDynamics::update(const Dynamics& dynamics, const MotionPlan& plan) noexcept {
   stack_jacobians(dynamics, plan);
+  const int n_u = dynamics.num_velocities(), n_tau = dynamics.num_joints();
+  M_Q_u_.resize(n_u, n_u);
+  Lambda_.resize(kMaxForces, n_u + n_tau);
   if (num_contacts_ == 0) {
     rank_ = 0;
-    Q_.setIdentity();
+    Q_.setIdentity(n_u, n_u);
     M_Q_u_ = dynamics.M;
     return;
   }
@@ -14,11 +17,11 @@ void SupportDynamics::update(const Dynamics& dynamics, const MotionPlan& plan) n
   qr_.compute(J_s_transposed_);
   rank_ = static_cast<int>(qr_.rank());
   Q_ = qr_.householderQ();
-  M_Q_u_.leftCols(kNumVelocities - rank_).noalias() = dynamics.M * Q_u();
+  M_Q_u_.leftCols(n_u - rank_).noalias() = dynamics.M * Q_u();
   invert();
   const int n = 3 * num_contacts_;
-  Lambda_.topLeftCorner(n, kNumVelocities).noalias() = inverse_ * dynamics.M;
-  Lambda_.topRightCorner(n, kNumJoints) = -inverse_.rightCols<kNumJoints>();
+  Lambda_.topLeftCorner(n, n_u).noalias() = inverse_ * dynamics.M;
+  Lambda_.topRightCorner(n, n_tau) = -inverse_.rightCols(n_tau);
   lambda_0_.head(n).noalias() = inverse_ * dynamics.h;
 }
 
@@ -31,7 +34,7 @@ Vec3 SupportDynamics::force(Leg leg, const Eigen::Ref<const Eigen::VectorXd>& x)
 /// J_s = Π Rᵀ Q_cᵀ, so u̇ = Q_c R⁻ᵀ Πᵀ a.
 GeneralizedVector SupportDynamics::shortest_motion(
     const Eigen::Ref<const Eigen::VectorXd>& a) const noexcept {
-  if (rank_ == 0) return GeneralizedVector::Zero();
+  if (rank_ == 0) return GeneralizedVector::Zero(Q_.rows());
   Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, kMaxForces, 1> in_Q_c =
       qr_.colsPermutation().transpose() * a;
   qr_.matrixR()
@@ -44,7 +47,7 @@ GeneralizedVector SupportDynamics::shortest_motion(
 
 void SupportDynamics::stack_jacobians(const Dynamics& dynamics, const MotionPlan& plan) {
   num_contacts_ = 0;
-  J_s_transposed_.resize(kNumVelocities, 3 * plan.num_contacts());
+  J_s_transposed_.resize(dynamics.num_velocities(), 3 * plan.num_contacts());
   for (const Leg leg : kLegs) {
     first_force_[index(leg)] = -1;
     if (!plan.contact(leg)) continue;
@@ -58,7 +61,7 @@ void SupportDynamics::stack_jacobians(const Dynamics& dynamics, const MotionPlan
 /// gives the least-norm solution Π Z L⁻ᵀ Q_cᵀ.
 void SupportDynamics::invert() {
   const int n = 3 * num_contacts_;
-  Inverse solution = Inverse::Zero(n, kNumVelocities);
+  Inverse solution = Inverse::Zero(n, Q_.rows());
   auto solved = solution.topRows(rank_);
   solved = Q_.leftCols(rank_).transpose();
   const auto R = qr_.matrixR();

@@ -22,7 +22,8 @@ class SupportDynamics {
   static constexpr int kMaxForces = 3 * kNumLegs;
   static constexpr double kRankTolerance = 1e-6;
 
-  using ForceMap = Eigen::Matrix<double, kMaxForces, kNumUnknowns>;
+  using ForceMap = Eigen::Matrix<double, kMaxForces, Eigen::Dynamic, Eigen::ColMajor, kMaxForces,
+                                 kMaxVelocities + kMaxJoints>;
   using ForceVector = Eigen::Matrix<double, kMaxForces, 1>;
 
   SupportDynamics() = default;
@@ -36,11 +37,11 @@ class SupportDynamics {
   /// Row of the leg's force in Λ and λ₀; −1 without contact.
   [[nodiscard]] int first_force(Leg leg) const { return first_force_[index(leg)]; }
 
-  /// Basis of the motions without contact force: 18 × (18 − rank), orthonormal.
-  [[nodiscard]] auto Q_u() const { return Q_.rightCols(kNumVelocities - rank_); }
-  /// M Q_u: the generalized forces of those motions. 18 × (18 − rank).
-  [[nodiscard]] auto M_Q_u() const { return M_Q_u_.leftCols(kNumVelocities - rank_); }
-  /// Basis of the generalized forces that contacts exert: 18 × rank, orthonormal.
+  /// Basis of the motions without contact force: n_u × (n_u − rank), orthonormal.
+  [[nodiscard]] auto Q_u() const { return Q_.rightCols(Q_.cols() - rank_); }
+  /// M Q_u: the generalized forces of those motions. n_u × (n_u − rank).
+  [[nodiscard]] auto M_Q_u() const { return M_Q_u_.leftCols(Q_.cols() - rank_); }
+  /// Basis of the generalized forces that contacts exert: n_u × rank, orthonormal.
   [[nodiscard]] auto Q_c() const { return Q_.leftCols(rank_); }
   /// The shortest u̇ with J_s u̇ = a, with `a` in the order of λ. Needs full rank.
   [[nodiscard]] GeneralizedVector shortest_motion(
@@ -52,10 +53,10 @@ class SupportDynamics {
   [[nodiscard]] Vec3 force(Leg leg, const Eigen::Ref<const Eigen::VectorXd>& x) const noexcept;
 
  private:
-  using Stacked = Eigen::Matrix<double, kNumVelocities, Eigen::Dynamic, Eigen::ColMajor,
-                                kNumVelocities, kMaxForces>;
-  using Inverse = Eigen::Matrix<double, Eigen::Dynamic, kNumVelocities, Eigen::ColMajor, kMaxForces,
-                                kNumVelocities>;
+  using Stacked = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor,
+                                kMaxVelocities, kMaxForces>;
+  using Inverse = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, kMaxForces,
+                                kMaxVelocities>;
 
   void stack_jacobians(const Dynamics& dynamics, const MotionPlan& plan);
   void invert();
@@ -65,10 +66,10 @@ class SupportDynamics {
   PerLeg<int> first_force_{-1, -1, -1, -1};
   Stacked J_s_transposed_;
   Eigen::ColPivHouseholderQR<Stacked> qr_;
-  MassMatrix Q_ = MassMatrix::Identity();
-  MassMatrix M_Q_u_ = MassMatrix::Zero();
+  MassMatrix Q_;
+  MassMatrix M_Q_u_;
   Inverse inverse_;  ///< (J_sᵀ)⁺
-  ForceMap Lambda_ = ForceMap::Zero();
+  ForceMap Lambda_;
   ForceVector lambda_0_ = ForceVector::Zero();
 };
 

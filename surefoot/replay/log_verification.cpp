@@ -75,7 +75,8 @@ class MessageComparison {
 };
 
 void compare_torques(const TickRecord& logged, const TickRecord& computed, Verification& result) {
-  for (int joint = 0; joint < kNumJoints; ++joint) {
+  for (int joint = 0;
+       joint < std::min(logged.command.torque.size(), computed.command.torque.size()); ++joint) {
     const TorqueDifference found{result.ticks, logged.reading.time, joint,
                                  logged.command.torque[joint], computed.command.torque[joint]};
     if (same_bits(found.logged, found.computed)) continue;

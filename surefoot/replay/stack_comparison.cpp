@@ -130,6 +130,7 @@ class Comparison {
   }
 
   void add_torques(const TickRecord& logged, const control::StackAnswer& other) {
+    result_.joints.resize(static_cast<std::size_t>(logged.command.torque.size()));
     for (std::size_t i = 0; i < result_.joints.size(); ++i) {
       const auto at = static_cast<Eigen::Index>(i);
       const double difference = other.command.torque[at] - logged.command.torque[at];

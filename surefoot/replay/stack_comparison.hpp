@@ -59,7 +59,7 @@ struct StackComparison {
   long ticks = 0;
   double first_time = 0.0, last_time = 0.0;  ///< [s]
   long compared = 0;                         ///< ticks that both answered
-  std::array<JointComparison, kNumJoints> joints;
+  std::vector<JointComparison> joints;
   std::vector<LevelComparison> levels;  ///< the log's, then those that only the other has
   TickCount logged_not_optimal, other_not_optimal;  ///< unanswered ticks included
   TickCount logged_unanswered;

@@ -54,8 +54,8 @@ enum class StopCause : int {
 
 /// Torques for the actuators at one tick: always finite and inside the limits.
 struct JointCommand {
-  double time = 0.0;                         ///< [s]
-  JointVector torque = JointVector::Zero();  ///< [N·m]
+  double time = 0.0;                                      ///< [s]
+  JointVector torque = JointVector::Zero(kNumLegJoints);  ///< [N·m]
   CommandMode mode = CommandMode::hold;
   StopCause cause = StopCause::none;  ///< of `sit` and `damping`
   /// If a sensor is the cause: its fault when it was lost, whatever came later.

@@ -6,9 +6,9 @@ namespace surefoot {
 
 /// Estimated errors of the description of legs and IMU.
 struct KinematicErrors {
-  PerLeg<double> thigh{};                  ///< true minus described length [m]
-  PerLeg<double> shank{};                  ///< [m]
-  JointVector zero = JointVector::Zero();  ///< encoder reading at a joint's zero [rad]
+  PerLeg<double> thigh{};                        ///< true minus described length [m]
+  PerLeg<double> shank{};                        ///< [m]
+  LegJointVector zero = LegJointVector::Zero();  ///< encoder reading at a joint's zero [rad]
   /// Mounting error of the IMU: its readings, turned by this vector, are in B [rad].
   Vec3 imu = Vec3::Zero();
 

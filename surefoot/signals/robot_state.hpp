@@ -6,14 +6,15 @@ namespace surefoot {
 
 /// The estimated state.
 struct RobotState {
-  double time = kNaN;                                ///< [s]
-  Vec3 p_WB = Vec3::Constant(kNaN);                  ///< base position in W [m]
-  Quat q_WB{kNaN, kNaN, kNaN, kNaN};                 ///< base orientation: takes B coordinates to W
-  Vec3 v_WB = Vec3::Constant(kNaN);                  ///< base velocity in W [m/s]
-  Vec3 w_WB_B = Vec3::Constant(kNaN);                ///< base angular velocity in B [rad/s]
-  JointVector q = JointVector::Constant(kNaN);       ///< joint positions [rad]
-  JointVector qd = JointVector::Constant(kNaN);      ///< joint velocities [rad/s]
-  JointVector torque = JointVector::Constant(kNaN);  ///< measured joint torques [N·m]
+  double time = kNaN;                  ///< [s]
+  Vec3 p_WB = Vec3::Constant(kNaN);    ///< base position in W [m]
+  Quat q_WB{kNaN, kNaN, kNaN, kNaN};   ///< base orientation: takes B coordinates to W
+  Vec3 v_WB = Vec3::Constant(kNaN);    ///< base velocity in W [m/s]
+  Vec3 w_WB_B = Vec3::Constant(kNaN);  ///< base angular velocity in B [rad/s]
+  JointVector q = JointVector::Constant(kNumLegJoints, kNaN);   ///< joint positions [rad]
+  JointVector qd = JointVector::Constant(kNumLegJoints, kNaN);  ///< joint velocities [rad/s]
+  JointVector torque =
+      JointVector::Constant(kNumLegJoints, kNaN);  ///< measured joint torques [N·m]
   PerLeg<Vec3> foot_force{Vec3::Constant(kNaN), Vec3::Constant(kNaN), Vec3::Constant(kNaN),
                           Vec3::Constant(kNaN)};  ///< estimated ground force on each foot, in W [N]
   /// Contact point's velocity along the ground relative to the other stance feet, in W [m/s].
@@ -26,7 +27,7 @@ struct RobotState {
 
   /// u = (v_WB, w_WB_B, q̇), Eq. (1).
   [[nodiscard]] GeneralizedVector u() const {
-    GeneralizedVector result;
+    GeneralizedVector result(6 + qd.size());
     result << v_WB, w_WB_B, qd;
     return result;
   }

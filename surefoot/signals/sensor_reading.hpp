@@ -10,11 +10,12 @@ inline constexpr double kLongestReadingGap = 0.1;
 
 /// Sensor readings of one control tick. Members that a robot does not measure stay NaN.
 struct SensorReading {
-  double time = kNaN;                                ///< [s] since the start of the run
-  JointVector q = JointVector::Constant(kNaN);       ///< joint positions, encoders [rad]
-  JointVector torque = JointVector::Constant(kNaN);  ///< measured joint torques [N·m]
-  Vec3 gyro = Vec3::Constant(kNaN);                  ///< w_WB_B, angular velocity of B in B [rad/s]
-  Vec3 accelerometer = Vec3::Constant(kNaN);  ///< specific force of the base frame in B [m/s²]
+  double time = kNaN;                                          ///< [s] since the start of the run
+  JointVector q = JointVector::Constant(kNumLegJoints, kNaN);  ///< joint positions, encoders [rad]
+  JointVector torque =
+      JointVector::Constant(kNumLegJoints, kNaN);  ///< measured joint torques [N·m]
+  Vec3 gyro = Vec3::Constant(kNaN);                ///< w_WB_B, angular velocity of B in B [rad/s]
+  Vec3 accelerometer = Vec3::Constant(kNaN);       ///< specific force of the base frame in B [m/s²]
   /// Normal force of a foot sensor [N]; NaN on robots without one (ANYmal B has none).
   PerLeg<double> foot_force{kNaN, kNaN, kNaN, kNaN};
   /// Sample times [s]: before `time` if a sensor is slow, late or silent.

@@ -14,7 +14,8 @@ struct FootContact {
 /// Inputs of a state estimator besides the readings.
 struct TickContext {
   PerLeg<FootContact> contacts{};
-  JointVector joint_velocity = JointVector::Zero();  ///< from the encoders, observed [rad/s]
+  JointVector joint_velocity =
+      JointVector::Zero(kNumLegJoints);  ///< from the encoders, observed [rad/s]
   /// Age of the joint and IMU samples at the tick [s].
   double joint_lag = 0.0, imu_lag = 0.0;
   KinematicErrors kinematics{};  ///< found so far; readings are corrected for zeros and IMU

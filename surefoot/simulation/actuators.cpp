@@ -11,9 +11,12 @@ Actuators::Actuators(const ActuatorOptions& options, const JointVector& torque_l
       limit_(torque_limit),
       gain_(options.torque_gain * options.joint_torque_gain),
       lag_(-std::expm1(-2.0 * kPi * options.bandwidth_hz * timestep)),
-      delayed_(static_cast<std::size_t>(options.delay_ticks), JointVector::Zero()) {
+      delayed_(static_cast<std::size_t>(options.delay_ticks),
+               JointVector::Zero(torque_limit.size())),
+      commanded_(JointVector::Zero(torque_limit.size())),
+      motor_(commanded_) {
   if (options.model == ActuatorModel::sea && options.level == 2) {
-    for (Eigen::Index joint = 0; joint < kNumJoints; ++joint)
+    for (Eigen::Index joint = 0; joint < torque_limit.size(); ++joint)
       drives_.emplace_back(options, timestep, joint);
   }
 }
@@ -42,7 +45,7 @@ void Actuators::command(const JointVector& torque) noexcept {
 
 JointVector Actuators::torque(const JointVector& q, const JointVector& qd) const noexcept {
   if (options_.model == ActuatorModel::ideal) return commanded_;
-  JointVector result;
+  JointVector result(q.size());
   for (Eigen::Index i = 0; i < result.size(); ++i) {
     if (!drives_.empty()) {
       result[i] = drives_[static_cast<std::size_t>(i)].torque(q[i]);

@@ -21,7 +21,7 @@ class Actuators {
   Actuators(const ActuatorOptions& options, const JointVector& torque_limit, double timestep);
 
   /// At rest under torques [N·m] commanded for long, with the joints at `q` [rad].
-  void rest_at(const JointVector& q, const JointVector& torque = JointVector::Zero()) noexcept;
+  void rest_at(const JointVector& q, const JointVector& torque) noexcept;
   /// A new command [N·m], once a control tick.
   void command(const JointVector& torque) noexcept;
   /// Current torques at the joints, at joint angles `q` and velocities `qd` [N·m].
@@ -36,9 +36,9 @@ class Actuators {
   double lag_;                        ///< share of the gap closed in one physics step
   std::vector<JointVector> delayed_;  ///< ring of the last commands
   std::size_t oldest_ = 0;
-  JointVector commanded_ = JointVector::Zero();  ///< the command that has arrived
-  JointVector motor_ = JointVector::Zero();      ///< after the lag
-  std::vector<SeriesElasticDrive> drives_;       ///< one a joint at level 2, otherwise none
+  JointVector commanded_;                   ///< the command that has arrived
+  JointVector motor_;                       ///< after the lag
+  std::vector<SeriesElasticDrive> drives_;  ///< one a joint at level 2, otherwise none
 };
 
 }  // namespace surefoot::simulation

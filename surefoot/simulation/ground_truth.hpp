@@ -27,11 +27,11 @@ struct GroundTruth {
   Quat q_WB = Quat::Identity();
   Vec3 v_WB = Vec3::Zero();    ///< in W
   Vec3 w_WB_B = Vec3::Zero();  ///< in B
-  JointVector q = JointVector::Zero();
-  JointVector qd = JointVector::Zero();
+  JointVector q = JointVector::Zero(kNumLegJoints);
+  JointVector qd = JointVector::Zero(kNumLegJoints);
   JointVector torque =
-      JointVector::Zero();     ///< applied at the joints, after the actuator model [N·m]
-  Vec3 p_WCom = Vec3::Zero();  ///< of all moving parts, with payload
+      JointVector::Zero(kNumLegJoints);  ///< applied at the joints, after the actuator model [N·m]
+  Vec3 p_WCom = Vec3::Zero();            ///< of all moving parts, with payload
   Vec3 v_WCom = Vec3::Zero();
   PerLeg<Vec3> p_WF{Vec3::Zero(), Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};  ///< sphere centres
   PerLeg<Vec3> v_WF{Vec3::Zero(), Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};

@@ -217,9 +217,7 @@ BuiltModel build_model(const model::RobotDescription& description, const PlantOp
   }
   set_collision(base, options.contact);
   exclude_neighbours(*spec, base, description);
-  for (const model::LegDescription& leg : description.legs) {
-    for (const std::string& joint : leg.joints) add_motor(*spec, joint);
-  }
+  for (const std::string& joint : description.joint_names()) add_motor(*spec, joint);
   disturb_masses(base, description, options.disturbances);
   change_link_lengths(*spec, description, options.disturbances);
   add_terrain(*spec, options.terrain, options.contact);

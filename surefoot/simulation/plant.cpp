@@ -27,7 +27,7 @@ constexpr std::size_t kMaxNotes = 100;  // limits the memory of a lasting fault
 
 struct Plant::Implementation {
   Implementation(const model::RobotDescription& description, const PlantOptions& given)
-      : options(checked(given)),
+      : options(completed(given, description)),
         steps(steps_per_period(options)),
         catcher(std::make_unique<MessageCatcher>(notes)),
         built(build_model(description, options, notes)),
@@ -47,9 +47,21 @@ struct Plant::Implementation {
     catcher.reset();
   }
 
-  static const PlantOptions& checked(const PlantOptions& given) {
-    check_options(given);
-    return given;
+  /// Scenarios tell what belongs to the joints of legs; those of arms are as the robot's file says.
+  static PlantOptions completed(PlantOptions options, const model::RobotDescription& robot) {
+    check_options(options);
+    const Eigen::Index n = robot.num_joints();
+    const auto extend = [n](JointVector& values, const JointVector& others) {
+      const Eigen::Index known = std::min(values.size(), n);
+      values.conservativeResize(n);
+      values.tail(n - known) = others.tail(n - known);
+    };
+    extend(options.actuators.stall_torque, robot.stall_torque);
+    extend(options.actuators.no_load_speed, robot.no_load_speed);
+    extend(options.actuators.joint_torque_gain, JointVector::Ones(n));
+    extend(options.sensors.encoders.offset, JointVector::Zero(n));
+    extend(options.initial.q, robot.q_nominal);
+    return options;
   }
 
   void place(const model::RobotDescription& description);
@@ -84,7 +96,7 @@ struct Plant::Implementation {
 };
 
 void Plant::Implementation::set_joints(const JointVector& q) {
-  for (std::size_t i = 0; i < kNumJoints; ++i) {
+  for (std::size_t i = 0; i < parts.qpos.size(); ++i) {
     data.qpos[parts.qpos[i]] = q[static_cast<Eigen::Index>(i)];
   }
 }
@@ -99,7 +111,7 @@ void Plant::Implementation::place(const model::RobotDescription& description) {
   base[4] = base[5] = 0.0;
   base[6] = std::sin(0.5 * initial.yaw);
   set_joints(initial.q);
-  actuators.rest_at(initial.q);
+  actuators.rest_at(initial.q, JointVector::Zero(initial.q.size()));
   mj_kinematics(&model, &data);
   const bool is_placed = !std::isnan(initial.position.z());
   base[2] = is_placed ? initial.position.z() : touching_height(description);
@@ -155,7 +167,7 @@ double Plant::Implementation::touching_height(const model::RobotDescription& des
 void Plant::Implementation::set_torques() {
   const JointVector torque =
       actuators.torque(joint_positions(data, parts), joint_velocities(data, parts));
-  for (std::size_t i = 0; i < kNumJoints; ++i) {
+  for (std::size_t i = 0; i < parts.qpos.size(); ++i) {
     data.ctrl[parts.actuator[i]] = torque[static_cast<Eigen::Index>(i)];
   }
 }
@@ -200,6 +212,10 @@ void Plant::Implementation::check_state() const {
 
 /// Drives refuse a torque that is not a number and apply 0.
 JointVector Plant::Implementation::finite(JointVector torque) {
+  if (torque.size() != truth.q.size()) {
+    throw Error(text("the command has ", torque.size(), " torques, but the robot has ",
+                     truth.q.size(), " joints"));
+  }
   for (Eigen::Index i = 0; i < torque.size(); ++i) {
     if (std::isfinite(torque[i])) continue;
     torque[i] = 0.0;

@@ -94,10 +94,10 @@ struct ActuatorOptions {
   int level = 1, delay_ticks = 1;
   double bandwidth_hz = 70.0;
   /// Of a scenario that does not give them, those of its robot.
-  JointVector stall_torque = JointVector::Constant(40.0),
-              no_load_speed = JointVector::Constant(12.0);
+  JointVector stall_torque = JointVector::Constant(kNumLegJoints, 40.0),
+              no_load_speed = JointVector::Constant(kNumLegJoints, 12.0);
   double quantisation = 0.2, torque_gain = 1.0;
-  JointVector joint_torque_gain = JointVector::Ones();
+  JointVector joint_torque_gain = JointVector::Ones(kNumLegJoints);
   SpringOptions spring;
   RotorOptions rotor;
   TorqueLoopOptions torque_loop;
@@ -109,7 +109,7 @@ struct ActuatorOptions {
 
 struct EncoderOptions {
   double resolution = 4.4e-4, noise = 0.0;
-  JointVector offset = JointVector::Zero();
+  JointVector offset = JointVector::Zero(kNumLegJoints);
   double rate_hz = 400.0;
   int delay_ticks = 0;
 };
@@ -192,16 +192,16 @@ struct DisturbanceOptions {
   std::vector<Lift> lifts;
   Payload payload;
   double base_mass_scale = 1.0, leg_mass_scale = 1.0;
-  JointVector link_mass_scale = JointVector::Ones();
+  JointVector link_mass_scale = JointVector::Ones(kNumLegJoints);
   Vec3 base_com_offset = Vec3::Zero();
   PerLeg<double> thigh_length_offset{}, shank_length_offset{};
 };
 
 /// Pose and posture at the start.
 struct InitialState {
-  Vec3 position = Vec3(0.0, 0.0, kNaN);  ///< of the base; z NaN: feet on the terrain
-  double yaw = 0.0;                      ///< [rad]
-  JointVector q = JointVector::Zero();   ///< joint angles [rad]
+  Vec3 position = Vec3(0.0, 0.0, kNaN);              ///< of the base; z NaN: feet on the terrain
+  double yaw = 0.0;                                  ///< [rad]
+  JointVector q = JointVector::Zero(kNumLegJoints);  ///< joint angles [rad]
   /// The posture is not the stance, so any part may touch the ground first.
   bool is_given = false;
   /// Before the run stiff springs hold the joints for at least this long, feet in the air are

@@ -21,15 +21,11 @@ int leg_of(const mjModel& model, const PerLeg<int>& thigh_body, int body) {
 
 void find_joints(const mjModel& model, const model::RobotDescription& description,
                  RobotParts& parts) {
-  for (const Leg leg : kLegs) {
-    for (std::size_t j = 0; j < kJointsPerLeg; ++j) {
-      const std::string& name = description.legs[index(leg)].joints[j];
-      const std::size_t i = static_cast<std::size_t>(first_joint(leg)) + j;
-      const int joint = id_of(model, mjOBJ_JOINT, name);
-      parts.qpos[i] = model.jnt_qposadr[joint];
-      parts.dof[i] = model.jnt_dofadr[joint];
-      parts.actuator[i] = id_of(model, mjOBJ_ACTUATOR, name);
-    }
+  for (const std::string& name : description.joint_names()) {
+    const int joint = id_of(model, mjOBJ_JOINT, name);
+    parts.qpos.push_back(model.jnt_qposadr[joint]);
+    parts.dof.push_back(model.jnt_dofadr[joint]);
+    parts.actuator.push_back(id_of(model, mjOBJ_ACTUATOR, name));
   }
 }
 

@@ -22,10 +22,10 @@ struct GeomOwner {
 /// URDF's order.
 struct RobotParts {
   int base_body = -1;
-  int base_qpos = 0, base_dof = 0;         ///< of the free joint
-  std::array<int, kNumJoints> qpos{};      ///< index in qpos of joint j in our order
-  std::array<int, kNumJoints> dof{};       ///< index in qvel
-  std::array<int, kNumJoints> actuator{};  ///< index in ctrl
+  int base_qpos = 0, base_dof = 0;  ///< of the free joint
+  std::vector<int> qpos;            ///< index in qpos of joint j in our order
+  std::vector<int> dof;             ///< index in qvel
+  std::vector<int> actuator;        ///< index in ctrl
   PerLeg<int> foot_geom{};
   PerLeg<int> foot_body{};
   std::vector<GeomOwner> owner;  ///< of each geom

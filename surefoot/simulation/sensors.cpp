@@ -11,8 +11,7 @@ namespace surefoot::simulation {
 namespace {
 
 template <typename Vector>
-Vector normal_vector(Random& random) {
-  Vector result;
+Vector normal_vector(Random& random, Vector result = {}) {
   for (double& value : result) value = random.normal();
   return result;
 }
@@ -59,7 +58,7 @@ void Sensors::accumulate(const Vec3& specific_force) noexcept {
 
 // Draws noise at every tick, so that a rate changes no other noise.
 void Sensors::read(const GroundTruth& truth, SensorReading& reading) noexcept {
-  const Noise noise = draw();
+  const Noise noise = draw(truth.q.size());
   reading.time = truth.time;
   drift();
   read_encoders(truth, reading);
@@ -71,9 +70,9 @@ void Sensors::read(const GroundTruth& truth, SensorReading& reading) noexcept {
   if (options_.foot_force.present) read_feet(truth, reading);
 }
 
-Sensors::Noise Sensors::draw() noexcept {
+Sensors::Noise Sensors::draw(Eigen::Index num_joints) noexcept {
   Noise noise;
-  noise.torque = normal_vector<JointVector>(random_);
+  noise.torque = normal_vector(random_, JointVector(num_joints));
   noise.gyro = normal_vector<Vec3>(random_);
   noise.accelerometer = normal_vector<Vec3>(random_);
   return noise;
@@ -90,7 +89,7 @@ void Sensors::drift() noexcept {
 void Sensors::read_encoders(const GroundTruth& truth, SensorReading& reading) noexcept {
   const EncoderOptions& encoders = options_.encoders;
   JointVector q = truth.q + encoders.offset;
-  if (encoders.noise > 0.0) q += encoders.noise * normal_vector<JointVector>(encoder_random_);
+  if (encoders.noise > 0.0) q += encoders.noise * normal_vector(encoder_random_, q);
   if (!encoder_clock_.is_due()) return;
   const double step = encoders.resolution;
   for (double& angle : q) angle = step > 0.0 ? step * std::round(angle / step) : angle;

@@ -46,7 +46,7 @@ class Sensors {
     JointVector torque;
     Vec3 gyro, accelerometer;
   };
-  [[nodiscard]] Noise draw() noexcept;
+  [[nodiscard]] Noise draw(Eigen::Index num_joints) noexcept;
   void drift() noexcept;
   void read_encoders(const GroundTruth& truth, SensorReading& reading) noexcept;
   void read_imu(const GroundTruth& truth, const Noise& noise, SensorReading& reading) noexcept;

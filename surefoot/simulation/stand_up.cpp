@@ -62,7 +62,7 @@ JointVector stand_up(const mjModel& model, mjData& data, const RobotParts& parts
   const Scale& scale = options.scale;
   const double stiffness = options.limp ? 0.0 : scale.torque() * kStiffness;
   const double damping = scale.torque() * scale.time() * kDamping;
-  JointVector held = options.q, torque = JointVector::Zero();
+  JointVector held = options.q, torque = JointVector::Zero(held.size());
   PerLeg<Foot> feet{};
   const auto least = std::lround(options.at_least / options.timestep);
   const auto most = std::lround(scale.time() * kMaxDuration / options.timestep);
@@ -82,7 +82,7 @@ JointVector stand_up(const mjModel& model, mjData& data, const RobotParts& parts
     torque =
         stiffness * (held - joint_positions(data, parts)) - damping * joint_velocities(data, parts);
     torque = torque.cwiseMin(options.torque_limit).cwiseMax(-options.torque_limit);
-    for (std::size_t i = 0; i < kNumJoints; ++i) {
+    for (std::size_t i = 0; i < parts.actuator.size(); ++i) {
       data.ctrl[parts.actuator[i]] = torque[static_cast<Eigen::Index>(i)];
     }
     mj_step2(&model, &data);

@@ -6,12 +6,12 @@
 namespace surefoot::simulation {
 
 struct StandUpOptions {
-  JointVector q = JointVector::Zero();             ///< the posture [rad]
-  JointVector torque_limit = JointVector::Zero();  ///< [N·m]
-  double at_least = 0.0;                           ///< shortest duration [s]
-  double timestep = 0.0005;                        ///< of the physics [s]
-  bool limp = false;                               ///< the joints only damp
-  Scale scale{};                                   ///< of the robot
+  JointVector q;             ///< the posture [rad]
+  JointVector torque_limit;  ///< [N·m]
+  double at_least = 0.0;     ///< shortest duration [s]
+  double timestep = 0.0005;  ///< of the physics [s]
+  bool limp = false;         ///< the joints only damp
+  Scale scale{};             ///< of the robot
 };
 
 /// Stands the robot up before a run: springs hold its joints, and a foot in the air is lowered

@@ -131,16 +131,16 @@ void note_touches(const mjModel& model, const mjData& data, const RobotParts& pa
 }
 
 JointVector joint_positions(const mjData& data, const RobotParts& parts) noexcept {
-  JointVector q;
-  for (std::size_t i = 0; i < kNumJoints; ++i) {
+  JointVector q(parts.qpos.size());
+  for (std::size_t i = 0; i < parts.qpos.size(); ++i) {
     q[static_cast<Eigen::Index>(i)] = data.qpos[parts.qpos[i]];
   }
   return q;
 }
 
 JointVector joint_velocities(const mjData& data, const RobotParts& parts) noexcept {
-  JointVector qd;
-  for (std::size_t i = 0; i < kNumJoints; ++i) {
+  JointVector qd(parts.dof.size());
+  for (std::size_t i = 0; i < parts.dof.size(); ++i) {
     qd[static_cast<Eigen::Index>(i)] = data.qvel[parts.dof[i]];
   }
   return qd;
@@ -163,7 +163,8 @@ void extract_truth(const mjModel& model, mjData& data, const RobotParts& parts,
   truth.w_WB_B = vec3(data.qvel + parts.base_dof + 3);
   truth.q = joint_positions(data, parts);
   truth.qd = joint_velocities(data, parts);
-  for (std::size_t i = 0; i < kNumJoints; ++i) {
+  truth.torque.resize(truth.q.size());
+  for (std::size_t i = 0; i < parts.dof.size(); ++i) {
     truth.torque[static_cast<Eigen::Index>(i)] = data.qfrc_actuator[parts.dof[i]];
   }
   mj_subtreeVel(&model, &data);

@@ -26,7 +26,7 @@ void BodyHeightLimits::write(const TaskInput& input, solver::Level& level) const
   const model::PointKinematics& base = input.dynamics.base;
   const double height = base.p.z() - footprint_height(input);
   solver::Rows row = level.add(1, first_id());
-  row.A.leftCols<kNumVelocities>() = base.J.row(2);
+  row.A.leftCols(input.dynamics.num_velocities()) = base.J.row(2);
   bound_.write(row, 0, options_.min, options_.max, height, base.v.z(), base.Jdot_u.z());
 }
 

@@ -283,6 +283,7 @@ void add_efforts(Catalog& catalog) {
       .number("weight_HAA", &TorqueMinimisation::Options::weight_HAA, kNoUnit, "of hip abduction")
       .number("weight_HFE", &TorqueMinimisation::Options::weight_HFE, kNoUnit, "of hip flexion")
       .number("weight_KFE", &TorqueMinimisation::Options::weight_KFE, kNoUnit, "of knees")
+      .number("weight_arm", &TorqueMinimisation::Options::weight_arm, kNoUnit, "of joints of arms")
       .add_to(catalog);
 }
 

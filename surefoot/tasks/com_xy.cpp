@@ -39,7 +39,8 @@ void ComXy::write_row(const TaskInput& input, const Vec2& direction, int id,
   const Vec2 acceleration = reference.a + options_.kd * velocity_error +
                             options_.kp * position_error - com.Jdot_u.head<2>();
   solver::Rows row = level.add(1, first_id() + id);
-  row.A.leftCols<kNumVelocities>().noalias() = direction.transpose() * com.J.topRows<2>();
+  row.A.leftCols(input.dynamics.num_velocities()).noalias() =
+      direction.transpose() * com.J.topRows<2>();
   row.set_equal(0, direction.dot(acceleration));
 }
 

@@ -5,8 +5,9 @@ namespace surefoot::tasks {
 void EquationsOfMotion::write(const TaskInput& input, solver::Level& level) const noexcept {
   const auto Q_u = input.support.Q_u();
   solver::Rows rows = level.add(Q_u.cols(), first_id());
-  rows.A.leftCols<kNumVelocities>() = -input.support.M_Q_u().transpose();
-  rows.A.rightCols<kNumJoints>() = Q_u.transpose().rightCols<kNumJoints>();
+  const int num_joints = input.dynamics.num_joints();
+  rows.A.leftCols(6 + num_joints) = -input.support.M_Q_u().transpose();
+  rows.A.rightCols(num_joints) = Q_u.transpose().rightCols(num_joints);
   rows.lower.noalias() = Q_u.transpose() * input.dynamics.h;
   rows.upper = rows.lower;
 }

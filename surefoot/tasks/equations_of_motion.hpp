@@ -8,12 +8,12 @@ namespace surefoot::tasks {
 ///
 ///     Q_uᵀ [−M  Sᵀ] x = Q_uᵀ h     (Bellicoso 2016, Eq. 15)
 ///
-/// Writes 18 − rank(J_s) rows (18 − 3 n_c unless a leg is singular) in mixed units of force and
+/// Writes n_u − rank(J_s) rows (n_u − 3 n_c unless a leg is singular) in mixed units of force and
 /// torque [N, N·m].
 class EquationsOfMotion final : public Task {
  public:
   void write(const TaskInput& input, solver::Level& level) const noexcept override;
-  [[nodiscard]] int max_rows() const override { return kNumVelocities; }
+  [[nodiscard]] int max_rows() const override { return 6 + num_joints(); }
   [[nodiscard]] std::string_view name() const override { return "equations_of_motion"; }
   [[nodiscard]] std::string row_name(int id) const override;
 };

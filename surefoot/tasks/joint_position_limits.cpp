@@ -10,9 +10,9 @@ JointPositionLimits::JointPositionLimits(const Options& options)
 }
 
 void JointPositionLimits::write(const TaskInput& input, solver::Level& level) const noexcept {
-  solver::Rows rows = level.add(kNumJoints, first_id());
-  rows.A.middleCols<kNumJoints>(6).setIdentity();
-  for (int j = 0; j < kNumJoints; ++j) {
+  solver::Rows rows = level.add(input.dynamics.num_joints(), first_id());
+  rows.A.middleCols(6, input.dynamics.num_joints()).setIdentity();
+  for (int j = 0; j < input.dynamics.num_joints(); ++j) {
     // A range that is narrower than both margins shrinks to its middle.
     const double middle = 0.5 * (input.robot.q_min[j] + input.robot.q_max[j]);
     const double q_min = std::min(input.robot.q_min[j] + options_.margin, middle);

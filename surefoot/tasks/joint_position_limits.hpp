@@ -22,7 +22,7 @@ class JointPositionLimits final : public Task {
   explicit JointPositionLimits(const Options& options);
 
   void write(const TaskInput& input, solver::Level& level) const noexcept override;
-  [[nodiscard]] int max_rows() const override { return kNumJoints; }
+  [[nodiscard]] int max_rows() const override { return num_joints(); }
   [[nodiscard]] std::string_view name() const override { return "joint_position_limits"; }
   [[nodiscard]] std::string row_name(int id) const override { return joint_name(id); }
 

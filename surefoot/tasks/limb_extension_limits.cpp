@@ -7,13 +7,13 @@
 namespace surefoot::tasks {
 namespace {
 
-using RowVector = Eigen::Matrix<double, 1, kNumVelocities>;
+using RowVector = Eigen::Matrix<double, 1, Eigen::Dynamic, Eigen::RowMajor, 1, kMaxVelocities>;
 
 /// A distance r with r̈ = J u̇ + drift.
 struct Extension {
   double r = 0.0;
   double rdot = 0.0;
-  RowVector J = RowVector::Zero();
+  RowVector J;
   double drift = 0.0;
 };
 
@@ -66,7 +66,7 @@ void LimbExtensionLimits::write(const TaskInput& input, solver::Level& level) co
     const Extension limb =
         extension(options_.form, input.dynamics.hip[index(leg)], input.dynamics.foot[index(leg)]);
     const auto row = static_cast<Eigen::Index>(leg);
-    rows.A.row(row).head<kNumVelocities>() = limb.J;
+    rows.A.row(row).head(input.dynamics.num_velocities()) = limb.J;
     bound_.write(rows, row, options_.min, options_.max, limb.r, limb.rdot, limb.drift);
   }
 }

@@ -43,7 +43,7 @@ void Manipulability::write(const TaskInput& input, solver::Level& level) const n
   drive = std::clamp(drive, -options_.max_acceleration, options_.max_acceleration);
   const model::PointKinematics& base = input.dynamics.base;
   solver::Rows row = level.add(1, first_id());
-  row.A.leftCols<kNumVelocities>() = base.J.row(2);
+  row.A.leftCols(input.dynamics.num_velocities()) = base.J.row(2);
   row.set_equal(0, drive - options_.kd * base.v.z() - base.Jdot_u.z());
 }
 

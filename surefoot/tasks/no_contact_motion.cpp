@@ -7,7 +7,7 @@ void NoContactMotion::write(const TaskInput& input, solver::Level& level) const 
     if (!input.plan.contact(leg)) continue;
     const model::PointKinematics& contact = input.dynamics.contact[index(leg)];
     solver::Rows rows = level.add(3, first_id() + 3 * static_cast<int>(leg));
-    rows.A.leftCols<kNumVelocities>() = contact.J;
+    rows.A.leftCols(input.dynamics.num_velocities()) = contact.J;
     rows.lower = -contact.Jdot_u - options_.kd * contact.v;
     rows.upper = rows.lower;
   }

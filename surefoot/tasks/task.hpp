@@ -37,6 +37,10 @@ class Task {
   /// The name of a row: "LF normal force".
   [[nodiscard]] virtual std::string row_name(int id) const = 0;
 
+  /// Tells the task its robot, once at set-up. Throws UnknownNameError if it lacks what the task
+  /// names.
+  virtual void prepare(const model::RobotDescription& robot);
+
   /// Offset of this task's ids in a level shared by several tasks; set once at set-up.
   void set_first_id(int id) { first_id_ = id; }
   [[nodiscard]] int first_id() const { return first_id_; }
@@ -46,13 +50,16 @@ class Task {
   Task(const Task&) = default;
   Task& operator=(const Task&) = default;
 
+  [[nodiscard]] int num_joints() const { return kNumLegJoints + static_cast<int>(arms_.size()); }
+  /// "LF_HAA", "LF_HFE", … for an id per joint.
+  [[nodiscard]] std::string joint_name(int id) const;
+
  private:
+  std::vector<std::string> arms_;  // names of the joints behind those of the legs
   int first_id_ = 0;
 };
 
 /// "LF x", "LF y", "LF z", "RF x", … for three ids a leg.
 [[nodiscard]] std::string leg_axis_name(int id);
-/// "LF_HAA", "LF_HFE", … for an id per joint.
-[[nodiscard]] std::string joint_name(int id);
 
 }  // namespace surefoot::tasks

@@ -16,9 +16,9 @@ TorqueLimits::TorqueLimits(const Options& options) : options_(options) {
 }
 
 void TorqueLimits::write(const TaskInput& input, solver::Level& level) const noexcept {
-  solver::Rows rows = level.add(kNumJoints, first_id());
-  rows.A.rightCols<kNumJoints>().setIdentity();
-  for (int j = 0; j < kNumJoints; ++j) {
+  solver::Rows rows = level.add(input.dynamics.num_joints(), first_id());
+  rows.A.rightCols(input.dynamics.num_joints()).setIdentity();
+  for (int j = 0; j < input.dynamics.num_joints(); ++j) {
     const double speed = input.dynamics.u[6 + j];
     const double speed_limit = input.robot.velocity_limit[j];
     const double torque_limit = input.robot.torque_limit[j];

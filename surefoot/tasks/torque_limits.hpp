@@ -25,7 +25,7 @@ class TorqueLimits final : public Task {
   explicit TorqueLimits(const Options& options);
 
   void write(const TaskInput& input, solver::Level& level) const noexcept override;
-  [[nodiscard]] int max_rows() const override { return kNumJoints; }
+  [[nodiscard]] int max_rows() const override { return num_joints(); }
   [[nodiscard]] std::string_view name() const override { return "torque_limits"; }
   [[nodiscard]] std::string row_name(int id) const override { return joint_name(id); }
 

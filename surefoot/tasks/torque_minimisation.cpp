@@ -2,9 +2,11 @@
 
 namespace surefoot::tasks {
 
-void TorqueMinimisation::write(const TaskInput&, solver::Level& level) const noexcept {
-  solver::Rows rows = level.add(kNumJoints, first_id());
-  rows.A.rightCols<kNumJoints>().diagonal() = weights_.replicate<kNumLegs, 1>();
+void TorqueMinimisation::write(const TaskInput& input, solver::Level& level) const noexcept {
+  solver::Rows rows = level.add(input.dynamics.num_joints(), first_id());
+  auto weights = rows.A.rightCols(input.dynamics.num_joints()).diagonal();
+  weights.setConstant(arms_);
+  weights.head<kNumLegJoints>() = legs_.replicate<kNumLegs, 1>();
   rows.lower.setZero();
   rows.upper.setZero();
 }

@@ -11,7 +11,7 @@ void TorsoHeight::write(const TaskInput& input, solver::Level& level) const noex
       std::clamp(reference.height - base.p.z(), -options_.max_error, options_.max_error);
   const double rate_error = reference.height_rate - base.v.z();
   solver::Rows row = level.add(1, first_id());
-  row.A.leftCols<kNumVelocities>() = base.J.row(2);
+  row.A.leftCols(input.dynamics.num_velocities()) = base.J.row(2);
   row.set_equal(0, reference.height_acceleration + options_.kd * rate_error +
                        options_.kp * height_error - base.Jdot_u.z());
 }

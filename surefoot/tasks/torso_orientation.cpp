@@ -18,7 +18,7 @@ void TorsoOrientation::write(const TaskInput& input, solver::Level& level) const
   if (size > options_.max_error) error *= options_.max_error / size;
 
   solver::Rows rows = level.add(num_axes_, first_id());
-  rows.A.leftCols<kNumVelocities>().noalias() = axes.transpose() * base.J;
+  rows.A.leftCols(input.dynamics.num_velocities()).noalias() = axes.transpose() * base.J;
   rows.lower = axes.transpose() * (reference.wdot_WB + options_.kd * rate_error - base.Jdot_u);
   rows.lower += options_.kp * error;
   rows.upper = rows.lower;

@@ -26,7 +26,7 @@ void TorsoTiltLimits::write(const TaskInput& input, solver::Level& level) const 
   for (Eigen::Index i = 0; i < 2; ++i) {
     const Vec3 direction = heading.col(i);
     const Vec3 axis = up.cross(direction);
-    rows.A.row(i).head<kNumVelocities>().noalias() = axis.transpose() * base.J;
+    rows.A.row(i).head(input.dynamics.num_velocities()).noalias() = axis.transpose() * base.J;
     bound_.write(rows, i, -limits[i], limits[i], direction.dot(up), axis.dot(base.w),
                  axis.dot(base.Jdot_u) + direction.dot(centripetal));
   }

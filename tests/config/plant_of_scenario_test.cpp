@@ -17,14 +17,14 @@ TEST_F(PlantOfScenario, draws_every_mismatch_of_the_plant_and_nothing_of_the_con
   };
   const Scenario nominal = load(0), first = load(1), second = load(2);
   EXPECT_TRUE(nominal.drawn.empty());
-  EXPECT_EQ(nominal.plant.sensors.encoders.offset, JointVector::Zero());
-  EXPECT_EQ(nominal.plant.disturbances.link_mass_scale, JointVector::Ones());
+  EXPECT_EQ(nominal.plant.sensors.encoders.offset, JointVector::Zero(kNumLegJoints));
+  EXPECT_EQ(nominal.plant.disturbances.link_mass_scale, JointVector::Ones(kNumLegJoints));
   EXPECT_NE(first.plant.sensors.encoders.offset, second.plant.sensors.encoders.offset);
   EXPECT_NE(first.plant.disturbances.link_mass_scale, second.plant.disturbances.link_mass_scale);
   EXPECT_NE(first.plant.disturbances.thigh_length_offset, PerLeg<double>{});
   EXPECT_NE(first.plant.disturbances.shank_length_offset, PerLeg<double>{});
   EXPECT_NE(first.plant.disturbances.base_com_offset, second.plant.disturbances.base_com_offset);
-  EXPECT_NE(first.plant.actuators.joint_torque_gain, JointVector::Ones());
+  EXPECT_NE(first.plant.actuators.joint_torque_gain, JointVector::Ones(kNumLegJoints));
   EXPECT_NE(first.plant.sensors.imu.tilt, Vec3::Zero());
   EXPECT_GT(first.plant.disturbances.payload.mass, 0.0);
   EXPECT_EQ(std::ranges::count(first.sources, "randomise1.yaml", &SourceFile::name), 1);

@@ -46,7 +46,7 @@ TEST_F(RobotFile, of_anymal_b_is_read) {
   const model::RobotDescription robot = load_robot("anymal_b");
   EXPECT_EQ(robot.legs[index(Leg::RH)].foot_frame, "RH_FOOT");
   EXPECT_EQ(robot.legs[index(Leg::LF)].joints[2], "LF_KFE");
-  EXPECT_EQ(robot.torque_limit, JointVector::Constant(40.0));
+  EXPECT_EQ(robot.torque_limit, JointVector::Constant(kNumLegJoints, 40.0));
   EXPECT_EQ(robot.q_nominal.segment<3>(first_joint(Leg::LH)), Vec3(0.0, -0.4, 0.8));
 }
 
@@ -202,7 +202,7 @@ TEST_F(ShortRobotFile, takes_legs_limits_and_gains_from_the_urdf) {
     EXPECT_EQ(robot.legs[index(leg)].hip_frame, full.legs[index(leg)].hip_frame);
     EXPECT_EQ(robot.legs[index(leg)].shank_link, full.legs[index(leg)].shank_link);
   }
-  EXPECT_EQ(robot.torque_limit, JointVector::Constant(80.0));
+  EXPECT_EQ(robot.torque_limit, JointVector::Constant(kNumLegJoints, 80.0));
   EXPECT_EQ(robot.stall_torque, robot.torque_limit);
   EXPECT_EQ(robot.q_nominal, full.q_nominal);
   EXPECT_EQ(robot.hold_kp, 80.0);

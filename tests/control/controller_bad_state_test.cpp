@@ -23,7 +23,7 @@ std::vector<std::function<double&(RobotState&)>> numbers_of_a_state() {
   for (Eigen::Index i = 0; i < 4; ++i) {
     numbers.emplace_back([i](RobotState& s) -> double& { return s.q_WB.coeffs()[i]; });
   }
-  for (Eigen::Index i = 0; i < kNumJoints; ++i) {
+  for (Eigen::Index i = 0; i < kNumLegJoints; ++i) {
     numbers.emplace_back([i](RobotState& s) -> double& { return s.q[i]; });
     numbers.emplace_back([i](RobotState& s) -> double& { return s.qd[i]; });
     numbers.emplace_back([i](RobotState& s) -> double& { return s.torque[i]; });

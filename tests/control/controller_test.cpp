@@ -70,10 +70,10 @@ TEST(Controller, TheSameInputsGiveTheSameBits) {
   for (int tick = 0; tick < 600; ++tick) {
     RobotState believed = nominal;
     believed.time = 0.0025 * tick;
-    believed.q += 0.01 * random.vector(kNumJoints);
-    believed.qd = 0.1 * random.vector(kNumJoints);
+    believed.q += 0.01 * random.vector(kNumLegJoints);
+    believed.qd = 0.1 * random.vector(kNumLegJoints);
     believed.v_WB = 0.05 * random.vector(3);
-    believed.torque = 5.0 * random.vector(kNumJoints);
+    believed.torque = 5.0 * random.vector(kNumLegJoints);
     believed.time = tick % 100 == 99 ? kNaN : believed.time;
     first.user = second.user = {.walk = tick > 10, .velocity = {0.1, 0.0}};
     const JointCommand& a = first.tick_with(believed);

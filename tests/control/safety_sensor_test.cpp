@@ -3,6 +3,7 @@
 #include "surefoot/math/rotation.hpp"
 #include "tests/support/anymal_b.hpp"
 #include "tests/support/random_hierarchy.hpp"
+#include "tests/support/sizes.hpp"
 
 #include <gtest/gtest.h>
 
@@ -35,10 +36,10 @@ struct Stage {
     state.qd.setZero();
     solution.status = solver::SolveStatus::optimal;
     solution.x = VecX::Zero(kNumUnknowns);
-    solve(JointVector::Constant(10.0));
+    solve(JointVector::Constant(kNumLegJoints, 10.0));
     for (int i = 0; i < good_ticks; ++i) (void)tick();
   }
-  void solve(const JointVector& torque) { solution.x.tail<kNumJoints>() = torque; }
+  void solve(const JointVector& torque) { solution.x.tail<kNumLegJoints>() = torque; }
   const JointCommand& tick(const SensorHealth& health = {}) {
     state.time = kPeriod * ++ticks;
     return safety.command(state, &solution, health);
@@ -56,15 +57,16 @@ struct Stage {
 
 TEST(SafetyOfSensors, AShortGapChangesNothingButHowFastTorquesChange) {
   Stage stage(1);
-  stage.solve(JointVector::Constant(30.0));
+  stage.solve(JointVector::Constant(kNumLegJoints, 30.0));
   const JointCommand command = stage.tick(failing(&SensorHealth::imu, 0.02));
   EXPECT_EQ(command.mode, CommandMode::optimal);
-  EXPECT_EQ(command.torque, JointVector::Constant(10.0 + kMostChange));
+  EXPECT_EQ(command.torque, JointVector::Constant(kNumLegJoints, 10.0 + kMostChange));
   for (int i = 2; i <= 5; ++i) {
-    EXPECT_EQ(stage.tick().torque, JointVector::Constant(10.0 + i * kMostChange)) << "catches up";
+    EXPECT_EQ(stage.tick().torque, JointVector::Constant(kNumLegJoints, 10.0 + i * kMostChange))
+        << "catches up";
   }
-  stage.solve(JointVector::Constant(-10.0));
-  EXPECT_EQ(stage.tick().torque, JointVector::Constant(-10.0));
+  stage.solve(JointVector::Constant(kNumLegJoints, -10.0));
+  EXPECT_EQ(stage.tick().torque, JointVector::Constant(kNumLegJoints, -10.0));
   EXPECT_EQ(stage.tick().cause, StopCause::none);
 }
 
@@ -131,10 +133,10 @@ TEST(SafetyOfSensors, SittingDownEndsWithoutAClockToo) {
 // What a sensor that lied led to is good for little, and the posture changes.
 TEST(SafetyOfSensors, TheLastTorquesTurnIntoThoseThatBearTheRobotAndFadeAsItLies) {
   constexpr int kBears = 160;  // [ticks]
-  const JointVector bearing = JointVector::LinSpaced(kNumJoints, 5.0, -6.0);
+  const JointVector bearing = JointVector::LinSpaced(kNumLegJoints, 5.0, -6.0);
   Stage told(1), untold(1);
   double most_at_first = 0.0;
-  JointVector borne = JointVector::Zero(), last = borne;
+  JointVector borne = JointVector::Zero(kNumLegJoints), last = borne;
   for (int i = 0; i < kSits - 1; ++i) {
     told.safety.bear(bearing);
     const JointVector torque = told.tick(failing(&SensorHealth::imu, 0.03)).torque;
@@ -145,7 +147,7 @@ TEST(SafetyOfSensors, TheLastTorquesTurnIntoThoseThatBearTheRobotAndFadeAsItLies
     last = more;
   }
   EXPECT_LT(most_at_first, 0.1);
-  EXPECT_LT((borne - (bearing - JointVector::Constant(10.0))).norm(), 0.1);
+  EXPECT_LT((borne - (bearing - JointVector::Constant(kNumLegJoints, 10.0))).norm(), 0.1);
   EXPECT_LT(last.norm(), 0.01);
 }
 
@@ -153,9 +155,10 @@ TEST(SafetyOfSensors, TheLastTorquesTurnIntoThoseThatBearTheRobotAndFadeAsItLies
 TEST(SafetyOfSensors, WhatBearsTheRobotIsTakenOverSlowlyHoweverLateItIsTold) {
   Stage told(1), untold(1);
   double most = 0.0;
-  JointVector before = JointVector::Zero(), more = before;
+  JointVector before = JointVector::Zero(kNumLegJoints), more = before;
   for (int i = 0; i < 260; ++i) {
-    told.safety.bear(i < 80 ? JointVector::Constant(kNaN) : JointVector::Constant(5.0));
+    told.safety.bear(i < 80 ? JointVector::Constant(kNumLegJoints, kNaN)
+                            : JointVector::Constant(kNumLegJoints, 5.0));
     more = told.tick(failing(&SensorHealth::imu, 0.03)).torque -
            untold.tick(failing(&SensorHealth::imu, 0.03)).torque;
     most = std::max(most, (more - before).cwiseAbs().maxCoeff());
@@ -163,12 +166,12 @@ TEST(SafetyOfSensors, WhatBearsTheRobotIsTakenOverSlowlyHoweverLateItIsTold) {
   }
   EXPECT_LT(most, 0.12);
   EXPECT_GT(most, 0.01);
-  EXPECT_LT((more + JointVector::Constant(5.0)).norm(), 0.1);
+  EXPECT_LT((more + JointVector::Constant(kNumLegJoints, 5.0)).norm(), 0.1);
 }
 
 TEST(SafetyOfSensors, WhatBoreTheRobotBeforeItWalkedDoesNotCountAfterIt) {
   Stage told, untold;
-  told.safety.bear(JointVector::Constant(5.0));
+  told.safety.bear(JointVector::Constant(kNumLegJoints, 5.0));
   for (Stage* stage : {&told, &untold}) (void)stage->tick();
   for (int i = 0; i < kSits; ++i) {
     const JointVector torque = told.tick(failing(&SensorHealth::imu, 0.03)).torque;
@@ -193,7 +196,7 @@ TEST(SafetyOfSensors, ALegThatDoesNotStandIsHeldSoftly) {
         mode == CommandMode::hold ? SensorHealth{} : failing(&SensorHealth::imu, 0.03);
     const JointCommand &hard = all.refused_tick(health), &soft = one.refused_tick(health);
     ASSERT_EQ(hard.mode, mode);
-    for (int i = 0; i < kNumJoints; ++i) {
+    for (int i = 0; i < kNumLegJoints; ++i) {
       const double share = (10.0 - soft.torque[i]) / (10.0 - hard.torque[i]);
       if (i < 3 || i >= 6) {
         EXPECT_EQ(share, 1.0) << i;
@@ -232,7 +235,7 @@ TEST(SafetyOfSensors, EncodersOfSeveralLegsThatAreLostFadeTheTorques) {
   for (int i = 0; i < 100; ++i) (void)stage.tick();
   EXPECT_NEAR(stage.tick().torque[2], 5.0, 0.1);
   for (int i = 0; i < 200; ++i) (void)stage.tick();
-  EXPECT_EQ(stage.tick().torque, JointVector::Zero());
+  EXPECT_EQ(stage.tick().torque, JointVector::Zero(kNumLegJoints));
 }
 
 TEST(SafetyOfSensors, WhatWasWrongWhenItStoppedStaysTheReason) {
@@ -314,7 +317,7 @@ TEST(SafetyOfSensors, OneThatNeverCameIsNamedAndSatDownFor) {
     health.joint_torques = health.imu;
     JointVector held;
     for (int i = 0; i < SafetyOptions{}.damp_after_failures; ++i) {
-      stage.state.q = anymal_b().q_nominal + JointVector::Constant(2e-4 * i);
+      stage.state.q = anymal_b().q_nominal + JointVector::Constant(kNumLegJoints, 2e-4 * i);
       const JointCommand& command = stage.refused_tick(health);
       ASSERT_EQ(command.mode, CommandMode::hold) << "it may come late";
       held = command.torque;
@@ -365,11 +368,11 @@ TEST(SafetyOfSensors, WhateverFailsTorquesAreFiniteInTheirLimitsAndDoNotJump) {
     const auto group = kGroups[static_cast<std::size_t>(random.integer(0, 2))];
     const int length = random.integer(1, 40);
     for (int i = 1; i < kSits + 500; ++i) {
-      stage.solve(60.0 * random.vector(kNumJoints));
-      stage.safety.bear(20.0 * random.vector(kNumJoints));
+      stage.solve(60.0 * random.vector(kNumLegJoints));
+      stage.safety.bear(20.0 * random.vector(kNumLegJoints));
       stage.safety.set_standing({random.chance(0.5), random.chance(0.5), true, true});
-      stage.state.q = anymal_b().q_nominal + 0.3 * random.vector(kNumJoints);
-      stage.state.qd = 3.0 * random.vector(kNumJoints);
+      stage.state.q = anymal_b().q_nominal + 0.3 * random.vector(kNumLegJoints);
+      stage.state.qd = 3.0 * random.vector(kNumLegJoints);
       const double lost = run % 2 == 0 ? 0.02 : 0.0;
       if (random.chance(lost)) stage.state.q[random.integer(0, 11)] = kNaN;
       if (random.chance(lost)) stage.state.qd[random.integer(0, 11)] = kNaN;

@@ -4,6 +4,7 @@
 #include "surefoot/math/rotation.hpp"
 #include "tests/support/anymal_b.hpp"
 #include "tests/support/random_hierarchy.hpp"
+#include "tests/support/sizes.hpp"
 
 #include <gtest/gtest.h>
 
@@ -40,7 +41,7 @@ RobotState tilted(double roll) {
 }
 
 JointVector torques(double first = 1.0) {
-  return first * JointVector::LinSpaced(kNumJoints, 1.0, 2.1);
+  return first * JointVector::LinSpaced(kNumLegJoints, 1.0, 2.1);
 }
 
 solver::Solution solved(const JointVector& torque,
@@ -50,7 +51,7 @@ solver::Solution solved(const JointVector& torque,
   solution.status = status;
   solution.failed_level = failed_level;
   solution.x = VecX::Constant(kNumUnknowns, 99.0);
-  solution.x.tail<kNumJoints>() = torque;
+  solution.x.tail<kNumLegJoints>() = torque;
   return solution;
 }
 
@@ -72,8 +73,8 @@ TEST(Safety, TakesThePostureOfARobotThatIsNotOnItsFeet) {
   Safety safety = make_safety();
   const solver::Solution solution = solved(torques());
   (void)safety.command(standing(), &solution);
-  const LegPosture posture{.q = anymal_b().q_nominal + JointVector::Constant(0.1),
-                           .qd = JointVector::Zero(),
+  const LegPosture posture{.q = anymal_b().q_nominal + JointVector::Constant(kNumLegJoints, 0.1),
+                           .qd = JointVector::Zero(kNumLegJoints),
                            .softness = 0.0,
                            .stands = {},
                            .bears = 0.5};
@@ -88,7 +89,7 @@ TEST(Safety, TakesThePostureOfARobotThatIsNotOnItsFeet) {
     before = command.torque;
   }
   const double soft = 0.4 * anymal_b().hold_kp * 0.1;
-  EXPECT_LT((before - 0.5 * torques() - JointVector::Constant(soft)).norm(), 1e-9);
+  EXPECT_LT((before - 0.5 * torques() - JointVector::Constant(kNumLegJoints, soft)).norm(), 1e-9);
   EXPECT_EQ(safety.command(standing(), &solution).mode, CommandMode::optimal);
 }
 
@@ -148,7 +149,7 @@ TEST(Safety, UsesASolveThatEndedAfterTheLevelsThatKeepThePhysics) {
 }
 
 TEST(Safety, HoldsTheJointsWhereTheSolveIsOfNoUse) {
-  const JointVector not_a_number = JointVector::Constant(kNaN);
+  const JointVector not_a_number = JointVector::Constant(kNumLegJoints, kNaN);
   solver::Solution too_short = solved(torques());
   too_short.x.conservativeResize(12);
   for (const solver::Solution& useless :
@@ -170,8 +171,8 @@ TEST(Safety, HoldIsASpringAndDamperAboutTheLastGoodPosture) {
   const solver::Solution good = solved(torques());
   (void)safety.command(standing(), &good);
   RobotState moved = standing();
-  moved.q += JointVector::LinSpaced(kNumJoints, -0.05, 0.05);
-  moved.qd = JointVector::LinSpaced(kNumJoints, 0.5, -0.5);
+  moved.q += JointVector::LinSpaced(kNumLegJoints, -0.05, 0.05);
+  moved.qd = JointVector::LinSpaced(kNumLegJoints, 0.5, -0.5);
   const JointVector expected =
       torques() + robot.hold_kp * (robot.q_nominal - moved.q) - robot.hold_kd * moved.qd;
   EXPECT_LT((safety.command(moved, nullptr).torque - expected).norm(), 1e-12);
@@ -182,12 +183,14 @@ TEST(Safety, HoldsTheFirstPostureIfThereNeverWasAGoodTick) {
   RobotState absurd = standing();
   absurd.q[3] = 1e12;
   Safety safety = make_safety();
-  EXPECT_EQ(safety.command(RobotState{}, nullptr).torque, JointVector::Zero());
-  EXPECT_EQ(safety.command(absurd, nullptr).torque, JointVector::Zero()) << "no posture";
-  EXPECT_EQ(safety.command(standing(), nullptr).torque, JointVector::Zero()) << "the posture";
+  EXPECT_EQ(safety.command(RobotState{}, nullptr).torque, JointVector::Zero(kNumLegJoints));
+  EXPECT_EQ(safety.command(absurd, nullptr).torque, JointVector::Zero(kNumLegJoints))
+      << "no posture";
+  EXPECT_EQ(safety.command(standing(), nullptr).torque, JointVector::Zero(kNumLegJoints))
+      << "the posture";
   RobotState moved = standing();
-  moved.q += JointVector::LinSpaced(kNumJoints, -0.05, 0.05);
-  moved.qd = JointVector::LinSpaced(kNumJoints, 0.5, -0.5);
+  moved.q += JointVector::LinSpaced(kNumLegJoints, -0.05, 0.05);
+  moved.qd = JointVector::LinSpaced(kNumLegJoints, 0.5, -0.5);
   const JointVector expected =
       robot.hold_kp * (robot.q_nominal - moved.q) - robot.hold_kd * moved.qd;
   const JointCommand command = safety.command(moved, nullptr);
@@ -200,7 +203,7 @@ TEST(Safety, UntilAGoodTickItHoldsTheFirstPostureOnTopOfWhatBearsTheRobot) {
   EXPECT_FALSE(safety.has_begun());
   JointCommand command;
   for (int tick = 0; tick < 20; ++tick) {
-    safety.bear(tick < 10 ? torques(10.0) : JointVector::Constant(kNaN));
+    safety.bear(tick < 10 ? torques(10.0) : JointVector::Constant(kNumLegJoints, kNaN));
     command = safety.command(standing(tick * kPeriod), nullptr);
   }
   EXPECT_EQ(command.mode, CommandMode::hold);
@@ -220,7 +223,7 @@ TEST(Safety, TorquesOfARobotThatBeginsLateChangeSlowlyForHalfASecond) {
   const solver::Solution one = solved(torques(10.0)), other = solved(torques(-10.0));
   for (const int steady : {1, 20, kSlow - 1, kSlow, 2 * kSlow}) {
     Safety safety = make_safety();
-    JointVector before = JointVector::Zero();
+    JointVector before = JointVector::Zero(kNumLegJoints);
     double largest = 0.0;
     for (int tick = 0; tick <= kHeld + steady; ++tick) {
       const solver::Solution* solution = tick < kHeld            ? nullptr
@@ -242,12 +245,12 @@ TEST(Safety, HoldDampsWhereThePositionIsNotKnownAndSpringsWhereTheVelocityIsNot)
   RobotState no_position = standing();
   no_position.q.setConstant(kNaN);
   no_position.qd.setConstant(0.5);
-  const JointVector damped = torques() - JointVector::Constant(0.5 * robot.hold_kd);
+  const JointVector damped = torques() - JointVector::Constant(kNumLegJoints, 0.5 * robot.hold_kd);
   EXPECT_LT((safety.command(no_position, nullptr).torque - damped).norm(), 1e-12);
   RobotState no_velocity = standing();
   no_velocity.q.array() += 0.05;
   no_velocity.qd.setConstant(kNaN);
-  const JointVector sprung = torques() - JointVector::Constant(0.05 * robot.hold_kp);
+  const JointVector sprung = torques() - JointVector::Constant(kNumLegJoints, 0.05 * robot.hold_kp);
   EXPECT_LT((safety.command(no_velocity, nullptr).torque - sprung).norm(), 1e-12);
 }
 
@@ -351,7 +354,7 @@ TEST(Safety, DoesNotTakeABrokenOrientationForATilt) {
 TEST(Safety, DampingBrakesEveryJointAtLastAsSoftlyAsALegNeedsThatBearsNothing) {
   Safety safety = make_safety();
   RobotState state = tilted(2.0);
-  state.qd = JointVector::LinSpaced(kNumJoints, -3.0, 3.0);
+  state.qd = JointVector::LinSpaced(kNumLegJoints, -3.0, 3.0);
   const solver::Solution good = solved(torques());
   (void)safety.command(standing(), &good);
   JointVector torque;
@@ -382,21 +385,22 @@ TEST(Safety, NoDampingLetsTorquesJump) {
 TEST(Safety, ClipsEveryRungToTheTorqueLimits) {
   const solver::Solution strong = solved(torques(1e3));
   Safety safety = make_safety();
-  EXPECT_EQ(safety.command(standing(), &strong).torque, JointVector::Constant(kLimit));
+  EXPECT_EQ(safety.command(standing(), &strong).torque,
+            JointVector::Constant(kNumLegJoints, kLimit));
   RobotState away = standing();
   away.q.array() += 3.0;
-  EXPECT_EQ(safety.command(away, nullptr).torque, JointVector::Constant(-kLimit));
+  EXPECT_EQ(safety.command(away, nullptr).torque, JointVector::Constant(kNumLegJoints, -kLimit));
   RobotState fast = tilted(2.0);
   fast.qd.setConstant(-1e6);
   for (int tick = 0; tick < 30; ++tick) (void)safety.command(fast, &strong);
-  EXPECT_EQ(safety.command(fast, &strong).torque, JointVector::Constant(kLimit));
+  EXPECT_EQ(safety.command(fast, &strong).torque, JointVector::Constant(kNumLegJoints, kLimit));
 }
 
 TEST(Safety, ClipsEveryJointToItsOwnLimit) {
   model::RobotDescription robot = anymal_b();
-  robot.torque_limit = JointVector::LinSpaced(kNumJoints, 1.0, 12.0);
+  robot.torque_limit = JointVector::LinSpaced(kNumLegJoints, 1.0, 12.0);
   Safety safety({}, robot, kFirstFreeLevel, lying(), kPeriod);
-  const solver::Solution strong = solved(JointVector::Constant(-1e3));
+  const solver::Solution strong = solved(JointVector::Constant(kNumLegJoints, -1e3));
   EXPECT_EQ(safety.command(standing(), &strong).torque, -robot.torque_limit);
 }
 
@@ -425,7 +429,7 @@ TEST(Safety, WhateverComesTheCommandIsFiniteAndInsideTheLimits) {
     for (double& value : state.qd) value = garbage(0.1);
     for (double& value : state.q_WB.coeffs()) value = tick % 3 == 0 ? garbage(value) : value;
     solver::Solution solution =
-        solved(100.0 * random.vector(kNumJoints),
+        solved(100.0 * random.vector(kNumLegJoints),
                static_cast<solver::SolveStatus>(random.integer(0, 2)), random.integer(-1, 8));
     for (double& value : solution.x) value = tick % 2 == 0 ? garbage(value) : value;
     ASSERT_NO_FATAL_FAILURE(

@@ -9,6 +9,7 @@
 #include "tests/support/malloc_counter.hpp"
 #include "tests/support/messages.hpp"
 #include "tests/support/random_motion.hpp"
+#include "tests/support/sizes.hpp"
 
 #include <gtest/gtest.h>
 
@@ -165,14 +166,14 @@ TEST(TaskStack, TasksThatShareALevelKeepTheirRowsApart) {
   const solver::Hierarchy& hierarchy = stack.update(
       model.update(state, Vec3::UnitZ()), test::plan_with_contacts({true, true, true, true}));
   const solver::Level& both = hierarchy.level(0);
-  ASSERT_EQ(both.num_rows(), 2 * kNumJoints);
+  ASSERT_EQ(both.num_rows(), 2 * kNumLegJoints);
   EXPECT_LT(both.lower()[0], both.upper()[0]);
-  EXPECT_EQ(both.lower()[kNumJoints], both.upper()[kNumJoints]);
-  EXPECT_NE(both.id(0), both.id(kNumJoints));
+  EXPECT_EQ(both.lower()[kNumLegJoints], both.upper()[kNumLegJoints]);
+  EXPECT_NE(both.id(0), both.id(kNumLegJoints));
   const auto limits = tasks::make_task("torque_limits");
   const auto minimisation = tasks::make_task("torque_minimisation");
   EXPECT_EQ(stack.row_name(0, both.id(0)), limits->row_name(0));
-  EXPECT_EQ(stack.row_name(0, both.id(kNumJoints)), minimisation->row_name(0));
+  EXPECT_EQ(stack.row_name(0, both.id(kNumLegJoints)), minimisation->row_name(0));
 }
 
 TEST(TaskStack, ARowThatThereIsNotHasNoName) {

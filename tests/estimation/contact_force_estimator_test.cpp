@@ -25,7 +25,7 @@ const Vec3 kUp = Vec3::UnitZ();
 
 /// Σ J_kᵀ f_k.
 GeneralizedVector generalized(const model::Dynamics& dynamics, const PerLeg<Vec3>& forces) {
-  GeneralizedVector sum = GeneralizedVector::Zero();
+  GeneralizedVector sum = GeneralizedVector::Zero(6 + kNumLegJoints);
   for (std::size_t k = 0; k < kNumLegs; ++k) sum += dynamics.contact[k].J.transpose() * forces[k];
   return sum;
 }
@@ -65,7 +65,7 @@ struct Still {
         state(at_rest(random, model.description())),
         dynamics(model.update(state, normal)) {
     state.time = 0.0;
-    state.torque = dynamics.h.tail<kNumJoints>();
+    state.torque = dynamics.h.tail<kNumLegJoints>();
   }
 
   model::RobotModel model;
@@ -77,7 +77,7 @@ struct Still {
 /// A robot at rest that stands, pressing its feet against the ground.
 struct Standing : Still {
   explicit Standing(unsigned seed) : Still(seed), forces(balancing_forces(dynamics, random)) {
-    state.torque = (dynamics.h - generalized(dynamics, forces)).tail<kNumJoints>();
+    state.torque = (dynamics.h - generalized(dynamics, forces)).tail<kNumLegJoints>();
   }
 
   void expect_to_be_felt() const {
@@ -113,14 +113,15 @@ struct Bench {
   ContactForceEstimator estimator;
   SensorReading reading;
   PerLeg<bool> stands = kInTheAir;
-  JointVector velocity = JointVector::Zero();
+  JointVector velocity = JointVector::Zero(kNumLegJoints);
   JointDelays delays;
 };
 
 /// `dt` on with a constant acceleration.
 void move(model::Dynamics& dynamics, RobotState& state, const GeneralizedVector& acceleration,
           double dt) {
-  state.q += dt * dynamics.u.tail<kNumJoints>() + 0.5 * dt * dt * acceleration.tail<kNumJoints>();
+  state.q +=
+      dt * dynamics.u.tail<kNumLegJoints>() + 0.5 * dt * dt * acceleration.tail<kNumLegJoints>();
   dynamics.u += dt * acceleration;
   state.time += dt;
 }
@@ -162,7 +163,7 @@ TEST(ContactForceEstimator, FindsTheForcesOfAMovingRobotFromItsAcceleration) {
     for (Vec3& force : forces) force = Vec3(0.0, 0.0, 70.0) + random.vector(30.0);
     for (double& torque : state.torque) torque = random.uniform(-20.0, 20.0);
     GeneralizedVector applied = generalized(dynamics, forces) - dynamics.h;
-    applied.tail<kNumJoints>() += state.torque;
+    applied.tail<kNumLegJoints>() += state.torque;
     const GeneralizedVector acceleration = dynamics.M.ldlt().solve(applied);
     Bench bench(kWithoutTare);
     for (int tick = 0; tick < 60; ++tick) {  // the observer settles
@@ -235,17 +236,19 @@ double force_in_the_air(int lag, bool is_told) {
   RobotState state = random.standing_state(model.description().q_nominal);
   state.time = 0.0;
   model::Dynamics dynamics = model.update(state, kUp);
-  const auto joints = dynamics.M.bottomRightCorner<kNumJoints, kNumJoints>().ldlt();
+  const auto joints = dynamics.M.bottomRightCorner<kNumLegJoints, kNumLegJoints>().ldlt();
   Bench bench(kWithoutTare);
   if (is_told)
     bench.delays = {.encoders = std::max(0, -lag) * kPeriod, .torques = std::max(0, lag) * kPeriod};
   std::vector<JointVector> torques, angles;
   double most = 0.0;
   for (int tick = 0; tick < 200; ++tick) {
-    torques.push_back(JointVector::Constant(5.0 * std::sin(0.3 * tick)));
+    torques.push_back(JointVector::Constant(kNumLegJoints, 5.0 * std::sin(0.3 * tick)));
     angles.push_back(state.q);
-    GeneralizedVector acceleration = GeneralizedVector::Zero();  // the base is held
-    acceleration.tail<kNumJoints>() = joints.solve(torques.back() - dynamics.h.tail<kNumJoints>());
+    GeneralizedVector acceleration =
+        GeneralizedVector::Zero(6 + kNumLegJoints);  // the base is held
+    acceleration.tail<kNumLegJoints>() =
+        joints.solve(torques.back() - dynamics.h.tail<kNumLegJoints>());
     RobotState sensed = state;
     sensed.torque = torques[static_cast<std::size_t>(std::max(0, tick - std::max(0, lag)))];
     sensed.q = angles[static_cast<std::size_t>(std::max(0, tick - std::max(0, -lag)))];
@@ -290,14 +293,14 @@ TEST(ContactForceEstimator, VelocitiesOfAMovingLegDoNotLag) {
   state.torque.setConstant(3.0);
   model::Dynamics dynamics = model.update(state, kUp);
   GeneralizedVector applied = -dynamics.h;
-  applied.tail<kNumJoints>() += state.torque;
+  applied.tail<kNumLegJoints>() += state.torque;
   const GeneralizedVector acceleration = dynamics.M.ldlt().solve(applied);
   Bench bench;
   for (int tick = 0; tick < 200; ++tick) {
     move(dynamics, state, acceleration, kPeriod);
     bench.tick(dynamics, state);
   }
-  EXPECT_LT((bench.velocity - dynamics.u.tail<kNumJoints>()).norm(), 1e-6);
+  EXPECT_LT((bench.velocity - dynamics.u.tail<kNumLegJoints>()).norm(), 1e-6);
 }
 
 TEST(ContactForceEstimator, TorquesThatTheGroundTakesUpMoveNoJoint) {
@@ -334,11 +337,11 @@ TEST(ContactForceEstimator, FollowsASuddenForceWithinAFewTicks) {
   state.time = 0.0;
   const model::Dynamics& dynamics = model.update(state, kUp);
   Bench bench;
-  state.torque = dynamics.h.tail<kNumJoints>();
+  state.torque = dynamics.h.tail<kNumLegJoints>();
   bench.tick(dynamics, state);
   EXPECT_LT(state.foot_force[0].norm(), 1e-9);
   const PerLeg<Vec3> touch{Vec3(0.0, 0.0, 50.0), Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
-  state.torque -= generalized(dynamics, touch).tail<kNumJoints>();
+  state.torque -= generalized(dynamics, touch).tail<kNumLegJoints>();
   std::vector<double> force;
   for (int tick = 0; tick < 12; ++tick) {
     state.time += kPeriod;

@@ -158,7 +158,7 @@ TEST(ExternalForce, TheWrenchOnARobotThatTumblesIsFound) {
         state = test::moved(state, u, kStep);
         state.v_WB = u.head<3>();
         state.w_WB_B = u.segment<3>(3);
-        state.qd = u.tail<kNumJoints>();
+        state.qd = u.tail<kNumLegJoints>();
       }
       state.time = kPeriod * (tick + 1);
       estimator.update(model.update(state, Vec3::UnitZ()), {}, state);

@@ -35,7 +35,7 @@ struct Standing {
   }
   /// As joints of feet that stand move.
   [[nodiscard]] JointVector joint_velocity(const model::Dynamics& dynamics) const {
-    JointVector result = JointVector::Zero();
+    JointVector result = JointVector::Zero(kNumLegJoints);
     for (const Leg leg : kLegs) {
       const model::PointKinematics& foot = dynamics.contact[index(leg)];
       const Mat3 J = foot.J.block<3, 3>(0, 6 + first_joint(leg));
@@ -49,7 +49,7 @@ struct Standing {
     const model::Dynamics& dynamics = model.update(state, Vec3::UnitZ());
     state.qd = joint_velocity(dynamics);
     state.q += kPeriod * state.qd;
-    for (int i = 0; i < kNumJoints; ++i) {
+    for (int i = 0; i < kNumLegJoints; ++i) {
       if (i != frozen_encoder) reading.q[i] = rounded(state.q[i]);
       if (i != frozen_torque) reading.torque[i] = command[i] + random.uniform(-0.2, 0.2);
     }
@@ -66,7 +66,7 @@ struct Standing {
   SensorReading reading;
   PerLeg<bool> stands{true, true, true, true};
   PerLeg<Vec3> v_WF{};  // of feet in the air, as planned
-  JointVector command = JointVector::Constant(10.0);
+  JointVector command = JointVector::Constant(kNumLegJoints, 10.0);
   int frozen_encoder = -1, frozen_torque = -1, ticks = 0;
 };
 
@@ -134,7 +134,7 @@ TEST(FrozenJoints, AnEncoderThatMovesIsNotFrozenHoweverSlowly) {
 }
 
 TEST(FrozenJoints, AnEncoderOfAStandingLegThatStaysWhileTheBaseMovesIsFound) {
-  for (int joint = 0; joint < kNumJoints; ++joint) {
+  for (int joint = 0; joint < kNumLegJoints; ++joint) {
     Standing robot;
     robot.state.v_WB = {0.1, 0.1, 0.0};
     robot.run(0.1);
@@ -168,7 +168,7 @@ TEST(FrozenJoints, ASlowEncoderIsNotFrozenBetweenItsSamples) {
 }
 
 TEST(FrozenJoints, ATorqueThatStaysWhileItsCommandChangesIsFound) {
-  for (int joint = 0; joint < kNumJoints; ++joint) {
+  for (int joint = 0; joint < kNumLegJoints; ++joint) {
     Standing robot;
     robot.run(0.1);
     robot.frozen_torque = joint;
@@ -193,7 +193,7 @@ TEST(FrozenJoints, NumbersThatAreNoneFreezeNothing) {
     reading.q.setConstant(kNaN);
     reading.torque.setConstant(kNaN);
     watch.update(reading, robot.model.dynamics(), robot.stands, robot.v_WF,
-                 JointVector::Constant(i));
+                 JointVector::Constant(kNumLegJoints, i));
     ASSERT_EQ(watch.encoders().count, 0);
     ASSERT_EQ(watch.torques().count, 0);
   }

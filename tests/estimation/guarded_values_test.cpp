@@ -14,7 +14,7 @@ constexpr double kInf = std::numeric_limits<double>::infinity();
 
 /// Three values with a sample at each tick.
 struct Group {
-  using Values = GuardedValues<3>;
+  using Values = GuardedValues<Vec3>;
 
   void take(const Vec3& raw, SampleFault common = SampleFault::none) {
     time += kPeriod;
@@ -23,8 +23,10 @@ struct Group {
   }
   [[nodiscard]] GroupHealth health() const { return values.health(time); }
 
-  Values values;
-  Values::Limits limits{.range = Vec3(10.0, 10.0, 10.0), .tolerance = Vec3(1.0, 1.0, 2.0)};
+  Values values{3};
+  Values::Limits limits{.range = Vec3(10.0, 10.0, 10.0),
+                        .tolerance = Vec3(1.0, 1.0, 2.0),
+                        .sure = Vec3::Constant(kUnlimited)};
   SampleWatch watch{kPeriod, kPatience, kPatience};
   double time = 0.0;
 };
@@ -77,9 +79,11 @@ TEST(GuardedValues, WhatIsShakenIsBelievedFromTheSecondSampleOnUntilItWasCalm) {
 }
 
 TEST(GuardedValues, ADoubtedSampleThatComesAgainIsNoOtherSample) {
-  GuardedValues<3> values;
+  GuardedValues<Vec3> values{3};
   SampleWatch watch(kPeriod, kPatience, kPatience);
-  const GuardedValues<3>::Limits limits{.range = Vec3::Constant(10.0), .sure = Vec3::Constant(0.5)};
+  const GuardedValues<Vec3>::Limits limits{.range = Vec3::Constant(10.0),
+                                           .tolerance = Vec3::Constant(kUnlimited),
+                                           .sure = Vec3::Constant(0.5)};
   const auto take = [&](int tick, int sampled, double raw) {
     watch.update(tick * kPeriod, sampled * kPeriod);
     values.take(Vec3(raw, 0.0, 0.0), SampleFault::none, watch, limits, kPatience);

@@ -31,7 +31,7 @@ TEST(JointObserver, GoesOnWithReadingsThatAreOlderFromNowOn) {
 
 TEST(JointObserver, FindsAnAccelerationThatItsModelDoesNotKnow) {
   JointObserver observer(kBandwidth, kPeriod);
-  JointVector q = JointVector::Zero(), v = JointVector::Zero();
+  JointVector q = JointVector::Zero(kNumLegJoints), v = JointVector::Zero(kNumLegJoints);
   const JointVector unknown = JointVector::LinSpaced(-100.0, 100.0);
   observer.start(q);
   double first = 0.0;
@@ -50,16 +50,17 @@ TEST(JointObserver, FindsAnAccelerationThatItsModelDoesNotKnow) {
 // joint at rest.
 TEST(JointObserver, AfterAGapAReadingIsNotTakenForOneOfAPeriod) {
   const auto q_at = [](double t) {
-    return JointVector(JointVector::Constant(0.3 * std::sin(10.0 * t)));
+    return JointVector(JointVector::Constant(kNumLegJoints, 0.3 * std::sin(10.0 * t)));
   };
   for (const int gap : {2, 4, 8, 40, 41, 80, 200, 400}) {
     for (const bool silent : {false, true}) {
       JointObserver observer(kBandwidth, kPeriod);
       double time = 0.0, worst = 0.0;
       const auto tick = [&](int periods, bool reads) {
-        observer.expect(JointVector::Constant(-30.0 * std::sin(10.0 * time)));
+        observer.expect(JointVector::Constant(kNumLegJoints, -30.0 * std::sin(10.0 * time)));
         time += periods * kPeriod;
-        observer.update(reads ? q_at(time) : JointVector(JointVector::Constant(kNaN)), periods);
+        observer.update(
+            reads ? q_at(time) : JointVector(JointVector::Constant(kNumLegJoints, kNaN)), periods);
       };
       for (int i = 0; i < 400; ++i) tick(1, true);
       for (int i = 1; silent && i < gap; ++i) tick(1, false);
@@ -76,7 +77,7 @@ TEST(JointObserver, AfterAGapAReadingIsNotTakenForOneOfAPeriod) {
 TEST(JointObserver, AJointThatNeverHadAReadingHidesNoOtherAndBeginsAtRestWithItsFirst) {
   JointObserver observer(kBandwidth, kPeriod);
   const auto tick = [&](int number, double third) {
-    JointVector q = JointVector::Constant(0.3 * kPeriod * number);
+    JointVector q = JointVector::Constant(kNumLegJoints, 0.3 * kPeriod * number);
     q[3] = third;
     observer.update(q, 1);
   };
@@ -90,13 +91,13 @@ TEST(JointObserver, AJointThatNeverHadAReadingHidesNoOtherAndBeginsAtRestWithIts
 
 TEST(JointObserver, NoiseOfAnEncoderGivesLessNoiseThanItsDifferences) {
   JointObserver observer(kBandwidth, kPeriod);
-  observer.start(JointVector::Zero());
+  observer.start(JointVector::Zero(kNumLegJoints));
   double sum = 0.0;
   constexpr int kTicks = 4000;
   for (int tick = 0; tick < kTicks; ++tick) {
     // Half a step of an encoder, up and down without a pattern.
     const double noise = 2.2e-4 * std::sin(1.7 * tick * tick);
-    observer.update(JointVector::Constant(noise), 1);
+    observer.update(JointVector::Constant(kNumLegJoints, noise), 1);
     sum += observer.velocity()[0] * observer.velocity()[0];
   }
   const double differences = std::sqrt(2.0) * 2.2e-4 / std::sqrt(2.0) / kPeriod;

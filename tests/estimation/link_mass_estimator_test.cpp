@@ -55,7 +55,7 @@ struct Bench {
 
   void tick(const PerLeg<bool>& stands, const Vec3& extra = Vec3::Zero()) {
     time += kPeriod;
-    JointVector measured = JointVector::Zero();
+    JointVector measured = JointVector::Zero(kNumLegJoints);
     measured.segment<kJointsPerLeg>(first_joint(leg)) = torque(time) + extra;
     estimator.update(time, dynamics(time - delay), stands, measured);
   }
@@ -168,15 +168,17 @@ TEST(LinkMassEstimator, DoesNotAllocate) {
   const PerLeg<bool> swinging = bench.swinging();
   const test::MallocCounter counter;
   for (int t = 0; t < kSwing; ++t) {
-    bench.estimator.update(t * kPeriod, dynamics, swinging, JointVector::Ones());
+    bench.estimator.update(t * kPeriod, dynamics, swinging, JointVector::Ones(kNumLegJoints));
   }
   EXPECT_EQ(counter.count(), 0u);
   EXPECT_TRUE(bench.estimator.shares().isZero()) << "its first tick follows no other";
   for (int t = 0; t < 2; ++t) {
-    bench.estimator.update((kSwing + t) * kPeriod, dynamics, kStanding, JointVector::Ones());
+    bench.estimator.update((kSwing + t) * kPeriod, dynamics, kStanding,
+                           JointVector::Ones(kNumLegJoints));
   }
   for (int t = 2; t < kSwing; ++t) {
-    bench.estimator.update((kSwing + t) * kPeriod, dynamics, swinging, JointVector::Ones());
+    bench.estimator.update((kSwing + t) * kPeriod, dynamics, swinging,
+                           JointVector::Ones(kNumLegJoints));
   }
   EXPECT_EQ(counter.count(), 0u);
   EXPECT_FALSE(bench.estimator.shares().isZero());

@@ -21,16 +21,17 @@ struct Swinging {
   explicit Swinging(int count = 0) { run(count); }
 
   [[nodiscard]] JointVector angle(double t) const {
-    return description.q_nominal + JointVector::Constant(amplitude * std::sin(8.0 * t));
+    return description.q_nominal +
+           JointVector::Constant(kNumLegJoints, amplitude * std::sin(8.0 * t));
   }
   [[nodiscard]] JointVector velocity(double t) const {
-    return JointVector::Constant(8.0 * amplitude * std::cos(8.0 * t));
+    return JointVector::Constant(kNumLegJoints, 8.0 * amplitude * std::cos(8.0 * t));
   }
   [[nodiscard]] SensorReading sample(double t) const {
     SensorReading reading;
     reading.time = reading.encoder_time = reading.torque_time = reading.imu_time = t;
     reading.q = angle(t);
-    reading.torque = JointVector::Constant(20.0 * std::sin(5.0 * t));
+    reading.torque = JointVector::Constant(kNumLegJoints, 20.0 * std::sin(5.0 * t));
     reading.gyro = Vec3(std::sin(7.0 * t), std::cos(7.0 * t), 0.1);
     reading.accelerometer = Vec3(std::cos(9.0 * t), std::sin(9.0 * t), kGravity);
     return reading;
@@ -527,7 +528,7 @@ TEST(ReadingGuard, WithoutAClockAllSensorsAreSilent) {
     SensorReading dead = robot.guard.repaired();
     dead.time = clock;
     for (int i = 1; i <= 9; ++i) {
-      robot.guard.update(dead, JointVector::Zero());
+      robot.guard.update(dead, JointVector::Zero(kNumLegJoints));
       const SensorHealth& health = robot.guard.health();
       for (const GroupHealth& group : {health.encoders, health.joint_torques, health.imu}) {
         EXPECT_EQ(group.fault, SampleFault::silent);
@@ -548,10 +549,10 @@ TEST(ReadingGuard, OfALateSensorSilenceWithoutAClockIsNoLongerThanOfOthers) {
   }
   SensorReading dead = robot.guard.repaired();
   for (int i = 1; i <= 8; ++i) {
-    robot.guard.update(dead, JointVector::Zero());
+    robot.guard.update(dead, JointVector::Zero(kNumLegJoints));
     EXPECT_LE(robot.guard.health().imu.age, 0.02 + 1e-9) << i;
   }
-  robot.guard.update(dead, JointVector::Zero());
+  robot.guard.update(dead, JointVector::Zero(kNumLegJoints));
   EXPECT_GT(robot.guard.health().imu.age, 0.02);
 }
 
@@ -565,7 +566,7 @@ TEST(ReadingGuard, WithoutAClockOnlyAnglesThatCanBeAreMeasured) {
   reading.gyro.setConstant(1e9);
   const auto repeat = [&](double step) {
     reading.q[4] += step;
-    robot.guard.update(reading, JointVector::Zero());
+    robot.guard.update(reading, JointVector::Zero(kNumLegJoints));
   };
   for (int i = 1; i <= 8; ++i) {
     repeat(1e-3);
@@ -593,9 +594,9 @@ TEST(ReadingGuard, ADeadDriversLastReadingIsNotMeasuredThoughItsClockWasWrong) {
   reading.time = kNaN;
   reading.q[4] += 1e-3;
   reading.q[7] = kNaN;
-  for (int i = 0; i < 80; ++i) robot.guard.update(reading, JointVector::Zero());
+  for (int i = 0; i < 80; ++i) robot.guard.update(reading, JointVector::Zero(kNumLegJoints));
   for (int i = 0; i < 100; ++i) {
-    robot.guard.update(reading, JointVector::Zero());
+    robot.guard.update(reading, JointVector::Zero(kNumLegJoints));
     EXPECT_TRUE(robot.guard.measured().q.array().isNaN().all()) << i;
   }
   EXPECT_EQ(robot.guard.health().encoders.fault, SampleFault::silent);

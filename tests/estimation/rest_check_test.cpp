@@ -15,7 +15,7 @@ constexpr double kMass = 30.0;
 
 /// Duration of the IMU's fault after 0.05 s with these numbers.
 double wrong_for(const Vec3& accelerometer, const Vec3& force, const Vec3& gyro = Vec3::Zero(),
-                 const JointVector& qd = JointVector::Zero()) {
+                 const JointVector& qd = JointVector::Zero(kNumLegJoints)) {
   RestCheck check(kPeriod);
   SensorReading reading;
   reading.accelerometer = accelerometer;
@@ -50,7 +50,7 @@ TEST(RestCheck, LegsThatMoveOrBearLittleSayNothing) {
   const Vec3 weight(0.0, 0.0, kMass * kGravity), down(0.0, 0.0, -kGravity);
   EXPECT_EQ(wrong_for(down, 0.3 * weight), 0.0) << "it lies on its back";
   EXPECT_EQ(wrong_for(down, Vec3::Constant(kNaN)), 0.0);
-  EXPECT_EQ(wrong_for(down, weight, Vec3::Zero(), JointVector::Constant(1.0)), 0.0);
+  EXPECT_EQ(wrong_for(down, weight, Vec3::Zero(), JointVector::Constant(kNumLegJoints, 1.0)), 0.0);
 }
 
 }  // namespace

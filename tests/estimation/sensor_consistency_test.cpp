@@ -52,7 +52,7 @@ struct Standing {
                         .stands = stands,
                         .v_WF = v_WF,
                         .normal_W = Vec3::UnitZ(),
-                        .command = JointVector::Constant(command)},
+                        .command = JointVector::Constant(kNumLegJoints, command)},
                        health);
   }
   void run(double duration) {
@@ -72,7 +72,7 @@ struct Standing {
   PerLeg<bool> stands{true, true, true, true};
   PerLeg<Vec3> v_WF{};
   Vec3 accelerometer_error = Vec3::Zero();
-  JointVector torque_error = JointVector::Zero();
+  JointVector torque_error = JointVector::Zero(kNumLegJoints);
   double command = 10.0;  // [N·m]
   bool is_imu_late = false, are_encoders_late = false, torques_are_none = false;
   bool torques_stay = false;
@@ -97,7 +97,7 @@ TEST(SensorConsistency, AnAccelerometerThatDoesNotFitTheFeetIsALostImu) {
 }
 
 TEST(SensorConsistency, TorquesThatWereNotCommandedAreFoundAndTheOnlyJointIsNamed) {
-  for (int joint = 0; joint < kNumJoints; ++joint) {
+  for (int joint = 0; joint < kNumLegJoints; ++joint) {
     Standing robot(0.5);
     robot.torque_error[joint] = joint % 2 == 0 ? 20.0 : -20.0;
     robot.run(0.3);

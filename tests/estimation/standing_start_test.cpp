@@ -40,7 +40,7 @@ struct Base {
       p_BC[k] = R.transpose() * (p_WC[k] - p);
       v_BC[k] = -R.transpose() * v_W - w_B.cross(p_BC[k]);
     }
-    return start.stands(reading, JointVector::Zero(), p_BC, v_BC);
+    return start.stands(reading, JointVector::Zero(kNumLegJoints), p_BC, v_BC);
   }
   [[nodiscard]] bool seen_by(StandingStart& start) const { return seen_by(start, reading()); }
 };

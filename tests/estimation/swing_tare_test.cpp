@@ -21,18 +21,20 @@ constexpr Scale kOneSize{};
 struct Bench {
   void tick(const PerLeg<bool>& stands, double extra = 0.0) {
     time += kPeriod;
-    for (int j = 0; j < kNumJoints; ++j) {
+    for (int j = 0; j < kNumLegJoints; ++j) {
       const double phase = (5.0 + j) * time;
       velocity[j] = 3.0 * std::sin(phase);
       acceleration[j] = 3.0 * (5.0 + j) * std::cos(phase);
       torque[j] = 6.0 * std::sin(1.7 * phase) + 2.0;
     }
-    lacking = JointVector::Constant(0.4) + 0.1 * torque - 0.05 * velocity + 0.01 * acceleration;
+    lacking = JointVector::Constant(kNumLegJoints, 0.4) + 0.1 * torque - 0.05 * velocity +
+              0.01 * acceleration;
     for (JointVector& stage : stages) {
       stage += (1.0 - std::exp(-lag * kPeriod)) * (lacking - stage);
       lacking = stage;
     }
-    tare.update(stands, lacking + JointVector::Constant(extra), torque, velocity, acceleration);
+    tare.update(stands, lacking + JointVector::Constant(kNumLegJoints, extra), torque, velocity,
+                acceleration);
   }
   void swings(int count, double extra = 0.0) {
     for (int i = 0; i < count; ++i) {
@@ -55,7 +57,9 @@ struct Bench {
   SwingTare tare{kClear, kNoLag, kPeriod, kOneSize};
   double time = 0.0;
   double lag = kNoLag;  // of the three poles that the lacking torques come by [rad/s]
-  std::array<JointVector, 3> stages{JointVector::Zero(), JointVector::Zero(), JointVector::Zero()};
+  std::array<JointVector, 3> stages{JointVector::Zero(kNumLegJoints),
+                                    JointVector::Zero(kNumLegJoints),
+                                    JointVector::Zero(kNumLegJoints)};
   JointVector torque, velocity, acceleration, lacking;
 };
 
@@ -111,7 +115,7 @@ TEST(SwingTare, SaysNothingOfLegsThatStandNorOfOtherLegs) {
   Bench bench;
   bench.swings(4);
   bench.tick(kStanding);
-  EXPECT_EQ(bench.tare.tare(), JointVector(JointVector::Zero()));
+  EXPECT_EQ(bench.tare.tare(), JointVector(JointVector::Zero(kNumLegJoints)));
   bench.tick(kSwingLF);
   EXPECT_NE(bench.tare.tare()[1], 0.0);
   EXPECT_EQ(bench.tare.tare().tail<9>().norm(), 0.0);
@@ -149,7 +153,8 @@ TEST(SwingTare, FollowsARobotThatChanges) {
   bench.swings(6);
   bench.swings(30, 2.0);
   bench.tick(kSwingLF, 2.0);
-  EXPECT_NEAR((bench.lacking + JointVector::Constant(2.0) - bench.tare.tare())[1], 0.0, 0.1);
+  EXPECT_NEAR((bench.lacking + JointVector::Constant(kNumLegJoints, 2.0) - bench.tare.tare())[1],
+              0.0, 0.1);
 }
 
 TEST(SwingTare, ANotANumberIsNotLearntAndForgottenAtOnce) {
@@ -157,7 +162,7 @@ TEST(SwingTare, ANotANumberIsNotLearntAndForgottenAtOnce) {
   lacking.swings(3);
   for (int t = 0; t < 80; ++t) lacking.tick(kSwingLF, t == 30 ? std::nan("") : 0.0);
   signals.swings(3);
-  const JointVector none = JointVector::Constant(std::nan(""));
+  const JointVector none = JointVector::Constant(kNumLegJoints, std::nan(""));
   signals.tare.update(kSwingLF, signals.lacking, none, none, none);
   for (int t = 0; t < 10; ++t) {
     signals.tick(kSwingLF);

@@ -43,13 +43,14 @@ struct Lump {
   TorqueCheck check{kOptions, kPeriod};
   model::Dynamics dynamics;
   RobotState state;
-  JointVector command = JointVector::LinSpaced(-30.0, 30.0), error = JointVector::Zero();
+  JointVector command = JointVector::LinSpaced(-30.0, 30.0),
+              error = JointVector::Zero(kNumLegJoints);
   int encoder_ticks = 1;  // between two samples
   int ticks = 0;
 };
 
 TEST(TorqueCheck, AJointThatIsOffForLongIsFoundAndNamed) {
-  for (int joint = 0; joint < kNumJoints; ++joint) {
+  for (int joint = 0; joint < kNumLegJoints; ++joint) {
     Lump robot;
     robot.error[joint] = joint % 2 == 0 ? 20.0 : -20.0;
     robot.run(kOptions.duration);

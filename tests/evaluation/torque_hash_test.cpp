@@ -15,8 +15,8 @@ std::uint64_t hash_of(const std::vector<JointVector>& torques) {
 }
 
 TEST(TorqueHash, differs_with_the_last_bit_of_one_torque_and_with_the_order_of_ticks) {
-  const JointVector one = JointVector::Constant(1.0);
-  const JointVector two = JointVector::Constant(2.0);
+  const JointVector one = JointVector::Constant(kNumLegJoints, 1.0);
+  const JointVector two = JointVector::Constant(kNumLegJoints, 2.0);
   JointVector near_one = one;
   near_one[7] = std::nextafter(1.0, 2.0);
   EXPECT_EQ(hash_of({one, two}), hash_of({one, two}));

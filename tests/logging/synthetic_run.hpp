@@ -150,7 +150,7 @@ class SyntheticRun {
     state.q_WB = state.q_WB * Quat(1.0, noise(5e-4), noise(5e-4), noise(5e-4)).normalized();
     state.v_WB = noise3(0.01);
     state.w_WB_B = noise3(0.01);
-    for (int j = 0; j < kNumJoints; ++j) {
+    for (int j = 0; j < kNumLegJoints; ++j) {
       state.q[j] = 0.4 * std::sin(time_ + j);
       state.qd[j] = noise(0.1);
       state.torque[j] = 12.0 * std::sin(0.7 * j + 2.0 * time_) + noise(0.2) - 0.9 * j * a;

@@ -1,5 +1,7 @@
 #include "tests/model/mujoco_reference.hpp"
 
+#include "tests/support/sizes.hpp"
+
 #include <mujoco/mujoco.h>
 
 #include <array>
@@ -100,7 +102,7 @@ MujocoReference::~MujocoReference() = default;
 
 void MujocoReference::set_state(const RobotState& state) {
   mjData* data = implementation_->data;
-  Eigen::Map<Eigen::Matrix<double, 7 + kNumJoints, 1>> q(data->qpos);
+  Eigen::Map<Eigen::Matrix<double, 7 + kNumLegJoints, 1>> q(data->qpos);
   Eigen::Map<GeneralizedVector> v(data->qvel);
   q.head<7>() << state.p_WB, state.q_WB.w(), state.q_WB.vec();
   v.head<6>() << state.v_WB, state.w_WB_B;

@@ -209,7 +209,7 @@ TEST(RobotModel, HasMassFirstMomentAndWeightOfALoadOfTheBase) {
     const MassMatrix M = laden.M - unladen.M;
     EXPECT_LT((M.topLeftCorner<3, 3>() - kLoad * Mat3::Identity()).norm(), 1e-9);
     EXPECT_LT((M.block<3, 3>(0, 3) + kLoad * state.R_WB() * skew(at)).norm(), 1e-9);
-    EXPECT_LT(M.bottomRows<kNumJoints>().norm(), 1e-9);
+    EXPECT_LT(M.bottomRows<kNumLegJoints>().norm(), 1e-9);
     state.v_WB.setZero();
     state.w_WB_B.setZero();
     state.qd.setZero();
@@ -236,7 +236,7 @@ TEST(RobotModel, ALoadDoesTheWorkOfAWrenchOnTheBaseAtTheCentreOfMass) {
     model.apply_wrench(force, moment);
     const double power = force.dot(v) + moment.dot(w_W);
     EXPECT_NEAR((h - dynamics.h).dot(state.u()), power, 1e-9 * (1.0 + std::abs(power)));
-    EXPECT_EQ((h - dynamics.h).tail<kNumJoints>(), JointVector::Zero());
+    EXPECT_EQ((h - dynamics.h).tail<kNumLegJoints>(), JointVector::Zero(kNumLegJoints));
   }
 }
 

@@ -5,6 +5,7 @@
 #include "tests/support/forward_dynamics.hpp"
 #include "tests/support/linear_algebra.hpp"
 #include "tests/support/random_motion.hpp"
+#include "tests/support/sizes.hpp"
 
 #include <gtest/gtest.h>
 

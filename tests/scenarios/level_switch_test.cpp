@@ -110,7 +110,7 @@ Outcome run(const Absence& absence, const std::string& switches) {
   if (!switches.empty()) changes.push_back("stack_switches=[" + switches + "]");
   Loop loop(test::scenario("walk_flat", changes));
   Outcome outcome;
-  JointVector last = JointVector::Constant(kNaN);
+  JointVector last = JointVector::Constant(kNumLegJoints, kNaN);
   while (loop.truth().time < 8.0) {
     loop.tick();
     const TickRecord& record = loop.record();

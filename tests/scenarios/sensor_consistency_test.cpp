@@ -75,7 +75,7 @@ class SensorLie : public testing::TestWithParam<Lie> {};
 TEST_P(SensorLie, IsFoundBeforeTheRobotFallsAndItSitsDown) {
   const Lie& lie = GetParam();
   Loop loop(scenario("walk_flat", walk(lie.fault)));
-  JointVector before = JointVector::Zero();
+  JointVector before = JointVector::Zero(kNumLegJoints);
   double found = kNaN, fastest = 0.0;
   CommandMode mode = CommandMode::optimal;
   loop.run_until(6.0, [&] {

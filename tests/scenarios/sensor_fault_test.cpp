@@ -90,7 +90,7 @@ Course follow(const Fault& fault, double fault_duration, double end,
               double fault_time = kFaultTime) {
   Loop loop(scenario("walk_flat", walk(fault.option(fault_duration, fault_time), end)));
   Course course;
-  JointVector before = JointVector::Zero();
+  JointVector before = JointVector::Zero(kNumLegJoints);
   bool catches_up = false;
   for (double time = 0.0; time < end; time = loop.record().reading.time) {
     loop.tick();
@@ -174,7 +174,7 @@ TEST_P(DeadSensor, IsNamedAndSatDownForWhereTheJointsAreKnown) {
   const std::string fault = GetParam().option(0.0, 0.0);
   Loop loop(scenario("walk_flat", walk(fault, 5.0)));
   double fastest_descent = 0.0;
-  JointVector before = JointVector::Zero();
+  JointVector before = JointVector::Zero(kNumLegJoints);
   bool sat = false;
   loop.run_until(5.0, [&] {
     const JointCommand& command = loop.record().command;

@@ -149,7 +149,7 @@ TEST(LiveControl, torques_do_not_jump_when_a_gain_does) {
     if (change) run.at(800, gain("torso_height", "kp", 5.0));
     run.run();
     double largest = 0.0;
-    for (std::size_t joint = 0; joint < kNumJoints; ++joint) {
+    for (std::size_t joint = 0; joint < kNumLegJoints; ++joint) {
       const std::vector<double> torque = run.of("command.torque", joint);
       for (std::size_t i = 795; i < 830; ++i) {
         largest = std::max(largest, std::abs(torque[i + 1] - torque[i]));

@@ -43,7 +43,7 @@ TEST(ViewChannels, a_field_has_the_logs_name_unit_and_description) {
 TEST(ViewChannels, a_list_whose_numbers_have_several_units_has_none_and_says_which_they_are) {
   simulation::GroundTruth truth;
   truth.qvel.resize(18);
-  truth.ctrl.resize(kNumJoints);
+  truth.ctrl.resize(kNumLegJoints);
   ViewChannels table;
   logged::ChannelLister(table).add("truth", truth);
   EXPECT_EQ(channel(table, "truth.qvel").unit, "");

@@ -7,8 +7,8 @@
 namespace surefoot::simulation {
 namespace {
 
-const JointVector kStill = JointVector::Zero();
-const JointVector kLimit = JointVector::Constant(40.0);
+const JointVector kStill = JointVector::Zero(kNumLegJoints);
+const JointVector kLimit = JointVector::Constant(kNumLegJoints, 40.0);
 constexpr double kTimestep = 0.0005;
 constexpr int kStepsPerTick = 5;
 
@@ -19,7 +19,7 @@ ActuatorOptions sea() {
   return options;
 }
 
-JointVector constant(double torque) { return JointVector::Constant(torque); }
+JointVector constant(double torque) { return JointVector::Constant(kNumLegJoints, torque); }
 
 /// Commands a torque for so many control ticks.
 void hold(Actuators& actuators, double torque, int ticks) {
@@ -170,7 +170,7 @@ TEST(SeaActuators, OfLevelTwoStartWithoutTorqueAndWaitForTheDelay) {
   options.level = 2;
   options.delay_ticks = 2;
   Actuators actuators(options, kLimit, kTimestep);
-  const JointVector q = JointVector::Constant(0.7);
+  const JointVector q = JointVector::Constant(kNumLegJoints, 0.7);
   actuators.rest_at(q);
   EXPECT_EQ(actuators.torque(q, kStill), kStill);
   for (int tick = 0; tick < 2; ++tick) {

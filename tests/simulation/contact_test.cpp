@@ -76,7 +76,7 @@ TEST(Contact, VelocitiesAreTheDerivativesOfPositions) {
   options.disturbances.pushes = {{"", 0.0, 0.05, Vec3(60.0, 80.0, 0.0)}};
   Plant plant(test::anymal_b(), options);
   JointCommand command;
-  for (Eigen::Index i = 0; i < kNumJoints; ++i) command.torque[i] = i % 2 == 0 ? 2.0 : -3.0;
+  for (Eigen::Index i = 0; i < kNumLegJoints; ++i) command.torque[i] = i % 2 == 0 ? 2.0 : -3.0;
   for (int step = 0; step < 60; ++step) plant.write(command);
   const GroundTruth before = plant.truth();
   plant.write(command);

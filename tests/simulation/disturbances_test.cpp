@@ -131,7 +131,7 @@ TEST(WrongMasses, MoveTheCenterOfMassOfTheBase) {
 TEST(WrongMasses, ScaleEachLinkOfALegByItself) {
   PlantOptions options = test::standing_options();
   const Plant plain(test::anymal_b(), options);
-  for (Eigen::Index i = 0; i < kNumJoints; ++i) {
+  for (Eigen::Index i = 0; i < kNumLegJoints; ++i) {
     options.disturbances.link_mass_scale[i] = 0.85 + 0.02 * static_cast<double>(i);
   }
   options.disturbances.leg_mass_scale = 1.1;

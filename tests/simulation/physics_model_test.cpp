@@ -100,7 +100,7 @@ TEST(PhysicsModel, JointsAreMappedByNameWhateverTheOrderOfTheDescription) {
   model::RobotDescription swapped = test::anymal_b();
   std::swap(swapped.legs[index(Leg::RF)], swapped.legs[index(Leg::LH)]);
   PlantOptions options = test::falling_options();
-  for (Eigen::Index i = 0; i < kNumJoints; ++i)
+  for (Eigen::Index i = 0; i < kNumLegJoints; ++i)
     options.initial.q[i] = 0.01 * static_cast<double>(i);
   Plant plant(swapped, options);
   EXPECT_LT((plant.truth().q - options.initial.q).norm(), 1e-12);

@@ -96,7 +96,7 @@ inline JointVector carrying_torques(const simulation::Plant& plant) {
            plant.truth().p_WF[index(leg)].data(), stock.body(foot));
     torque -= jacobian.row(2).transpose() * forces[static_cast<Eigen::Index>(leg)];
   }
-  return torque.tail<kNumJoints>();  // the URDF's order of ANYmal B is ours
+  return torque.tail<kNumLegJoints>();  // the URDF's order of ANYmal B is ours
 }
 
 /// A robot whose joints hold a posture by springs, with its weight fed forward.

@@ -22,7 +22,7 @@ PlantOptions noisy_options() {
 /// Some lively command that depends on the readings.
 JointCommand lively_command(const SensorReading& reading, const JointVector& q_nominal) {
   JointCommand command;
-  for (Eigen::Index i = 0; i < kNumJoints; ++i) {
+  for (Eigen::Index i = 0; i < kNumLegJoints; ++i) {
     const double target =
         q_nominal[i] + 0.1 * std::sin(9.0 * reading.time + static_cast<double>(i));
     command.torque[i] = 120.0 * (target - reading.q[i]) - 0.3 * reading.torque[i];

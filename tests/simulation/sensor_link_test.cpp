@@ -163,7 +163,7 @@ TEST(SensorLink, spoils_one_joint_alone_where_it_is_named) {
   one.joint = 7;
   const std::vector<SensorReading> readings = received(with_fault(one));
   const SensorReading& reading = readings[12];
-  for (Eigen::Index joint = 0; joint < kNumJoints; ++joint)
+  for (Eigen::Index joint = 0; joint < kNumLegJoints; ++joint)
     EXPECT_EQ(std::isnan(reading.q[joint]), joint == 7);
   EXPECT_EQ(reading.encoder_time, 12 * kPeriod);
 }

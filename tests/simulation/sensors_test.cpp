@@ -32,7 +32,7 @@ GroundTruth some_truth() {
   GroundTruth truth;
   truth.q_WB = Quat(Eigen::AngleAxisd(0.3, Vec3(1.0, 2.0, 0.5).normalized()));
   truth.w_WB_B = Vec3(0.1, -0.2, 0.3);
-  for (Eigen::Index i = 0; i < kNumJoints; ++i) {
+  for (Eigen::Index i = 0; i < kNumLegJoints; ++i) {
     truth.q[i] = 0.1 * static_cast<double>(i) + 0.0123456;
     truth.torque[i] = static_cast<double>(i);
   }
@@ -76,7 +76,7 @@ TEST(Sensors, EncodersGiveTheNearestWholeStep) {
   SensorOptions options = test::exact_sensors();
   options.encoders.resolution = 4.4e-4;
   const GroundTruth truth = some_truth();
-  for (Eigen::Index i = 0; i < kNumJoints; ++i) {
+  for (Eigen::Index i = 0; i < kNumLegJoints; ++i) {
     const double angle = first_reading(options, truth).q[i];
     EXPECT_NEAR(angle / 4.4e-4, std::round(angle / 4.4e-4), 1e-9);
     EXPECT_LE(std::abs(angle - truth.q[i]), 2.2e-4 + 1e-12);

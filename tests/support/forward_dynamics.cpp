@@ -1,6 +1,7 @@
 #include "tests/support/forward_dynamics.hpp"
 
 #include "tests/support/linear_algebra.hpp"
+#include "tests/support/sizes.hpp"
 
 namespace surefoot::test {
 namespace {
@@ -51,7 +52,7 @@ ForwardDynamics forward_dynamics(const model::Dynamics& dynamics, const MotionPl
   K.bottomLeftCorner(n, kNumVelocities) = J_s;
   VecX b(kNumVelocities + n);
   b << -dynamics.h, -stacked_drifts(dynamics, plan);
-  b.segment<kNumJoints>(6) += torque;
+  b.segment<kNumLegJoints>(6) += torque;
   const VecX solution = least_squares(K, b);
   return {with_torque(solution.head<kNumVelocities>(), torque), solution.tail(n)};
 }
@@ -59,7 +60,7 @@ ForwardDynamics forward_dynamics(const model::Dynamics& dynamics, const MotionPl
 VecX accelerated_by(const model::Dynamics& dynamics, const MotionPlan& plan,
                     const JointVector& torque, const VecX& lambda) {
   VecX force = stacked_jacobians(dynamics, plan).transpose() * lambda - dynamics.h;
-  force.tail<kNumJoints>() += torque;
+  force.tail<kNumLegJoints>() += torque;
   return with_torque(least_squares(dynamics.M, force), torque);
 }
 

@@ -33,7 +33,7 @@ RobotState Random::state() {
   state.q_WB = rotation();
   state.v_WB = vector(1.0);
   state.w_WB_B = vector(2.0);
-  for (int j = 0; j < kNumJoints; ++j) {
+  for (int j = 0; j < kNumLegJoints; ++j) {
     state.q[j] = uniform(-2.0, 2.0);
     state.qd[j] = uniform(-3.0, 3.0);
   }
@@ -46,7 +46,7 @@ RobotState Random::standing_state(const JointVector& posture) {
   state.q_WB = small_rotation(0.15);
   state.v_WB *= 0.2;
   state.w_WB_B *= 0.2;
-  for (int j = 0; j < kNumJoints; ++j) state.q[j] = posture[j] + uniform(-0.2, 0.2);
+  for (int j = 0; j < kNumLegJoints; ++j) state.q[j] = posture[j] + uniform(-0.2, 0.2);
   state.qd *= 0.2;
   return state;
 }
@@ -55,7 +55,7 @@ RobotState moved(const RobotState& state, const GeneralizedVector& u, double tim
   RobotState result = state;
   result.p_WB += time * u.head<3>();
   result.q_WB = state.q_WB * exp_rotation(time * u.segment<3>(3));
-  result.q += time * u.tail<kNumJoints>();
+  result.q += time * u.tail<kNumLegJoints>();
   return result;
 }
 

@@ -4,6 +4,7 @@
 #include "surefoot/math/numbers.hpp"
 #include "tests/support/malloc_counter.hpp"
 #include "tests/support/messages.hpp"
+#include "tests/support/sizes.hpp"
 #include "tests/tasks/scene.hpp"
 
 #include <gtest/gtest.h>

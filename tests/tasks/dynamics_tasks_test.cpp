@@ -8,6 +8,7 @@
 #include "surefoot/tasks/torque_minimisation.hpp"
 #include "tests/support/forward_dynamics.hpp"
 #include "tests/support/linear_algebra.hpp"
+#include "tests/support/sizes.hpp"
 #include "tests/tasks/scene.hpp"
 
 #include <gtest/gtest.h>
@@ -299,7 +300,7 @@ TEST(TorqueMinimisation, has_the_weighted_torques_as_its_violation) {
   const WrittenRows rows = written(TorqueMinimisation({1.0, 2.0, 3.0}), input);
   VecX x = VecX::Random(kNumUnknowns);
   const VecX expected =
-      x.tail<kNumJoints>().cwiseProduct(Vec3(1.0, 2.0, 3.0).replicate<kNumLegs, 1>());
+      x.tail<kNumLegJoints>().cwiseProduct(Vec3(1.0, 2.0, 3.0).replicate<kNumLegs, 1>());
   EXPECT_LT((rows.A * x - rows.lower - expected).norm(), 1e-12);
   EXPECT_TRUE(rows.lower == rows.upper);
 }
@@ -309,7 +310,7 @@ TEST(TorqueLimits, are_those_of_the_robot) {
   const TaskInput input = scene.update(Random(30).state());
   const WrittenRows rows = written(TorqueLimits({.fraction = 0.9}), input);
   const VecX x = VecX::Random(kNumUnknowns);
-  EXPECT_TRUE(rows.A * x == x.tail<kNumJoints>());
+  EXPECT_TRUE(rows.A * x == x.tail<kNumLegJoints>());
   EXPECT_TRUE(rows.lower.isApproxToConstant(-36.0));
   EXPECT_TRUE(rows.upper.isApproxToConstant(36.0));
 }

@@ -6,6 +6,7 @@
 #include "surefoot/tasks/equations_of_motion.hpp"
 #include "surefoot/tasks/no_contact_motion.hpp"
 #include "tests/support/linear_algebra.hpp"
+#include "tests/support/sizes.hpp"
 #include "tests/tasks/scene.hpp"
 
 #include <gtest/gtest.h>
@@ -41,7 +42,7 @@ class Example {
 
   Scene scene;
   WrittenRows rows;
-  PhysicsSubstitution substitution;
+  PhysicsSubstitution substitution{kNumLegJoints};
 };
 
 /// Length of every row and of its part on the right, to compare residuals with.

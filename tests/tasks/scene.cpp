@@ -1,6 +1,7 @@
 #include "tests/tasks/scene.hpp"
 
 #include "surefoot/math/rotation.hpp"
+#include "tests/support/sizes.hpp"
 
 namespace surefoot::test {
 
@@ -39,7 +40,7 @@ RobotState Motion::at(double time) const {
   const GeneralizedVector u = state.u() + time * acceleration;
   result.v_WB = u.head<3>();
   result.w_WB_B = u.segment<3>(3);
-  result.qd = u.tail<kNumJoints>();
+  result.qd = u.tail<kNumLegJoints>();
   return result;
 }
 

@@ -3,6 +3,7 @@
 #include "surefoot/tasks/swing_foot.hpp"
 #include "surefoot/tasks/torso_height.hpp"
 #include "surefoot/tasks/torso_orientation.hpp"
+#include "tests/support/sizes.hpp"
 #include "tests/tasks/scene.hpp"
 
 #include <gtest/gtest.h>

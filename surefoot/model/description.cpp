@@ -1,0 +1,25 @@
+#include "surefoot/model/description.hpp"
+
+namespace surefoot::model {
+
+int RobotDescription::num_joints() const {
+  std::size_t count = kNumLegJoints;
+  for (const ArmDescription& arm : arms) count += arm.joints.size();
+  return static_cast<int>(count);
+}
+
+std::vector<std::string> RobotDescription::joint_names() const {
+  std::vector<std::string> names;
+  for (const LegDescription& leg : legs)
+    names.insert(names.end(), leg.joints.begin(), leg.joints.end());
+  for (const ArmDescription& arm : arms)
+    names.insert(names.end(), arm.joints.begin(), arm.joints.end());
+  return names;
+}
+
+std::string RobotDescription::joint_name(int joint) const {
+  return joint < kNumLegJoints ? leg_joint_name(joint)
+                               : joint_names()[static_cast<std::size_t>(joint)];
+}
+
+}  // namespace surefoot::model
