@@ -12,7 +12,7 @@ void write(logging::JsonText& json, const std::string& text) {
   double number = 0.0;
   const char* end = text.data() + text.size();
   const auto [stopped, error] = std::from_chars(text.data(), end, number);
-  // JSON has no numbers for nan and inf, which are words here.
+  // JSON has no nan and inf: they become strings.
   if (error == std::errc() && stopped == end && std::isfinite(number)) {
     json.value(number);
   } else if (text == "true" || text == "false") {

@@ -6,7 +6,7 @@
 
 namespace surefoot::config {
 
-/// A configuration as JSON: numbers and true/false as such, everything else as text.
+/// A configuration as JSON: numbers and booleans as such, everything else as strings.
 [[nodiscard]] std::string to_json(const ConfigNode& tree);
 
 }  // namespace surefoot::config

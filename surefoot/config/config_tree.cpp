@@ -20,7 +20,7 @@ constexpr const char* kRandomise = "randomise";
 constexpr std::array<std::string_view, 4> kNamedEntries{"terrain.elements", "disturbances.pushes",
                                                         "disturbances.lifts", "sensors.faults"};
 
-/// Turns yaml-cpp's nodes into ours; the only place that knows them.
+/// Converts yaml-cpp's nodes to ConfigNode.
 class Converter {
  public:
   explicit Converter(const std::string& name) : name_(name) {}
@@ -49,7 +49,7 @@ class Converter {
   }
 
  private:
-  /// Where a shell would read ~ otherwise. In quotes it is a text.
+  /// `none` replaces ~, which a shell would expand. In quotes it is text.
   static bool is_nothing(const YAML::Node& scalar) {
     return scalar.Tag() == "?" && scalar.Scalar() == "none";
   }
@@ -61,7 +61,7 @@ class Converter {
       throw FileError(place(key.Mark()) + ": the key \"" + key.Scalar() + "\" is given twice");
     }
     map.members.emplace_back(key.Scalar(), convert(value, depth + 1));
-    // An empty value has no mark of its own; a value on a later line is better found by its key.
+    // The key's place: an empty value has no mark, and other values may start on a later line.
     map.members.back().second.where = place(key.Mark());
   }
 
@@ -79,7 +79,7 @@ std::vector<std::string> split(const std::string& path) {
   return keys;
 }
 
-/// The keys on the way down a path; those of `randomise:` are paths themselves.
+/// The keys of a path; what follows `randomise.` is one key.
 std::vector<std::string> keys_of(const std::string& path) {
   std::vector<std::string> keys = split(path);
   if (keys.size() < 2 || keys.front() != kRandomise) return keys;
@@ -128,8 +128,8 @@ bool is_named_entry(const std::string& path) {
   return std::ranges::find(kNamedEntries, map) != kNamedEntries.end();
 }
 
-/// Whoever takes off an entry that has a name of its own means one that is there.
-void check_taken_off(const ConfigNode& tree, const std::string& path) {
+/// Throws Error if the named entry to be removed does not exist.
+void check_removed(const ConfigNode& tree, const std::string& path) {
   const std::vector<std::string> keys = split(path);
   const std::string map = path.substr(0, path.rfind('.'));
   const ConfigNode* section = tree.find(keys[0]);
@@ -143,8 +143,8 @@ void check_taken_off(const ConfigNode& tree, const std::string& path) {
               (names.empty() ? map + " has no entries" : valid_names(keys[2], names)));
 }
 
-/// What is no longer there has nothing that could be drawn.
-void take_off_ranges_below(ConfigNode& tree, const std::string& path) {
+/// Removes the random ranges of a removed entry.
+void remove_ranges_below(ConfigNode& tree, const std::string& path) {
   ConfigNode* randomise = tree.find(kRandomise);
   if (randomise == nullptr) return;
   for (auto& [key, range] : randomise->members) {
@@ -152,7 +152,7 @@ void take_off_ranges_below(ConfigNode& tree, const std::string& path) {
   }
 }
 
-/// A shell reads a ~ that is not quoted before we do.
+/// Throws Error if the shell has expanded an unquoted ~.
 void check_not_home(const std::string& assignment) {
   const char* home = std::getenv("HOME");
   const std::string value = assignment.substr(equals_sign(assignment) + 1);
@@ -242,8 +242,8 @@ void apply_assignment(ConfigNode& tree, const std::string& assignment) {
   set_places(value, where);
   const std::string path = assigned_path(assignment);
   if (value.kind == ConfigNode::Kind::null && is_named_entry(path)) {
-    check_taken_off(tree, path);
-    take_off_ranges_below(tree, path);
+    check_removed(tree, path);
+    remove_ranges_below(tree, path);
   }
   set_path(tree, path, std::move(value));
 }

@@ -9,8 +9,8 @@
 
 namespace surefoot::config {
 
-/// A configuration as a tree of text. Every node knows where it was written, so that an error can
-/// name file and line even after files were laid over each other.
+/// A configuration as a tree of text. Every node knows where it was written, so that errors can
+/// name file and line even after merging.
 struct ConfigNode {
   enum class Kind { null, scalar, list, map };
   using Member = std::pair<std::string, ConfigNode>;
@@ -26,30 +26,27 @@ struct ConfigNode {
   [[nodiscard]] ConfigNode* find(std::string_view key);
 };
 
-/// Reads YAML text: one document of maps, lists and scalars, of which `none` is nothing, as ~ is;
-/// `name` stands for the file in errors.
-/// Throws FileError on what is not YAML, and on a key that is given twice.
+/// Reads YAML text: one document of maps, lists and scalars; the scalar `none` is null, like ~.
+/// `name` stands for the file in errors. Throws FileError on invalid YAML and duplicate keys.
 [[nodiscard]] ConfigNode parse_yaml(const std::string& text, const std::string& name);
 
-/// The same of a text whose top must be a map.
+/// The same for a text whose top level must be a map.
 [[nodiscard]] ConfigNode parse_yaml_map(const std::string& text, const std::string& name);
 
-/// The same from a file. Throws FileError also if it can't be read.
+/// The same for a file. Throws FileError also if it can't be read.
 [[nodiscard]] ConfigNode parse_yaml_file(const std::filesystem::path& file);
 
-/// Lays `overlay` over `tree`: maps are merged key by key, everything else is replaced.
+/// Merges `overlay` into `tree`: maps are merged key by key, everything else is replaced.
 void merge(ConfigNode& tree, ConfigNode overlay);
 
 /// Replaces the node at a dotted path ("terrain.friction"; entries of a list by number, or by x, y,
-/// z). Maps on the way that are missing are made. What follows "randomise." is one key, as the
-/// section's keys are paths. Throws Error, naming the path, if it leads through a scalar or beyond
-/// the end of a list.
+/// z). Creates missing maps. What follows "randomise." is one key, as the section's keys are paths.
+/// Throws Error, naming the path, if it leads through a scalar or beyond the end of a list.
 void set_path(ConfigNode& tree, const std::string& path, ConfigNode value);
 
-/// An overlay from the command line, "path.to.key=value": the value is read as YAML.
-/// No value takes off an element of the terrain, a push, a lift or a fault, and what would be drawn
-/// of it. Throws Error if it has another form, if there is nothing to take off, and where the value
-/// is the home folder: a shell makes it of ~.
+/// Applies an assignment from the command line, "path.to.key=value", with the value in YAML. An
+/// empty value removes a terrain element, a push, a lift or a fault, with its random ranges. Throws
+/// Error on another form, if there is nothing to remove, and if a shell has expanded ~.
 void apply_assignment(ConfigNode& tree, const std::string& assignment);
 
 /// The path of an assignment. Throws Error if it has none.

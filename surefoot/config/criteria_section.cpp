@@ -58,7 +58,7 @@ void read_criteria(Section& section, bool has_goal, std::vector<evaluation::Crit
     if (!is_metric(metric)) {
       section.fail(metric, "unknown metric; " + valid_names(metric, metric_names()));
     }
-    // `metric:` with nothing behind it takes away what is asked by default.
+    // An empty value removes a default criterion.
     if (section.node(metric.c_str())->kind == ConfigNode::Kind::null) continue;
     if (metric == "goal_reached" && !has_goal) {
       section.fail(metric, "the scenario has no goal; goal.feet_beyond_x gives it one");

@@ -11,8 +11,7 @@ namespace surefoot::config {
 ///
 ///     com_error_max_m: {max: 0.0005}
 ///
-/// Two are always asked, if nothing else is said of them: `fell: false`, and of a scenario that has
-/// a goal `goal_reached: true`.
+/// The defaults are `fell: false` and, for a scenario with a goal, `goal_reached: true`.
 void read_criteria(Section& section, bool has_goal, std::vector<evaluation::Criterion>& criteria);
 
 /// The metrics that criteria and the paper's figures can name.

@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Folders of a variable like PATH.
+/// The folders in an environment variable like PATH.
 std::vector<fs::path> listed_in(const char* variable) {
   std::vector<fs::path> folders;
   const char* value = std::getenv(variable);

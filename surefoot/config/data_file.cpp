@@ -20,8 +20,9 @@ bool is_file(const fs::path& path) {
 /// "scenarios" → "scenario"
 std::string singular(const std::string& folder) { return folder.substr(0, folder.size() - 1); }
 
-/// " in /here, /beside or /data/scenarios", of a name that may lie in several places.
-std::string looked_in(const std::string& folder, const std::string& name, const fs::path& beside) {
+/// " in /here, /beside or /data/scenarios": where a relative name was searched.
+std::string searched_places(const std::string& folder, const std::string& name,
+                            const fs::path& beside) {
   if (fs::path(name).is_absolute()) return "";
   std::error_code ignored;
   const fs::path here = fs::current_path(ignored);
@@ -30,7 +31,7 @@ std::string looked_in(const std::string& folder, const std::string& name, const 
          (data_directory() / folder).string();
 }
 
-/// A path that leads to something, only not to a file that could be meant.
+/// Throws UnknownNameError if the path exists but is not a YAML file.
 void refuse_other_files(const std::string& folder, const std::string& name,
                         const fs::path& beside) {
   std::error_code ignored;
@@ -70,8 +71,9 @@ fs::path find_data_file(const std::string& folder, const std::string& name,
     if (!beside.empty() && is_file(beside / name)) return beside / name;
     if (is_file(data_directory() / folder / name)) return data_directory() / folder / name;
     refuse_other_files(folder, name, beside);
-    throw UnknownNameError("there is no file \"" + name + "\"" + looked_in(folder, name, beside) +
-                           "; " + valid_names(fs::path(name).stem().string(), list_data(folder)));
+    throw UnknownNameError("there is no file \"" + name + "\"" +
+                           searched_places(folder, name, beside) + "; " +
+                           valid_names(fs::path(name).stem().string(), list_data(folder)));
   }
   const fs::path file = data_directory() / folder / (name + ".yaml");
   // A name with a slash would leave the folder.

@@ -7,7 +7,7 @@
 namespace surefoot::config {
 namespace {
 
-/// An element without a shape is one that the file does not have: a new one, or one misspelt.
+/// Throws Error for an element without a shape: a new one, or a misspelt name.
 void require_shape(const std::string& name, Section& elements, Section& element) {
   if (element.node("shape") != nullptr) return;
   std::vector<std::string> others = elements.keys();
@@ -18,7 +18,7 @@ void require_shape(const std::string& name, Section& elements, Section& element)
   element.fail("shape", others.empty() ? new_one : new_one + "; " + valid_names(name, others));
 }
 
-/// `name:` with nothing behind it takes away an entry of the base file.
+/// An empty value removes an entry of the base file.
 void read_named(Section& map, const Entries& entries) {
   const bool has_shapes = entries.shapes.size() > 1;
   std::vector<std::string> shapes;
@@ -33,7 +33,7 @@ void read_named(Section& map, const Entries& entries) {
   }
 }
 
-/// The places of names in a list of all of them.
+/// Indices of the listed names in `order.names`.
 std::vector<std::size_t> read_order(Section& section, const char* key, const Order& order) {
   const ConfigNode& list = *section.node(key);
   std::string all;
@@ -99,7 +99,7 @@ struct FieldReader {
   }
   void operator()(const Group& group) const {
     const ConfigNode* given = section.node(key);
-    if (given == nullptr && field.is_required) return;  // finish() says so
+    if (given == nullptr && field.is_required) return;  // finish() throws
     const bool is_map = given != nullptr && given->kind == ConfigNode::Kind::map;
     section.section(key, [&](Section& s) { read(s, group, is_map || field.is_required); });
   }

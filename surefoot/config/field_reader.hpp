@@ -4,8 +4,8 @@
 
 namespace surefoot::config {
 
-/// Reads what a map says of these options, and holds it against their rules; call `finish()`
-/// afterwards. `is_there`: the map is written, so that what it requires must be in it.
+/// Reads these options from a map and checks their rules; call `finish()` afterwards. `is_there`:
+/// the map exists, so that its required keys must be in it.
 void read(Section& section, const Group& group, bool is_there = true);
 
 }  // namespace surefoot::config

@@ -23,7 +23,7 @@ const Json& block(const Json& level, const char* key, const Place& place) {
   return *found;
 }
 
-/// Of a number that comes as a text because no double holds it.
+/// Throws FileError for a number given as a string because it is out of the range of doubles.
 void check_range(const Json& element, const std::string& what, const Place& place) {
   if (!element.is_string()) return;
   const auto& text = element.get_ref<const std::string&>();
@@ -39,7 +39,7 @@ void check_range(const Json& element, const std::string& what, const Place& plac
   }
 }
 
-/// `missing` is what null stands for; NaN: null is no number.
+/// `missing` is the value of null; NaN: null is invalid.
 Vector read_vector(const Json& array, const Place& place, double missing = std::nan("")) {
   Vector numbers;
   for (const Json& element : array) {
@@ -66,14 +66,14 @@ double largest_of(const Vector& row) {
   return largest;
 }
 
-/// A row whose square is no number would ask for nothing, without a word.
+/// Throws FileError for a row whose square underflows: it would silently have no effect.
 void check_length(const Vector& row, const Place& place) {
   const double largest = largest_of(row);
   if (largest == 0.0 || largest >= kSmallestRow) return;
   place.fail(too_small(quoted(Json(largest))));
 }
 
-/// `unknowns` is 0 until the first row of the line says how many there are.
+/// `unknowns` is 0 until the first row of the line determines it.
 Matrix read_matrix(const Json& rows, std::size_t& unknowns, const Place& place) {
   Matrix matrix;
   for (const Json& row : rows) {
@@ -91,7 +91,7 @@ Matrix read_matrix(const Json& rows, std::size_t& unknowns, const Place& place) 
   return matrix;
 }
 
-/// "A 1", "A 2", … where the file gives no names.
+/// "A 1", "A 2", … if the file gives no names.
 std::vector<std::string> read_names(const Json& level, const std::string& matrix_key,
                                     std::size_t rows, const Place& place) {
   const std::string key = matrix_key + "_names";
@@ -112,7 +112,7 @@ std::vector<std::string> read_names(const Json& level, const std::string& matrix
   return names;
 }
 
-/// Those of the rows of a block; 1 without. The weighted rows are numbers as any others.
+/// Weights of the rows of a block; 1 if not given. Checks the range of the weighted rows.
 Vector read_weights(const Json& level, const std::string& matrix_key, const Block& block,
                     const Place& place) {
   const std::string key = matrix_key + "_weights";

@@ -10,12 +10,12 @@
 #include <utility>
 #include <vector>
 
-/// The blocks of rows in one line of a hierarchy file, as `parse_hierarchy` takes them apart.
+/// Reads the blocks of rows in one line of a hierarchy file, for `parse_hierarchy`.
 namespace surefoot::config::hierarchy_file {
 
 using Json = nlohmann::ordered_json;
 
-/// Where in the file something is, for messages.
+/// A place in the file, for messages.
 class Place {
  public:
   explicit Place(std::string text) : text_(std::move(text)) {}
@@ -42,20 +42,20 @@ struct Block {
   std::vector<int> ids;
 };
 
-/// A x = b. `unknowns` is 0 until the first row of the line says how many there are.
+/// A x = b. `unknowns` is 0 until the first row of the line determines it.
 [[nodiscard]] Block read_equalities(const Json& level, std::size_t& unknowns, const Place& place);
-/// lower ≤ D x ≤ f, one of which may be missing; null is no bound.
+/// lower ≤ D x ≤ f; one side may be missing; null means no bound.
 [[nodiscard]] Block read_inequalities(const Json& level, std::size_t& unknowns, const Place& place);
 /// Finite numbers.
 [[nodiscard]] Vector read_numbers(const Json& array, const Place& place);
 [[nodiscard]] double read_positive(const Json& value, const Place& place);
 
-/// Ids of a level's rows; none is there twice.
+/// Unique ids of a level's rows.
 class LevelIds {
  public:
   LevelIds(const Json& level, const Place& place) : level_(level), place_(place) {}
 
-  /// Those of a block, where the file gives them.
+  /// Reads the ids of a block, if given.
   void read(const std::string& key, std::size_t rows, std::vector<int>& ids) {
     const auto found = level_.find(key);
     if (found == level_.end()) return;
@@ -72,7 +72,7 @@ class LevelIds {
     }
   }
 
-  /// The first of so many ids in a row that none has.
+  /// The first of `count` consecutive free ids.
   [[nodiscard]] int first_of(Eigen::Index count) const {
     int first = 0;
     for (const int id : taken_) {
@@ -81,7 +81,7 @@ class LevelIds {
     return first;
   }
 
-  /// 0, 1, … for rows that have none, without those that others have.
+  /// Gives rows without ids the free ones of 0, 1, …
   void fill_up(std::size_t rows, std::vector<int>& ids) {
     while (ids.size() < rows) {
       if (taken_.insert(next_).second) ids.push_back(next_);

@@ -30,7 +30,7 @@ struct LevelBlocks {
   std::string name, unit;
   Block equal, between;
   double damping = 0.0;      ///< 0: none
-  int first_damping_id = 0;  ///< of its rows, as many as the level has
+  int first_damping_id = 0;  ///< of its rows, one per row of the level
 
   [[nodiscard]] Index num_rows() const {
     return static_cast<Index>(equal.rows.size() + between.rows.size());
@@ -47,7 +47,7 @@ std::string read_text(const Json& level, const char* key, const std::string& oth
   return given->get<std::string>();
 }
 
-/// Rows of A with bounds are told how they are written here.
+/// Throws FileError for bounds on A, with the valid form.
 void check_bounds(const Json& level, const Place& place) {
   const bool has_bounds = level.contains("lower") || level.contains("f");
   const bool is_of_A = level.contains("A") && !level.contains("b") && !level.contains("D");
@@ -111,7 +111,7 @@ void append(const Block& block, solver::Level& level) {
   }
 }
 
-/// Names of rows that are counted.
+/// Appends "what 1", "what 2", …
 void append_names(const std::string& what, Index count, std::vector<std::string>& names) {
   for (Index i = 1; i <= count; ++i) names.push_back(what + " " + std::to_string(i));
 }
@@ -134,7 +134,7 @@ void append_level(const LevelBlocks& level, const Eigen::VectorXd& x_ref, NamedH
   append_names("damping", result.hierarchy.level(k).num_rows() - rows, names);
 }
 
-/// What the file calls x_ref; empty where it has none.
+/// `x_ref` of the line; empty if there is none.
 Vector read_reference(const Json& line, std::size_t unknowns, const Place& place) {
   const auto found = line.find("x_ref");
   if (found == line.end()) return {};
@@ -145,7 +145,7 @@ Vector read_reference(const Json& line, std::size_t unknowns, const Place& place
              std::to_string(unknowns) + ", one for each unknown");
 }
 
-/// Without a row of any level nobody knows how many unknowns there are.
+/// Throws FileError if no level has a row, so that the number of unknowns is undefined.
 void check_unknowns(std::size_t num_levels, std::size_t unknowns, const Place& place) {
   if (unknowns > 0) return;
   const std::string expected = "; expected at least one row in A or D of a level";

@@ -9,42 +9,42 @@
 
 namespace surefoot::config {
 
-/// A hierarchy and what people call its rows.
+/// A hierarchy with the names of its rows.
 struct NamedHierarchy {
   solver::Hierarchy hierarchy;
   std::vector<std::vector<std::string>> row_names;  ///< of each level, of each row
   std::vector<std::string> units;                   ///< of each level's rows; empty: not given
-  std::vector<std::vector<double>> weights = {};  ///< of each level, by which each row was weighed
-  bool has_reference = false;  ///< the last level is "x_ref" of the line, and none of its levels
+  std::vector<std::vector<double>> weights = {};    ///< of each level, of each row
+  bool has_reference = false;                       ///< the last level is the line's "x_ref"
 };
 
 /// A hierarchy from one line of a .jsonl file:
 ///
-///     {"levels": [{"A": [[…]], "b": […], "D": [[…]], "f": […]}, …]}      A x = b and D x ≤ f (Eq.
-///     8)
+///     {"levels": [{"A": [[…]], "b": […], "D": [[…]], "f": […]}, …]}
 ///
-/// An empty or missing block has no rows. With "lower" beside f or alone, lower ≤ D x ≤ f; null is
-/// no bound there, and a row that has none at all asks for nothing. A level may have a "name", its
-/// blocks "A_names" and "D_names", a text for each row; without them rows are called "A 1", "D 3";
-/// "A_ids" and "D_ids", by which rows are known from line to line (Level::id) and none of which a
-/// level has twice, else they are counted; and its rows a "unit"; "A_weights" and "D_weights", by
-/// which each row and its bounds are multiplied (`Rows::weigh`: all that is told of a row is of the
-/// weighted one); and a "damping" (`add_damping`, its rows are called "damping 1", …). Beside the
-/// levels "x_ref" is what x is to be close to: a last level of this name, with the rows "x 1", …
-/// (`add_reference`), and what damping pulls to instead of 0. The number of unknowns is the length
-/// of the rows. `place`
-/// ("file:line") starts the message of the FileError that is thrown for anything else, also for
-/// other members. Numbers are finite and from −1e100 to 1e100, all of which are bounds: only null
-/// is none. A row of A or D is zero or has an element of at least 1e-100, either way.
+/// for A x = b and D x ≤ f (Eq. 8). An empty or missing block has no rows. "lower", with or without
+/// f, gives lower ≤ D x ≤ f, where null means no bound. The length of the rows is the number of
+/// unknowns. Optional members of a level:
+///
+/// - "name", and the "unit" of its rows
+/// - "A_names", "D_names": a text for each row; default "A 1", "D 3", …
+/// - "A_ids", "D_ids": identify a row across lines, unique in a level (Level::id); default 0, 1, …
+/// - "A_weights", "D_weights": factors on each row and its bounds; results are of weighted rows
+/// - "damping": see `add_damping`; its rows are "damping 1", …
+///
+/// "x_ref", next to "levels", adds a last level of this name that pulls x to these values, with the
+/// rows "x 1", … (`add_reference`); damping then pulls to x_ref instead of 0.
+///
+/// Numbers are from −1e100 to 1e100. A row is zero or has an element of magnitude at least 1e-100.
+/// Throws FileError, beginning with `place` ("file:line"), for anything else.
 [[nodiscard]] NamedHierarchy parse_hierarchy(std::string_view line, const std::string& place);
 
-/// What a row is called: level and row, as indices.
+/// The name of a row, by the indices of level and row.
 using RowName = std::function<std::string(std::size_t, Eigen::Index)>;
 
-/// The line for a hierarchy, without a line break. Numbers, names and ids read back the same; in a
-/// level equalities come first. With `row_name` rows have their names, and with `units` a level its
-/// "unit" where that is not empty. "lower" is there where a row of the level has such a bound; rows
-/// without any are left out.
+/// The line for a hierarchy, without a line break. Numbers, names and ids read back the same; each
+/// level starts with its equalities. Rows without bounds are omitted, as is "lower" in a level
+/// without lower bounds. `row_name` adds the rows' names, `units` a level's "unit" if not empty.
 [[nodiscard]] std::string format_hierarchy(const solver::Hierarchy& hierarchy,
                                            const RowName& row_name = nullptr,
                                            const std::vector<std::string>& units = {});

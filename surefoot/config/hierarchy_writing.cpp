@@ -35,7 +35,7 @@ Json to_json(const solver::Level& level, std::size_t k, const RowName& row_name,
   JsonBlock equal, between;
   for (Index i = 0; i < level.num_rows(); ++i) {
     const double lower = level.lower()[i], upper = level.upper()[i];
-    if (lower == -kInfinity && upper == kInfinity) continue;  // asks for nothing
+    if (lower == -kInfinity && upper == kInfinity) continue;  // no effect
     JsonBlock& block = lower == upper ? equal : between;
     block.add(level, i, row_name ? row_name(k, i) : "");
   }

@@ -12,10 +12,10 @@ namespace surefoot::config {
 
 namespace {
 
-// Well bent, so that the straight leg does not lie between start and solution [rad].
+// Start of the inverse kinematics, bent enough not to pass the straight leg [rad].
 constexpr double kBentHip = 0.6;
 constexpr double kBentKnee = 1.2;
-// Of the inverse kinematics, whose angles may miss a limit that they lie on [rad].
+// Tolerance of the joint limits, for rounding errors of the inverse kinematics [rad].
 constexpr double kRounding = 1e-6;
 
 }  // namespace
@@ -32,12 +32,12 @@ Vec3 knee_side(const model::RobotDescription& robot, Leg leg, gaits::KneeConfigu
 
 gaits::KneeConfiguration knees_that_fit(const model::RobotDescription& robot,
                                         gaits::KneeConfiguration wanted) {
-  constexpr double kLeastBend = 0.5;  // of a knee that is said to bend to this side [rad]
+  constexpr double kMinBend = 0.5;  // of a knee that can bend to this side [rad]
   const auto fit = [&](gaits::KneeConfiguration knees) {
     return std::ranges::all_of(kLegs, [&](Leg leg) {
       const double side = knee_side(robot, leg, knees).z();
       const Eigen::Index knee = first_joint(leg) + 2;
-      return side < 0.0 ? robot.q_min[knee] < -kLeastBend : robot.q_max[knee] > kLeastBend;
+      return side < 0.0 ? robot.q_min[knee] < -kMinBend : robot.q_max[knee] > kMinBend;
     });
   };
   if (fit(wanted)) return wanted;
@@ -51,7 +51,7 @@ gaits::KneeConfiguration knees_that_fit(const model::RobotDescription& robot,
 
 namespace {
 
-/// The first joint of a posture that is outside its limits; −1: none.
+/// Index of the first joint outside its limits; −1: none.
 Eigen::Index outside_limits(const model::RobotDescription& robot, const JointVector& q) {
   for (Eigen::Index i = 0; i < q.size(); ++i) {
     if (q[i] < robot.q_min[i] - kRounding || q[i] > robot.q_max[i] + kRounding) return i;
@@ -76,7 +76,7 @@ JointVector posture_of(const model::RobotModel& model, const gaits::StanceOption
   return q;
 }
 
-/// Other sides of the knees that the limits leave, as advice; empty if there are none.
+/// Advice: a knee configuration that fits the limits; empty if there is none.
 std::string other_knees(const model::RobotModel& model, gaits::StanceOptions stance) {
   for (const auto& [name, knees] : kKnees) {
     stance.knees = knees;
@@ -84,7 +84,7 @@ std::string other_knees(const model::RobotModel& model, gaits::StanceOptions sta
       if (outside_limits(model.description(), posture_of(model, stance)) < 0)
         return std::string("; knees: ") + name + " would fit";
     } catch (const Error&) {
-      continue;  // out of reach with these
+      continue;  // out of reach
     }
   }
   return "";

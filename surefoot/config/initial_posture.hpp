@@ -8,19 +8,18 @@
 
 namespace surefoot::config {
 
-/// Their names in a scenario.
+/// Names of the knee configurations in a scenario.
 inline constexpr std::array<std::pair<const char*, gaits::KneeConfiguration>, 3> kKnees{
     {{"x", gaits::KneeConfiguration::x},
      {"forward", gaits::KneeConfiguration::forward},
      {"backward", gaits::KneeConfiguration::backward}}};
 
-/// Joint angles from which the inverse kinematics of a leg starts: HAA, HFE, KFE [rad], on the side
-/// that the configuration asks for, as the robot's nominal posture has its knees in X.
+/// Start of a leg's inverse kinematics: HAA, HFE, KFE [rad], with the knee on the side of the
+/// configuration. The robot's nominal posture is an X-configuration.
 [[nodiscard]] Vec3 knee_side(const model::RobotDescription& robot, Leg leg,
                              gaits::KneeConfiguration knees);
 
-/// The knees that are asked for where the robot's limits allow it, else others that they allow: x,
-/// all backward or all forward.
+/// The wanted configuration if the joint limits allow it, else x, backward or forward.
 [[nodiscard]] gaits::KneeConfiguration knees_that_fit(const model::RobotDescription& robot,
                                                       gaits::KneeConfiguration wanted);
 

@@ -19,13 +19,13 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int kDeepest = 64;
+constexpr int kMaxDepth = 64;
 
 bool is_word(char c) {
   return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '+' || c == '-' || c == '.';
 }
 
-/// A number that no double holds: one that is not finite, or so small that it would become 0.
+/// Is the word a number that overflows a double or underflows to 0?
 bool is_out_of_range(const std::string& word) {
   char* end = nullptr;
   const double number = std::strtod(word.c_str(), &end);
@@ -48,7 +48,7 @@ std::size_t skip_word(std::string_view line, std::size_t begin) {
   return i;
 }
 
-std::string quote_what_is_out_of_range(std::string_view line) {
+std::string quote_out_of_range(std::string_view line) {
   std::string result;
   for (std::size_t i = 0; i < line.size();) {
     const bool is_text = line[i] == '"';
@@ -72,8 +72,8 @@ int depth_of(std::string_view line) {
   return deepest;
 }
 
-/// Watches a text while it is parsed, for keys that an object has twice: parsed, it has the last.
-class KeyWatch {
+/// Detects duplicate keys during parsing, as the parsed object keeps only the last one.
+class DuplicateKeys {
  public:
   void see(Json::parse_event_t event, const Json& value) {
     using Event = Json::parse_event_t;
@@ -84,20 +84,20 @@ class KeyWatch {
     if (event != Event::value) open_.push_back({.is_array = event == Event::array_start});
   }
 
-  /// Where the first is, and which; empty: there is none.
+  /// Place and name of the first duplicate key; empty: none.
   [[nodiscard]] const std::string& found() const { return found_; }
 
  private:
   struct Open {
     bool is_array = false;
     std::size_t num_elements = 0;
-    std::string key = {};  ///< the last
+    std::string key = {};  ///< the last one read
     std::set<std::string> keys = {};
   };
 
   static std::string inside(const std::string& key) { return key.empty() ? "" : key + ": "; }
 
-  /// "level 2: " of levels.
+  /// "level 2: " for the array "levels".
   static std::string element(const std::string& array, std::size_t number) {
     const bool is_plural = array.size() > 1 && array.back() == 's';
     const std::string what =
@@ -108,7 +108,7 @@ class KeyWatch {
   void see_key(const std::string& key) {
     open_.back().key = key;
     if (open_.back().keys.insert(key).second || !found_.empty()) return;
-    std::string above;  // the key of what is next
+    std::string above;  // key of the next inner value
     for (const Open& outer : std::span(open_).first(open_.size() - 1)) {
       found_ += outer.is_array ? element(above, outer.num_elements) : inside(above);
       above = outer.is_array ? "" : outer.key;
@@ -124,18 +124,18 @@ class KeyWatch {
 }  // namespace
 
 Json parse_json_line(std::string_view line, const std::string& place, const std::string& expected) {
-  if (depth_of(line) > kDeepest) {
-    throw FileError(place + ": is nested deeper than " + std::to_string(kDeepest) + "; expected " +
+  if (depth_of(line) > kMaxDepth) {
+    throw FileError(place + ": is nested deeper than " + std::to_string(kMaxDepth) + "; expected " +
                     expected);
   }
-  KeyWatch keys;
+  DuplicateKeys keys;
   const auto watch = [&keys](int, Json::parse_event_t event, const Json& value) {
     keys.see(event, value);
     return true;
   };
   Json result;
   try {
-    result = Json::parse(quote_what_is_out_of_range(line), watch);
+    result = Json::parse(quote_out_of_range(line), watch);
   } catch (const Json::exception& error) {
     const std::string what = error.what();
     const std::size_t code = what.find("] ");

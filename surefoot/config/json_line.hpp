@@ -7,10 +7,9 @@
 
 namespace surefoot::config {
 
-/// One line of JSON as other programs write it. What is no number of JSON but stands where one
-/// could, NaN, Infinity and numbers beyond the range of doubles, comes as a text, so that whoever
-/// reads it can say where it stands. Throws FileError with `place` in front for what isn't JSON,
-/// for a key that an object has twice, and for lines nested deeper than 64.
+/// Parses one line of JSON. NaN, Infinity and numbers out of the range of doubles become strings,
+/// so that the caller can report their place. Throws FileError, beginning with `place`, on invalid
+/// JSON, duplicate keys, and nesting deeper than 64 levels.
 [[nodiscard]] nlohmann::ordered_json parse_json_line(std::string_view line,
                                                      const std::string& place,
                                                      const std::string& expected);

@@ -39,10 +39,10 @@ Json list_of_size(const Json& items, std::size_t size) {
   return {{"type", "array"}, {"items", items}, {"minItems", size}, {"maxItems", size}};
 }
 
-/// `is_whole`: nothing of it may stand in another file, so that what it requires must be there.
+/// `is_whole`: no part may stand in another file, so that its required keys are required.
 Json map_of(const Group& group, bool is_whole);
 
-/// The form of an option, by the kind of its value.
+/// Schema of an option, by the kind of its value.
 struct Form {
   const Field& field;
   bool is_whole;
@@ -79,7 +79,7 @@ struct Form {
   Json operator()(const Other& other) const;
 };
 
-/// Adds the default of an option that is one number or word.
+/// Adds the default of an option with a single value.
 struct Default {
   Json& schema;
 
@@ -126,7 +126,7 @@ Json Form::operator()(const Entries& entries) const {
   return or_null({{"type", "object"}, {"additionalProperties", {{"anyOf", forms}}}});
 }
 
-/// The parameters of a task, and what else stands beside them.
+/// Schema of a task's parameters, with additional properties.
 Json task_map(const tasks::TaskInfo& task, Json properties,
               const std::vector<std::string>& required) {
   for (const tasks::TaskParameter& one : task.parameters) {

@@ -7,7 +7,7 @@
 namespace surefoot::config {
 namespace {
 
-/// Insertions, deletions, replacements and swaps of neighbours between two words.
+/// Number of insertions, deletions, replacements and swaps of neighbours between two words.
 std::size_t edit_distance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> before(b.size() + 1), row(b.size() + 1), next(b.size() + 1);
   std::iota(row.begin(), row.end(), std::size_t{0});

@@ -6,8 +6,7 @@
 
 namespace surefoot::config {
 
-/// The tail of an error message about a name that does not exist: the one that was probably meant,
-/// if one is close, and all that would be valid.
+/// End of an error message about an unknown name: a similar valid name, and all valid ones.
 ///
 ///     did you mean "apex"? Valid are: apex, armed_after, …
 [[nodiscard]] std::string valid_names(std::string_view given,

@@ -4,18 +4,17 @@
 
 namespace surefoot::config {
 
-/// Numbers of hierarchies that are given from outside: beyond it their squares are none.
+/// Largest magnitude of a number in a hierarchy file: larger ones have no finite square.
 inline constexpr double kLargestNumber = 1e100;
-/// A row has an element of this size, or it is zero: below it would ask for nothing, without a
-/// word.
+/// Least magnitude of the largest element of a nonzero row: smaller rows would have no effect.
 inline constexpr double kSmallestRow = 1e-100;
 
-/// What is wrong with rows of A that have bounds.
+/// Error message for rows of A that have bounds.
 inline constexpr const char* kRowsWithBounds =
     "rows with bounds are those of D, lower ≤ D x ≤ f; write D instead of A, and f instead of "
     "upper";
 
-/// What follows the name of such an element or row; `number` as it was given.
+/// Error message after the name of such an element or row; `number` as given.
 [[nodiscard]] inline std::string too_large(const std::string& number) {
   return "is " + number + ", too large to compute with; expected at most 1e100 either way";
 }
@@ -24,16 +23,16 @@ inline constexpr const char* kRowsWithBounds =
          ", too small to compute with; expected at least 1e-100, or zeros only";
 }
 
-/// What follows the name of a weight or a damping that is none.
+/// Error message after the name of an invalid weight or damping.
 [[nodiscard]] inline std::string not_positive(const std::string& number) {
   return "is " + number + "; expected a number above 0, at most 1e100";
 }
 
-/// Whether a weight makes zeros of a row that asks for something: no double holds what it would be.
+/// Does a weight make a nonzero row zero by underflow?
 [[nodiscard]] inline bool is_weighted_away(double largest, double weight) {
   return largest != 0.0 && weight * largest == 0.0;
 }
-/// What follows the name of such a weight.
+/// Error message after the name of such a weight.
 [[nodiscard]] inline std::string weighted_away(const std::string& weight, const std::string& row) {
   return "is " + weight + " and makes zeros of " + row +
          ", too small to compute with; expected an element of at least 1e-100 in the weighted row";

@@ -27,7 +27,7 @@ struct Range {
   bool whole = false;
 };
 
-/// A key of the section with its range, and the paths that it stands for.
+/// A key of the section with its range, and its paths.
 struct Entry {
   std::string key;
   Range range;
@@ -35,7 +35,7 @@ struct Entry {
   std::string where;
 };
 
-/// Names of the numbers that a key takes, in their order; none for a key that takes one number.
+/// Names of the elements of a key, in order; none for a key with one number.
 std::vector<std::string> elements_of(const std::string& key) {
   std::vector<std::string> names;
   visit_scenario_option(key, [&](const Field& option) {
@@ -44,7 +44,7 @@ std::vector<std::string> elements_of(const std::string& key) {
   return names;
 }
 
-/// Of delays in ticks, seeds, counts.
+/// True for delays in ticks, seeds, counts.
 bool is_whole_number(const std::string& key) {
   bool is_whole = false;
   visit_scenario_option(key, [&](const Field& option) {
@@ -73,7 +73,7 @@ double drawn_from(const Range& range, double uniform) {
   return std::min(range.max, range.min + std::floor((range.max - range.min + 1.0) * uniform));
 }
 
-/// As short as can be; whole numbers have no exponent, which would not be read as one.
+/// The shortest exact text; whole numbers without exponent, which would not be read back.
 std::string text_of(double value, bool whole) {
   std::array<char, 320> text{};
   char* const last = text.data() + text.size();
@@ -93,19 +93,19 @@ ConfigNode* node_at(ConfigNode& tree, const std::string& path) {
   return node;
 }
 
-/// A list gets the form that elements are drawn into: a map by their names.
+/// Converts a list to a map by the elements' names, so that they can be drawn one by one.
 void name_elements(ConfigNode& tree, const std::string& key,
                    const std::vector<std::string>& names) {
   ConfigNode* list = node_at(tree, key);
   if (list == nullptr || list->kind != ConfigNode::Kind::list) return;
-  if (list->items.size() != names.size()) return;  // told by who reads it
+  if (list->items.size() != names.size()) return;  // reported when it is read
   for (std::size_t i = 0; i < names.size(); ++i)
     list->members.emplace_back(names[i], std::move(list->items[i]));
   list->items.clear();
   list->kind = ConfigNode::Kind::map;
 }
 
-/// The paths that a key of the section stands for.
+/// The paths of a key of the section.
 std::vector<std::string> paths_of(const std::string& key) {
   std::vector<std::string> paths;
   for (const std::string& name : elements_of(key)) paths.push_back(key + "." + name);
@@ -116,12 +116,12 @@ bool holds(const std::vector<std::string>& list, const std::string& text) {
   return std::ranges::find(list, text) != list.end();
 }
 
-/// What is to be drawn: the scenario's section without what was assigned or taken away.
+/// The ranges to draw: the scenario's section without assigned paths and removed ranges.
 std::vector<Entry> entries_of(const ConfigNode& scenario,
                               const std::vector<std::string>& assigned) {
   const ConfigNode* section = scenario.find("randomise");
   if (section == nullptr) return {};
-  (void)Section(*section, "randomise");  // is a map
+  (void)Section(*section, "randomise");  // throws unless it is a map
   std::vector<Entry> entries;
   for (const auto& [key, node] : section->members) {
     if (node.kind == ConfigNode::Kind::null) continue;
@@ -154,7 +154,7 @@ fs::path find_ranges(const ConfigNode& name, const fs::path& folder) {
 void include(const ConfigNode& names, const fs::path& folder, const Scale& scale,
              ConfigNode& section, std::vector<fs::path>& files);
 
-/// Ranges of a file that the section does not speak of itself.
+/// Adds a file's ranges whose keys the section does not have.
 void add_ranges(const fs::path& file, const Scale& scale, ConfigNode& section,
                 std::vector<fs::path>& files) {
   ConfigNode ranges = parse_yaml_file(file);
@@ -169,7 +169,7 @@ void add_ranges(const fs::path& file, const Scale& scale, ConfigNode& section,
   }
 }
 
-/// One name or a list of them; a file that was included before adds nothing.
+/// Includes one file or a list of them, each file once.
 void include(const ConfigNode& names, const fs::path& folder, const Scale& scale,
              ConfigNode& section, std::vector<fs::path>& files) {
   if (names.kind == ConfigNode::Kind::null) return;
@@ -182,7 +182,7 @@ void include(const ConfigNode& names, const fs::path& folder, const Scale& scale
   }
 }
 
-/// The key whose range an assignment takes away; empty of any other assignment.
+/// The key whose range an assignment removes; empty for any other assignment.
 std::string taken_range(const std::string& assignment) {
   const std::string path = assigned_path(assignment);
   if (!path.starts_with(kSection)) return "";

@@ -10,7 +10,7 @@
 namespace surefoot::config {
 namespace {
 
-/// Is a leg's posture within the limits? `bad` gets the joint that is not.
+/// Is a leg's posture within the limits? `bad` gets the index of the first joint that is not.
 bool is_within_limits(const model::RobotDescription& robot, Leg leg, const Vec3& q,
                       Eigen::Index& bad) {
   const Eigen::Index first = first_joint(leg);
@@ -20,8 +20,8 @@ bool is_within_limits(const model::RobotDescription& robot, Leg leg, const Vec3&
   return true;
 }
 
-/// Hind legs mirror HFE and KFE of a front leg (X-configuration), but where their limits leave that
-/// out, they stand like the front ones.
+/// Hind legs mirror HFE and KFE of a front leg (X-configuration), or copy them if limits forbid
+/// that.
 void set_posture(const Section& top, const Vec3& front, model::RobotDescription& robot) {
   for (const Leg leg : kLegs) {
     const Vec3 mirrored(front.x(), -front.y(), -front.z());
@@ -39,13 +39,12 @@ void set_posture(const Section& top, const Vec3& front, model::RobotDescription&
   }
 }
 
-/// The nominal posture of legs whose limits leave one side of the knee, or both: X-configuration
-/// where that is possible, else all knees backward, else all forward. The knee is bent by 0.8 rad,
-/// or by as little more as its limits allow.
+/// Sets the nominal posture from the limits: X-configuration if possible, else all knees backward,
+/// else all forward. Knees bend by 0.8 rad, or by the least greater angle within their limits.
 void choose_posture(const Section& top, const model::RobotModel& model,
                     model::RobotDescription& robot) {
   constexpr double kLeastBend = 0.8, kMostBend = 2.0, kStep = 0.05;
-  constexpr double kSmallTurn = 1e-3;  // that tells which way a joint turns [rad]
+  constexpr double kSmallTurn = 1e-3;  // to find a joint's direction [rad]
   const auto bent = [&](Leg leg, bool is_backward) -> std::optional<Vec3> {
     const double x = model.foot_in_base(leg, Vec3::Zero()).x();
     const double hip_moves = model.foot_in_base(leg, Vec3(0.0, kSmallTurn, 0.0)).x() - x;
@@ -74,7 +73,7 @@ void choose_posture(const Section& top, const model::RobotModel& model,
            "0.8 to 2 rad under the hips");
 }
 
-/// A number of each joint: the file's, else the URDF's.
+/// A limit of each joint: from the file, else from the URDF.
 class JointNumbers {
  public:
   JointNumbers(const Section& top, const model::Urdf& urdf, const model::RobotDescription& robot)

@@ -9,13 +9,13 @@
 
 namespace surefoot::config {
 
-// What a robot file leaves out. Each throws Error, with the file's line, where it can't be known.
+// Completes a robot file. Each function throws Error, with the file's line, if a value is unknown.
 
-/// Joints and links of a leg: those between the base and the foot. `key` is the leg's in the file.
+/// Joints and links of a leg, between base and foot. `key`: of the leg in the file.
 void complete_leg(const Section& top, const model::Urdf& urdf, const std::string& base,
                   const std::string& key, model::LegDescription& leg);
 
-/// Limits of each joint from the URDF, and drives that can do what the limits allow.
+/// Limits of each joint from the URDF, and drives from the limits.
 void complete_limits(const Section& top, const model::Urdf& urdf, const RobotInFile& given,
                      model::RobotDescription& robot);
 
@@ -23,7 +23,7 @@ void complete_limits(const Section& top, const model::Urdf& urdf, const RobotInF
 void complete_posture(const Section& top, const Vec3& front, const model::RobotModel& model,
                       model::RobotDescription& robot);
 
-/// Gains of the safety stage: ANYmal B's, for a robot of this size.
+/// Gains of the safety stage: ANYmal B's, scaled to the robot.
 void complete_gains(model::RobotDescription& robot);
 
 }  // namespace surefoot::config

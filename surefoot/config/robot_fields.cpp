@@ -39,7 +39,7 @@ Field of_joints(const char* key, LegJoints& value, const NumberRange& range, con
   return {key, Numbers{value.data(), joint_names(), true}, range, unit, help};
 }
 
-/// All three of a key, or none.
+/// A key has all three values or none.
 void require_all(const Given& given, const char* key, const LegJoints& value) {
   if (value.array().isNaN().any() && !value.array().isNaN().all())
     given.fail(key, "does not tell all of HAA, HFE and KFE");

@@ -11,9 +11,9 @@ struct LegJoints : Vec3 {
   LegJoints() : Vec3(Vec3::Constant(kNaN)) {}
 };
 
-/// What a robot file says; what it leaves out follows from the URDF.
+/// Content of a robot file; the rest follows from the URDF.
 struct RobotInFile {
-  model::RobotDescription robot;  ///< its URDF by name
+  model::RobotDescription robot;  ///< with the URDF as named in the file
   PerLeg<std::vector<std::string>> joints;
   LegJoints torque, velocity, position_min, position_max, stall_torque, no_load_speed, nominal;
 };

@@ -20,7 +20,7 @@
 namespace surefoot::config {
 namespace {
 
-/// The URDF is looked for as its meshes are.
+/// Finds the URDF in the same places as meshes.
 std::string resolve_urdf(const Section& top, const std::string& urdf,
                          const std::filesystem::path& robot_file) {
   const model::MeshFolders folders{.packages = package_directories(),
@@ -30,7 +30,7 @@ std::string resolve_urdf(const Section& top, const std::string& urdf,
   return found.string();
 }
 
-/// Holds names against those of the URDF.
+/// Checks names against the URDF.
 class NameCheck {
  public:
   NameCheck(const Section& top, const model::Urdf& urdf) : top_(top), urdf_(urdf) {
@@ -56,7 +56,7 @@ class NameCheck {
   }
 
  private:
-  /// A leg's joints are hinges, and each stands at one place.
+  /// A leg's joints are hinges, and each is used once.
   void check_hinge(const std::string& key, const std::string& name) {
     const auto joint = std::ranges::find(urdf_.joints, name, &model::UrdfJoint::name);
     const std::string place = " (" + urdf_.path + ":" + std::to_string(joint->line) + ")";
@@ -83,10 +83,10 @@ class NameCheck {
   const Section& top_;
   const model::Urdf& urdf_;
   std::vector<std::string> links_, joints_;
-  std::map<std::string, std::string> places_;  // of the joints so far
+  std::map<std::string, std::string> places_;  // keys, by joint
 };
 
-/// The URDF's content, with the robot file's line in front of what is wrong with it.
+/// Reads the URDF; errors begin with the robot file's line.
 model::Urdf read_urdf_of(const Section& top, const std::string& path) {
   try {
     return model::read_urdf(path);
@@ -95,8 +95,7 @@ model::Urdf read_urdf_of(const Section& top, const std::string& path) {
   }
 }
 
-/// With the nominal posture each foot stands in its own quadrant: two legs that were exchanged
-/// would be walked with, and fall.
+/// In the nominal posture each foot is in its own quadrant, else legs may be exchanged.
 void check_quadrants(const ConfigNode& legs, const model::RobotModel& model) {
   for (const Leg leg : kLegs) {
     const Vec3 p_BF =
@@ -112,7 +111,7 @@ void check_quadrants(const ConfigNode& legs, const model::RobotModel& model) {
   }
 }
 
-/// What no key shows by itself: whether the parts make a robot, how it stands and how large it is.
+/// What needs the whole robot: checks, nominal posture, scale and gains.
 void complete_robot(const Section& top, const ConfigNode& legs, const Vec3& nominal,
                     model::RobotDescription& robot) {
   const auto model_of = [&] {

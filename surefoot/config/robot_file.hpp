@@ -8,8 +8,8 @@
 
 namespace surefoot::config {
 
-/// Reads robots/*.yaml by name or path. Frames, links and joints that the URDF does not have are
-/// errors, with the line that names them. Throws Error.
+/// Reads robots/*.yaml by name or path; a path may be relative to `beside`. Throws Error, naming
+/// the line, also on frames, links and joints that the URDF does not have.
 [[nodiscard]] model::RobotDescription load_robot(const std::string& name_or_path,
                                                  const std::filesystem::path& beside = {});
 

@@ -15,7 +15,7 @@
 namespace surefoot::config {
 namespace {
 
-/// From a number for a robot of scale 1 to that for this robot: factor × number + offset.
+/// Scales a number for a robot of scale 1 to this robot: factor × number + offset.
 struct Rule {
   double factor = 1.0, offset = 0.0;
 };
@@ -38,7 +38,7 @@ Rule rule_of(const Field& field, const Scale& scale) {
   return {.factor = scale.of(field.unit)};
 }
 
-/// All numbers at and below a node; words stay.
+/// Scales all numbers at and below a node; other text stays.
 void apply(const Rule& rule, ConfigNode& node) {
   for (ConfigNode& item : node.items) apply(rule, item);
   for (auto& [key, member] : node.members) apply(rule, member);
@@ -79,7 +79,7 @@ void scale_criteria(ConfigNode& criteria, const Scale& scale) {
   }
 }
 
-/// The numbers of the option at a path, if there is one. False: none has them.
+/// Scales the option at a path. False: there is no option with numbers.
 bool scale_numbers(const std::string& path, ConfigNode& node, const Scale& scale) {
   bool is_number = false;
   (void)visit_scenario_option(path, [&](const Field& field) {
@@ -91,7 +91,7 @@ bool scale_numbers(const std::string& path, ConfigNode& node, const Scale& scale
   return is_number;
 }
 
-/// The option at a path, or the one that has an element of this name; else what lies below it.
+/// Scales the option at a path, or an element of an option; else everything below the path.
 void scale_option(const std::string& path, ConfigNode& node, const Scale& scale) {
   if (scale_numbers(path, node, scale)) return;
   if (node.kind != ConfigNode::Kind::map &&
@@ -123,7 +123,7 @@ void scale_defaults(Group& group, const Scale& scale) {
   }
 }
 
-/// Knees that the robot can't bend to the side that is asked for point to one that it can.
+/// Replaces a knee configuration that the robot's joints don't allow.
 void fit_knees(ConfigNode& planner, const model::RobotDescription& robot) {
   ConfigNode* stance = planner.find("stance");
   ConfigNode* knees = stance == nullptr ? nullptr : stance->find("knees");

@@ -5,22 +5,21 @@
 
 namespace surefoot::config {
 
-/// Says of a file that its numbers are those for a robot of scale 1, and go with the robot's size.
+/// Key of files whose numbers are for a robot of scale 1 and are scaled to the robot.
 inline constexpr const char* kScaled = "scaled";
 
-/// Takes `scaled:` out of a file's top. Throws Error if it is neither true nor false.
+/// Removes the key `scaled:` and returns its value. Throws Error unless it is true or false.
 [[nodiscard]] bool take_scaled(ConfigNode& file);
 
-/// Numbers of a scenario for a robot of scale 1 become those for this robot: of every option that
-/// has a unit, of tasks, ranges and criteria; and knees point where this robot can bend them.
+/// Scales a scenario from a robot of scale 1 to this robot: every option with a unit, tasks, ranges
+/// and criteria. Also replaces knee configurations that this robot does not allow.
 void fit_scenario(ConfigNode& tree, const model::RobotDescription& robot);
-/// The same of `randomise:`, a map from options to ranges.
+/// The same for `randomise:`, a map from options to ranges.
 void scale_ranges(ConfigNode& ranges, const Scale& scale);
-/// The same of a scenario's defaults, which `options` are those of; drives are the robot's.
+/// The same for the defaults of a scenario, whose fields are `options`; drives are the robot's.
 void fit_defaults(Group& options, const model::RobotDescription& robot, Scenario& scenario);
-/// The same of the parameters of a level's tasks: of all, or of those alone that keep their
-/// defaults. With all of them weights go along, so that rows of several units in one level weigh as
-/// much against each other as they did.
+/// The same for the parameters of a level's tasks: for all, or only for defaults. With all of them,
+/// weights are scaled too, to keep the balance of rows with different units in one level.
 void scale_level(control::LevelSpec& level, const Scale& scale, bool only_defaults);
 
 }  // namespace surefoot::config

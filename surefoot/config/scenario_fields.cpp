@@ -14,7 +14,7 @@
 namespace surefoot::config {
 namespace {
 
-/// Of a run; quantiles of its ticks' times are computed, which are kept.
+/// Of a run: limited, as the times of all ticks are stored.
 constexpr NumberRange kDuration{
     .min = 0.0, .max = 1e6, .min_included = false, .words = "a number above 0, at most 1e6 s"};
 constexpr NumberRange kSettle{.min = 0.0, .max = 5.0, .words = "from 0 to 5 s"};
@@ -24,8 +24,7 @@ constexpr NumberRange kHeight{.min = -UserCommand::kMostHeight,
                               .words = "from -0.3 to 0.3 m"};
 static_assert(UserCommand::kMostHeight == 0.3);
 
-/// A push as files have it: a force, an impulse that is spread over its duration, or a magnitude
-/// and a direction along the ground.
+/// A push in a file: a force, an impulse over its duration, or magnitude and direction.
 struct PushInFile {
   simulation::Push push;
   Vec3 impulse = Vec3::Zero();
@@ -55,8 +54,8 @@ simulation::Push push_of(const PushInFile& o, const Given& given) {
   return push;
 }
 
-/// Jumps and spikes are in the sensor's unit, lateness in ticks, a scale is a factor; the others
-/// have no size.
+/// Size of a fault: in the sensor's unit for jumps and spikes, in ticks for late samples, a factor
+/// for scaled ones; the others have none.
 void check_size(const simulation::SensorFault& fault, const Given& given) {
   const bool late = fault.kind == simulation::FaultKind::late;
   const bool off =
@@ -93,7 +92,7 @@ void check_fault(const simulation::SensorFault& fault, bool has_foot_sensors, co
   check_size(fault, given);
 }
 
-/// Of a leg that is not named, the joints of the stance.
+/// Legs that are not given keep the joints of the stance.
 Group initial_joints(simulation::InitialState& o) {
   o.q.setConstant(kNaN);
   Group joints;
@@ -122,7 +121,7 @@ Group initial_fields(simulation::InitialState& o) {
 }
 
 Group plant_fields(simulation::PlantOptions& o) {
-  o.actuators.model = simulation::ActuatorModel::sea;  // of a scenario that names none
+  o.actuators.model = simulation::ActuatorModel::sea;  // default of scenarios
   const Entries faults{
       {shape_of<simulation::SensorFault>("", [&o](const auto& fault, const Given& given) {
         check_fault(fault, o.sensors.foot_force.present, given);
@@ -152,7 +151,7 @@ Group plant_fields(simulation::PlantOptions& o) {
       {"initial", initial_fields(o.initial), "where the robot begins"}};
 }
 
-/// The control period is made of physics steps.
+/// The control period is a multiple of the timestep.
 void check_period(Scenario& scenario, const Given& given) {
   scenario.plant.control_period = scenario.controller.period;
   try {
@@ -172,7 +171,7 @@ void check_scenario(Scenario& scenario, const Given& given) {
   }
 }
 
-/// Files that are named, and what only the robot or the stack can tell.
+/// Names of files, and sections that are read with the robot or the stack.
 Group named_fields(Scenario& scenario) {
   std::vector<control::LevelSwitch>& switches = scenario.controller.level_switches;
   const Entries changes{

@@ -35,12 +35,12 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kMaxFiles = 4;
 
-/// What a file says of its own experiment; nothing that holds of another one made from it.
+/// Keys that hold for a file's own experiment only, not for one based on it.
 constexpr std::array<std::string_view, 4> kOfOneFile{"description", "criteria", "success_rate",
                                                      "paper"};
 
-/// The file laid over its `base:`, which may have one too, each fitted to the robot if it is
-/// `scaled`. `files` gets all of them.
+/// The file merged over its `base:`, recursively, each fitted to the robot if it is `scaled`.
+/// Appends all of them to `files`.
 ConfigNode read_with_base(const fs::path& file, const model::RobotDescription* robot,
                           std::vector<fs::path>& files) {
   ConfigNode tree = parse_yaml_file(file);
@@ -63,7 +63,7 @@ ConfigNode read_with_base(const fs::path& file, const model::RobotDescription* r
   }
 }
 
-/// The robot that is asked for; none where it can't be loaded, which is told when it is read.
+/// The requested robot; none if it can't be loaded, which is reported later.
 std::optional<model::RobotDescription> robot_of(const fs::path& file,
                                                 const std::vector<std::string>& assignments) {
   try {
@@ -80,7 +80,7 @@ std::optional<model::RobotDescription> robot_of(const fs::path& file,
   return std::nullopt;
 }
 
-/// What the paper says of a scenario it does not say of one that --set turned into another.
+/// Removes the paper's figures if assignments turn the scenario into another experiment.
 void drop_paper_of_another(ConfigNode& tree, const std::vector<std::string>& assignments) {
   constexpr std::array<std::string_view, 6> kExperiment{"robot", "stack", "terrain",
                                                         "user",  "goal",  "disturbances"};
@@ -109,7 +109,7 @@ void keep_source(Scenario& scenario, const std::string& name, const fs::path& fi
   scenario.sources.push_back({.name = name, .text = text_of(file)});
 }
 
-/// A file as `name`.yaml, and those below it as `base`1.yaml, `base`2.yaml, …
+/// Keeps a file as `name`.yaml, and its bases as `base`1.yaml, `base`2.yaml, …
 void keep_sources(Scenario& scenario, const std::string& name, const std::string& base,
                   const std::vector<fs::path>& files) {
   for (std::size_t i = 0; i < files.size(); ++i) {
@@ -125,7 +125,7 @@ std::uint64_t hash_of_sources(const Scenario& scenario) {
   return hash;
 }
 
-/// Reads what another file holds; an unknown name is told with the line that gives it.
+/// Loads another file by the name at a key; an error about the name has the key's line.
 template <typename Load>
 auto load_named(Section& top, const char* key, const Load& load) {
   std::string name;
@@ -146,13 +146,13 @@ void read_paper(Section& section, std::vector<PaperFigure>& paper) {
       section.fail(metric, "unknown metric; " + valid_names(metric, names));
     }
     const ConfigNode& text = *section.node(metric.c_str());
-    // --set takes a figure away by nothing behind its name.
+    // An empty value removes a figure.
     if (text.kind == ConfigNode::Kind::null) continue;
     paper.push_back({.metric = metric, .text = read_text(text, section.path_of(metric))});
   }
 }
 
-/// `robot`: whose size and drives the defaults are; null: those of ANYmal B.
+/// `robot`: gives size and drives of the defaults; null: ANYmal B's.
 void read_body(Section& top, const model::RobotDescription* robot, Scenario& scenario) {
   const ConfigNode* actuators = top.node("actuators");
   if (actuators != nullptr && actuators->kind == ConfigNode::Kind::scalar) {
@@ -170,7 +170,7 @@ void read_body(Section& top, const model::RobotDescription* robot, Scenario& sce
   top.finish();
 }
 
-/// What the scenario changes of the stack that it names.
+/// Applies the scenario's changes to its stack.
 void read_stack_changes(Section& top, control::ControllerOptions& controller) {
   if (const ConfigNode* tasks = top.node("tasks")) {
     override_tasks(controller.stack, *tasks, "tasks");
@@ -200,7 +200,7 @@ void read_robot_and_stack(Section& top, const fs::path& file, Scenario& scenario
   read_stack_changes(top, scenario.controller);
 }
 
-/// Pushes go to the robot's links; their names come from its URDF.
+/// Pushes must act on links of the robot's URDF.
 void check_pushes(const ConfigNode& tree, const Scenario& scenario) {
   const ConfigNode* disturbances = tree.find("disturbances");
   const ConfigNode* pushes = disturbances == nullptr ? nullptr : disturbances->find("pushes");
@@ -216,8 +216,8 @@ void check_pushes(const ConfigNode& tree, const Scenario& scenario) {
   }
 }
 
-/// Bounds of the stack are of this robot. Told of the number where the scenario gives it, or else
-/// of its stack.
+/// The stack's bounds must be within the robot's reach. The error has the line of the number in the
+/// scenario, or else of its stack.
 void check_reach(const ConfigNode& tree, const model::RobotModel& model,
                  const control::StackOptions& stack) {
   try {
@@ -237,7 +237,7 @@ void check_reach(const ConfigNode& tree, const model::RobotModel& model,
   }
 }
 
-/// Where the stance is told: the file's map, or the range that one of its numbers was drawn from.
+/// The node for errors of the stance: its map, or the number that was drawn.
 const ConfigNode& place_of_stance(const ConfigNode& tree) {
   const ConfigNode* planner = tree.find("planner");
   const ConfigNode* stance = planner == nullptr ? nullptr : planner->find("stance");
@@ -256,7 +256,7 @@ JointVector read_posture(const ConfigNode& tree, const model::RobotModel& model,
   }
 }
 
-/// The stance, but for the joints that the scenario gives.
+/// Fills the joints that the scenario does not give with the stance.
 void complete_posture(const ConfigNode& tree, const model::RobotModel& model, Scenario& scenario) {
   simulation::InitialState& initial = scenario.plant.initial;
   const JointVector stance = read_posture(tree, model, scenario.controller.planner.stance);
@@ -275,7 +275,7 @@ void complete_posture(const ConfigNode& tree, const model::RobotModel& model, Sc
   }
 }
 
-/// Nothing walks that can't stand, and masses may be in another unit.
+/// The torque limits must suffice to stand; else the masses may have a wrong unit.
 void check_strength(const ConfigNode& tree, model::RobotModel& model, const JointVector& stance) {
   const JointVector torque = control::standing_torque(model, stance).cwiseAbs();
   const model::RobotDescription& robot = model.description();
@@ -290,8 +290,8 @@ void check_strength(const ConfigNode& tree, model::RobotModel& model, const Join
                 robot.torque_limit[i]));
 }
 
-/// The scenario where every range of `randomise:` is at its lower end, or every one at its upper.
-/// Reading both holds the ranges against the keys' limits, whatever the seed; no run is of it.
+/// The scenario with every range of `randomise:` at its lower end, or at its upper. Reading both
+/// checks the ranges against the keys' limits for all seeds.
 class EndOfRanges {
  public:
   EndOfRanges(ConfigNode tree, const model::RobotDescription* robot) : tree_(std::move(tree)) {
@@ -301,7 +301,7 @@ class EndOfRanges {
     controller_ = std::move(scenario.controller);
   }
 
-  /// What the robot and the stack, as loaded, have to say.
+  /// Checks that need the loaded robot and stack.
   void check(const model::RobotModel& model, const control::StackOptions& stack) {
     Section top(tree_, "");
     controller_.stack = stack;

@@ -11,11 +11,11 @@ namespace {
 
 constexpr std::string_view kRandomisePrefix = "randomise.";
 constexpr std::string_view kActuators = "actuators.";
-/// What only a drive with motor and spring has, level 2.
+/// Options of drives with motor and spring, level 2.
 constexpr std::array<std::string_view, 3> kOfSpring{"actuators.spring.", "actuators.rotor.",
                                                     "actuators.torque_loop."};
 
-/// Pushes, lifts and faults, which begin at a time, that come after the end: nothing happens.
+/// Notes pushes, lifts or faults that begin after the end of the run.
 template <typename Entry>
 void note_late(const ConfigNode& tree, const char* section, const char* key,
                const std::vector<Entry>& entries, const Scenario& scenario,
@@ -33,7 +33,7 @@ void note_late(const ConfigNode& tree, const char* section, const char* key,
   }
 }
 
-/// A value that is assigned wins over a range that is assigned for it.
+/// Notes assigned ranges of keys whose value is assigned too.
 void note_undrawn(const std::vector<std::string>& assigned, std::vector<std::string>& notes) {
   for (const std::string& path : assigned) {
     if (!path.starts_with(kRandomisePrefix)) continue;

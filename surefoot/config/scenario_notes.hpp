@@ -8,9 +8,9 @@
 
 namespace surefoot::config {
 
-/// What is worth telling of a scenario that is valid: what it says, but nothing comes of. Pushes
-/// and faults that begin after the end; of the assignments those to ranges of keys that are
-/// assigned themselves, and those to parts of an actuator that its model does not have.
+/// Notes on parts of a valid scenario that have no effect: pushes, lifts and faults that begin
+/// after the end; assigned ranges of keys that are assigned too; assigned options that the actuator
+/// model does not have.
 [[nodiscard]] std::vector<std::string> scenario_notes(const ConfigNode& tree,
                                                       const Scenario& scenario);
 

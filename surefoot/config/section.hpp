@@ -12,17 +12,16 @@
 
 namespace surefoot::config {
 
-/// Reads one map of a configuration key by key. A key that is absent leaves the value as it is;
-/// a key that nobody asked for is an error. Every error names file, line and the key's whole path,
-/// what was given and what would be valid.
+/// Reads one map of a configuration key by key. An absent key leaves the value as it is; a key that
+/// was not read is an error. Every error names file, line and the key's whole path, what was given
+/// and what would be valid.
 ///
 ///     Section section(tree, "planner.swing");
 ///     section.number("apex", options.apex, kPositive);
 ///     section.finish();
 class Section final : public Given {
  public:
-  /// `path` is the map's own place in the file, "" at the top. An empty node counts as an empty
-  /// map.
+  /// `path` is the map's place in the file, "" at the top. A null node counts as an empty map.
   Section(const ConfigNode& node, std::string path);
 
   void number(const char* key, double& value, NumberRange range = kAnyNumber);
@@ -33,33 +32,32 @@ class Section final : public Given {
   void text(const char* key, std::string& value);
   void vector(const char* key, Vec3& value);
   void numbers(const char* key, std::vector<double>& values);
-  /// As many numbers as there are names: a list of all, or a map with some of them by name.
+  /// One number per name: a list of all, or a map with some of them by name.
   void elements(const char* key, double* values, const std::vector<std::string>& names,
                 NumberRange range = kAnyNumber);
 
-  /// One of these names; without the key none.
+  /// Index of the given name; none without the key.
   std::optional<std::size_t> choice(const char* key, const std::vector<std::string>& names,
                                     const char* what = "choice");
 
-  /// A map below this one, read by `fields(Section&)`; everything in it is optional.
+  /// A map below this one, read by `fields(Section&)`; it is optional.
   template <typename Fields>
   void section(const char* key, Fields&& fields);
 
-  /// The raw node of a key, for forms of its own; null where absent.
+  /// The raw node of a key; null if absent.
   [[nodiscard]] const ConfigNode* node(const char* key);
   /// The keys as written, for maps whose keys are names.
   [[nodiscard]] std::vector<std::string> keys() const;
-  /// Says at `finish()` that this key must be there.
+  /// Makes this key required at `finish()`.
   void require(const char* key);
 
-  /// Call last: throws Error on the first key that nobody asked for, then on required ones that are
-  /// absent.
+  /// Call last: throws Error on the first key that was not read, then on absent required keys.
   void finish() const;
 
   [[nodiscard]] const std::string& path() const { return path_; }
   [[nodiscard]] std::string path_of(const std::string& key) const;
   [[nodiscard]] const std::string& where() const { return node_.where; }
-  /// Of a key, or of a dotted path below this map.
+  /// Is there this key, or dotted path below this map?
   [[nodiscard]] bool has(const std::string& key) const override;
   /// Throws Error about a key of this section, at the line where it is written.
   [[noreturn]] void fail(const std::string& key, const std::string& message) const override;
@@ -74,12 +72,12 @@ class Section final : public Given {
   std::vector<std::string> required_;
 };
 
-/// The number that a text is, with or without a sign.
+/// The number in a text, with or without a sign; none if it is no number.
 [[nodiscard]] std::optional<double> number_in(const std::string& text);
-/// A finite number in the range. Throws Error that names `path` and the node's place.
+/// A finite number in the range. Throws Error, naming `path` and the node's place.
 [[nodiscard]] double read_number(const ConfigNode& node, const std::string& path,
                                  NumberRange range = kAnyNumber);
-/// A word or a line of text.
+/// The text of a scalar. Throws Error for other nodes.
 [[nodiscard]] const std::string& read_text(const ConfigNode& node, const std::string& path);
 [[noreturn]] void fail_at(const ConfigNode& node, const std::string& path,
                           const std::string& message);

@@ -24,7 +24,7 @@ bool contains(const std::vector<std::string>& names, const std::string& name) {
   return std::ranges::find(names, name) != names.end();
 }
 
-/// A parameter is a number, or a choice by name; the catalog says which.
+/// Reads a parameter: a number or the name of a choice, according to the catalog.
 void read_parameter(const ConfigNode& node, const std::string& key, const std::string& path,
                     control::TaskSpec& task) {
   const tasks::TaskInfo& info = tasks::task_info(task.task);
@@ -49,7 +49,7 @@ void read_parameter(const ConfigNode& node, const std::string& key, const std::s
   }
 }
 
-/// `is_level`: what belongs to the level stands beside the parameters.
+/// `is_level`: keys of the level stand next to the parameters.
 control::TaskSpec read_task(const ConfigNode& node, const std::string& path, bool is_level) {
   Section section(node, path);
   control::TaskSpec task;
@@ -126,7 +126,7 @@ void override_task(control::StackOptions& stack, const std::string& name,
 
 namespace {
 
-/// A level of the base, by its name.
+/// The base's level of this name.
 control::LevelSpec take_level(const ConfigNode& name, const std::string& path,
                               const std::vector<control::LevelSpec>& base) {
   const auto found = std::ranges::find(base, name.text, &control::LevelSpec::name);
@@ -137,10 +137,10 @@ control::LevelSpec take_level(const ConfigNode& name, const std::string& path,
                             : "; " + valid_names(name.text, names_of(base))));
 }
 
-/// How a file's numbers go with the robot.
+/// Scaling of a file's numbers to the robot.
 struct Fit {
   const Scale& scale;
-  bool is_scaled;  ///< or else its defaults alone
+  bool is_scaled;  ///< false: only defaults are scaled
 };
 
 control::LevelSpec read_level(const ConfigNode& node, const std::string& path, const Fit& fit) {
@@ -149,7 +149,7 @@ control::LevelSpec read_level(const ConfigNode& node, const std::string& path, c
   return level;
 }
 
-/// Levels of the file's own, and those of the base that are named among them.
+/// Reads the file's own levels, and inserts the base's levels that are named among them.
 void read_levels(const ConfigNode& levels, const std::vector<control::LevelSpec>& base,
                  const Fit& fit, control::StackOptions& stack) {
   if (levels.items.empty()) fail_at(levels, "levels", "must be a list of at least one level");
@@ -178,7 +178,7 @@ void leave_out(const ConfigNode& without, control::StackOptions& stack) {
   }
 }
 
-/// Weights of levels by their names.
+/// Multiplies the tasks' weights by those of their levels, given by name.
 void weigh(Section& weights, control::StackOptions& stack) {
   for (control::LevelSpec& level : stack.levels) {
     double weight = 1.0;
@@ -187,7 +187,7 @@ void weigh(Section& weights, control::StackOptions& stack) {
   }
 }
 
-/// `name`: of the level from which on all become one.
+/// Merges all levels from the named one on into one weighted level.
 control::StackOptions merge(const ConfigNode& name, const control::StackOptions& stack) {
   const std::vector<std::string> names = names_of(stack.levels);
   const auto found = std::ranges::find(names, read_text(name, "weighted_from"));
@@ -212,7 +212,7 @@ std::vector<control::LevelSpec> read_base(const Section& top, const ConfigNode& 
   }
 }
 
-/// `folder`: where the base may stand.
+/// `folder`: searched for the base.
 control::StackOptions read_stack(ConfigNode tree, const std::filesystem::path& folder,
                                  const Scale& scale) {
   const bool is_scaled = take_scaled(tree);
@@ -279,7 +279,7 @@ void override_tasks(control::StackOptions& stack, const ConfigNode& tasks,
           name, "the stack \"" + stack.name + "\" has no such task; " + valid_names(name, names));
     }
     const ConfigNode& parameters = *section.node(name.c_str());
-    (void)Section(parameters, section.path_of(name));  // is a map
+    (void)Section(parameters, section.path_of(name));  // throws unless it is a map
     override_task(stack, name, parameters, section.path_of(name));
   }
 }

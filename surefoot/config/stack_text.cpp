@@ -8,7 +8,7 @@
 namespace surefoot::config {
 namespace {
 
-/// JSON's numbers and quoted texts are YAML's too, and its numbers read back to the same double.
+/// JSON's numbers and strings are valid YAML, and its numbers read back to the same double.
 template <typename Value>
 std::string yaml_quoted(const Value& value) {
   std::string text;

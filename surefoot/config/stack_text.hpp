@@ -6,13 +6,13 @@
 
 namespace surefoot::config {
 
-/// The stack with every parameter of its tasks, also those that were left to their defaults.
+/// The stack with every parameter of its tasks, including defaults.
 [[nodiscard]] control::StackOptions with_defaults(control::StackOptions stack);
 
-/// The stack as a stack file that needs no other file; load_stack gives the same levels again.
+/// The stack as a self-contained stack file; load_stack reads the same levels.
 [[nodiscard]] std::string stack_yaml(const control::StackOptions& stack);
 
-/// Of the levels, highest first.
+/// Names of the levels, highest priority first.
 [[nodiscard]] std::vector<std::string> level_names(const control::StackOptions& stack);
 
 }  // namespace surefoot::config

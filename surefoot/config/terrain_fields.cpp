@@ -10,7 +10,7 @@
 namespace surefoot::config {
 namespace {
 
-constexpr double kFloorDepth = 1.0;  // of the boxes that make steps, below the lowest ground [m]
+constexpr double kFloorDepth = 1.0;  // of boxes below the lowest ground [m]
 constexpr double kPlatform = 20.0;   // length of the level ground at both ends, and width [m]
 constexpr double kMostTiles = 2000.0;
 constexpr NumberRange kAngle{.min = -1.2, .max = 1.2, .words = "an angle from -1.2 to 1.2 rad"};
@@ -21,7 +21,7 @@ Field friction_of(double& friction) {
   return {"friction", &friction, kNotNegative, "", "coefficient; without it that of the terrain"};
 }
 
-/// Heights of its own, or the amplitude of generated ones.
+/// A height field has either heights or the amplitude of generated ones.
 void check_heights(const simulation::TerrainHeightField& field, const Given& given) {
   const bool has_heights = given.has("heights");
   if (has_heights == given.has("amplitude")) {
@@ -64,7 +64,7 @@ Group fields(FrictionTiles& o) {
       });
 }
 
-/// Level tiles, each with a friction of its own, uniform in its range and the same for a seed.
+/// Level tiles, each with a random friction, uniform in the range and determined by the seed.
 void add_friction_tiles(const FrictionTiles& field, Elements& elements) {
   const simulation::TerrainRandomBoxes level{.position = field.position,
                                              .size_x = field.size_x,

@@ -5,8 +5,7 @@
 
 namespace surefoot::config {
 
-/// A scenario's terrain: the friction and named elements, each with its `shape`. Without elements
-/// it is the plane z = 0.
+/// Keys of a scenario's terrain: friction and named elements. The default is the plane z = 0.
 [[nodiscard]] Group terrain_fields(simulation::TerrainOptions& terrain);
 
 }  // namespace surefoot::config

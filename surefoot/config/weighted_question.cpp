@@ -6,7 +6,7 @@
 namespace surefoot::config {
 namespace {
 
-/// Those of the line: what x is to be close to is no level to be weighed.
+/// Number of levels in the line, without the reference of x.
 std::size_t num_levels_of_line(const NamedHierarchy& question) {
   return question.hierarchy.num_levels() - (question.has_reference ? 1 : 0);
 }

@@ -7,10 +7,9 @@
 
 namespace surefoot::config {
 
-/// The question with its levels from `first` on, counted from 1, as one level, in which each
-/// counts with its weight (1 where there is none). What x is to be close to stays a last level
-/// below it. Throws FileError, which begins with `place`, for a level that there isn't and for more
-/// weights than levels.
+/// The hierarchy with its levels from `first` on, counted from 1, merged into one, each with its
+/// weight (default 1). The reference of x stays the last level. Throws FileError, beginning with
+/// `place`, for a level that does not exist and for more weights than levels.
 [[nodiscard]] NamedHierarchy weighted_question(const NamedHierarchy& strict, int first,
                                                const std::vector<double>& weights,
                                                const std::string& place);

@@ -12,25 +12,25 @@
 
 namespace surefoot::gaits {
 
-/// What the swing that goes on, or the last one, has met.
+/// What has happened in the present swing, or the last one.
 struct SwingMemory {
-  bool probes = false;           ///< it makes its first touch
-  bool lands_anywhere = false;   ///< it is to stand wherever it touches
-  int times_caught = 0;          ///< on its way
-  Vec2 caught_at{0.0, 0.0};      ///< for the first time, x and y in W [m]
-  int collisions = 0;            ///< with something above the ground that it knows
-  Vec3 foothold = Vec3::Zero();  ///< behind the first touch, in W [m]
+  bool probes = false;           ///< before the first touch of a probing foot
+  bool lands_anywhere = false;   ///< stands at the first contact, without reactions
+  int times_caught = 0;          ///< on an obstacle
+  Vec2 caught_at{0.0, 0.0};      ///< place of the first catch, x and y in W [m]
+  int collisions = 0;            ///< above known ground
+  Vec3 foothold = Vec3::Zero();  ///< target after the first touch, in W [m]
   Vec2 direction{1.0, 0.0};      ///< of the step, unit
 
-  /// As a swing begins.
-  [[nodiscard]] SwingMemory begun() const {
+  /// The memory of a swing that begins.
+  [[nodiscard]] SwingMemory for_new_swing() const {
     return {.caught_at = caught_at, .foothold = foothold, .direction = direction};
   }
 };
 
-/// What every gait stands and walks with: the gait that has the legs changes it, reactions read it.
+/// State that all gaits share: the active gait changes it, reactions read it.
 struct Body {
-  /// `control_period` [s], `robot` is its scale.
+  /// `control_period` [s], `robot`: its scale.
   Body(const PlannerOptions& given, double control_period, const Scale& robot)
       : options(given),
         period(control_period),
@@ -41,24 +41,23 @@ struct Body {
         balance(given.push, control_period),
         com(given.com, given.force, robot) {}
 
-  /// The terrain plane through the footholds.
+  /// Fits the terrain plane to the footholds.
   void fit_plane() {
     plane = estimation::fit_terrain_plane(legs.footholds(), options.torso.max_tilt, scale);
   }
-  /// Nothing but the present footholds is known of the ground.
+  /// Forgets all of the ground but the present footholds.
   void learn_ground() {
     footholds.forget();
     for (const Leg k : kLegs) footholds.remember(k, legs[k].foothold());
     fit_plane();
   }
-  /// Of the gait's durations, longer where a foot has little friction: a factor. Accelerations fall
-  /// with the square of the durations.
+  /// Factor ≥ 1 on the gait's durations for low friction; accelerations fall with its square.
   [[nodiscard]] double pace() const { return std::sqrt(grip.caution()); }
-  /// Of the COM over the plane, but no less than a plan can be made with [m].
+  /// Height of the COM over the plane, limited to what a plan needs [m].
   [[nodiscard]] double com_height(const model::Dynamics& dynamics) const {
-    constexpr double kLeast = 0.1;  // [m]
+    constexpr double kMinHeight = 0.1;  // [m]
     const Vec3& p = dynamics.com.p;
-    return std::max(scale.length * kLeast, p.z() - plane.height(p.head<2>()));
+    return std::max(scale.length * kMinHeight, p.z() - plane.height(p.head<2>()));
   }
 
   PlannerOptions options;

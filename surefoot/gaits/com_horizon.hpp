@@ -4,26 +4,26 @@
 
 namespace surefoot::gaits {
 
-/// Puts together the phases ahead that the COM is planned through, beginning with the feet as they
-/// are. Ends with `plan` or `come_to_rest`.
+/// Builds the phases of a COM plan, beginning with the present contacts. Ends with `plan` or
+/// `come_to_rest`.
 class ComHorizon {
  public:
-  /// `recovers`: the robot has lost its balance and comes to rest.
+  /// `recovers`: the robot comes to rest after a loss of balance.
   ComHorizon(const Situation& now, bool recovers);
 
-  /// Goes on by a phase with the feet that are down. See SupportPhase for `must_rest`.
+  /// Adds a phase with the present contacts. See SupportPhase for `must_rest`.
   void add(double duration, bool must_rest);
-  /// Support until this leg lifts off.
+  /// Adds a phase that ends with this leg's lift-off.
   void add_support_until_lift_off(Leg leg, double duration);
-  /// The foot stands here from now on.
+  /// Adds this foot's contact to the phases that follow.
   void land(Leg leg, const Vec3& foothold);
 
   [[nodiscard]] bool is_down(Leg leg) const { return phase_.down[index(leg)]; }
   [[nodiscard]] const PerLeg<Vec3>& feet() const { return feet_; }
 
-  /// Plans the COM to a velocity at the end, x and y in W [m/s] …
+  /// Plans the COM to a velocity at the end, x and y in W [m/s].
   void plan(Body& body, const Vec2& end_velocity);
-  /// … or over the centre of the feet, to rest there. `duration` is that of the reference robot.
+  /// Plans the COM to rest over the centre of the feet. `duration` [s] at scale 1.
   void come_to_rest(Body& body, double duration = 1.0, bool must_rest = false);
 
  private:

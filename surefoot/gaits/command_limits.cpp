@@ -6,12 +6,11 @@
 namespace surefoot::gaits {
 namespace {
 
-// From step to step, forwards, sideways [m/s] and turning [rad/s]:
-const Vec3 kMostChange(0.1, 0.05, 0.2);
+// Per step: forward and sideways [m/s], yaw rate [rad/s].
+const Vec3 kMaxChange(0.1, 0.05, 0.2);
 constexpr double kHeightRate = 0.15;  // [m/s]
-// Of a torso over legs that step, under the stance's height: knees that are bent further have no
-// room to swing [m].
-constexpr double kLowest = -0.10;
+// Of a walking torso, relative to the stance: more bent legs can't swing [m].
+constexpr double kMinHeight = -0.10;
 
 Vec3 velocities(const UserCommand& user) {
   return Vec3(user.velocity.x(), user.velocity.y(), user.yaw_rate);
@@ -21,29 +20,28 @@ Vec3 velocities(const UserCommand& user) {
 
 CommandLimits::CommandLimits(const PlannerOptions& options, double period, const Scale& scale)
     : strides_(options, scale),
-      most_change_(kMostChange.cwiseProduct(Vec3(scale.speed(), scale.speed(), scale.rate()))),
+      max_change_(kMaxChange.cwiseProduct(Vec3(scale.speed(), scale.speed(), scale.rate()))),
       height_rate_(scale.speed() * kHeightRate),
-      lowest_(scale.length * kLowest),
+      min_height_(scale.length * kMinHeight),
       stance_height_(options.stance.height),
       period_(period) {}
 
-// The COM's way to the next lift-off is planned when a foot comes down, and with it the foothold
-// behind it: a velocity that changed in between would send foot and torso to different places.
-// Accelerations fall with the length of the strides, so caution divides them.
-UserCommand CommandLimits::update(const UserCommand& command, const CommandRoom& room) {
+// COM and next foothold are planned at touchdown. A later change of velocity would make foot and
+// torso inconsistent. Caution divides velocities, as accelerations fall with the strides' length.
+UserCommand CommandLimits::update(const UserCommand& command, const CommandContext& context) {
   commanded_ = command;
-  if (room.stands) {
+  if (context.stands) {
     velocity_ = command.velocity;
     turn_ = command.yaw_rate;
   }
   UserCommand planned = command;
   planned.velocity = velocity_;
   planned.yaw_rate = turn_;
-  walked_ = within_strides(planned, room);
+  walked_ = within_strides(planned, context);
   UserCommand cautious = walked_;
-  cautious.velocity /= room.caution;
-  cautious.yaw_rate /= room.caution;
-  UserCommand result = within_height(cautious, room);
+  cautious.velocity /= context.caution;
+  cautious.yaw_rate /= context.caution;
+  UserCommand result = within_height(cautious, context);
   const double most = period_ * height_rate_;
   height_ = std::isnan(height_) ? result.height
                                 : height_ + std::clamp(result.height - height_, -most, most);
@@ -51,35 +49,36 @@ UserCommand CommandLimits::update(const UserCommand& command, const CommandRoom&
   return result;
 }
 
-// All of them by the same share of what is missing, so that the direction becomes the commanded
-// one, also where the legs can't follow it all the way.
-void CommandLimits::take_up(const CommandRoom& room) {
+// All velocities change by the same share of their difference, which keeps the direction.
+void CommandLimits::begin_step(const CommandContext& context) {
   const Vec3 asked = velocities(commanded_), now = velocities(walked_);
   Vec3 next = asked;
-  if (((asked - now).cwiseAbs().array() > most_change_.array()).any()) {
-    const Vec3 missing = feasible_share(commanded_, room, room.cycle_duration) * asked - now;
-    const double steps = missing.cwiseQuotient(most_change_).cwiseAbs().maxCoeff();
-    next = now + missing / std::max(1.0, steps);
+  if (((asked - now).cwiseAbs().array() > max_change_.array()).any()) {
+    const Vec3 difference =
+        feasible_share(commanded_, context, context.cycle_duration) * asked - now;
+    const double steps = difference.cwiseQuotient(max_change_).cwiseAbs().maxCoeff();
+    next = now + difference / std::max(1.0, steps);
   }
   velocity_ = next.head<2>();
   turn_ = next.z();
 }
 
-double CommandLimits::feasible_share(const UserCommand& command, const CommandRoom& room,
+double CommandLimits::feasible_share(const UserCommand& command, const CommandContext& context,
                                      double cycle_duration) const {
   const double height = stance_height_ + std::fmin(0.0, height_);
-  return strides_.feasible_share(command, room.hips, height, cycle_duration);
+  return strides_.feasible_share(command, context.hips, height, cycle_duration);
 }
 
-// A cautious gait's cycle is longer, and so are its strides; who commands it is told of those that
-// would be too long without caution, too.
-UserCommand CommandLimits::within_strides(const UserCommand& command, const CommandRoom& room) {
-  const double share = command.walk ? feasible_share(command, room, room.cycle_duration) : 1.0;
-  const bool is_taken_up = velocity_ == commanded_.velocity && turn_ == commanded_.yaw_rate;
-  const double cycle = room.cycle_duration / room.pace;
+// Caution makes cycle and strides longer. The event depends on the strides without caution.
+UserCommand CommandLimits::within_strides(const UserCommand& command,
+                                          const CommandContext& context) {
+  const double share =
+      command.walk ? feasible_share(command, context, context.cycle_duration) : 1.0;
+  const bool is_reached = velocity_ == commanded_.velocity && turn_ == commanded_.yaw_rate;
+  const double cycle = context.cycle_duration / context.pace;
   const bool has_long_strides =
-      (share < 1.0 || !is_taken_up) && feasible_share(commanded_, room, cycle) < 1.0;
-  slows_.holds =
+      (share < 1.0 || !is_reached) && feasible_share(commanded_, context, cycle) < 1.0;
+  slows_.active =
       command.walk && (has_long_strides || strides_.turns_slower(commanded_.yaw_rate, cycle));
   UserCommand result = command;
   result.velocity *= share;
@@ -87,27 +86,28 @@ UserCommand CommandLimits::within_strides(const UserCommand& command, const Comm
   return result;
 }
 
-// Strides come before height.
-UserCommand CommandLimits::within_height(const UserCommand& command, const CommandRoom& room) {
+// Strides have priority over height.
+UserCommand CommandLimits::within_height(const UserCommand& command,
+                                         const CommandContext& context) {
   UserCommand result = command;
-  if (command.walk) result.height = std::max(command.height, lowest_);
-  raises_.holds = result.height > command.height;
+  if (command.walk) result.height = std::max(command.height, min_height_);
+  raises_.active = result.height > command.height;
   if (!(command.height > 0.0)) {
-    lowers_.holds = false;
+    lowers_.active = false;
     return result;
   }
   const UserCommand strides = command.walk ? command : UserCommand{};
-  const double tallest = strides_.tallest(strides, room.hips, room.cycle_duration);
-  const double most = room.calibrates ? 0.0 : std::max(0.0, tallest - stance_height_);
-  if (command.height <= most || !room.calibrates) lowers_.holds = command.height > most;
+  const double tallest = strides_.tallest(strides, context.hips, context.cycle_duration);
+  const double most = context.calibrates ? 0.0 : std::max(0.0, tallest - stance_height_);
+  if (command.height <= most || !context.calibrates) lowers_.active = command.height > most;
   result.height = std::min(command.height, most);
   return result;
 }
 
-void CommandLimits::tell(EventList& events) {
+void CommandLimits::report(EventList& events) {
   for (Limit* limit : {&slows_, &lowers_, &raises_}) {
-    if (limit->holds && !limit->told) events.add({.kind = limit->event});
-    limit->told = limit->holds;
+    if (limit->active && !limit->reported) events.add({.kind = limit->event});
+    limit->reported = limit->active;
   }
 }
 

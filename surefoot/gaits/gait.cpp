@@ -7,19 +7,19 @@
 namespace surefoot::gaits {
 namespace {
 
-constexpr double kOffPlan = 0.01;  // the COM from its plan: that one can't be followed [m]
+constexpr double kMaxComError = 0.01;  // of the COM from its plan [m]
 
-LegEvent look_at(Leg k, const Situation& now, Body& body) {
+LegEvent observe_leg(Leg k, const Situation& now, Body& body) {
   const model::PointKinematics& foot = now.dynamics.foot[index(k)];
   const Vec3& normal = body.plane.normal;
-  // |n · (Jᵀ)⁻¹|: of the normal force by the leg's torques.
+  // |n · (Jᵀ)⁻¹|: normal force per joint torque.
   const double force_per_torque =
       (model::damped_inverse(model::leg_jacobian(foot, k), body.scale) * normal).norm();
   return body.legs[k].observe(now.time, {now.dynamics.hip[index(k)], foot,
                                          now.state.foot_force[index(k)], normal, force_per_torque});
 }
 
-/// What an action says about legs, ground and the swing, and its events.
+/// Applies an action to legs, ground and swing memory, and adds its events.
 void carry_out(const Action& action, const Situation& now, Body& body) {
   body.events.add(action.events);
   if (action.memory) body.swing = *action.memory;
@@ -42,8 +42,7 @@ void carry_out(const Action& action, const Situation& now, Body& body) {
   if (action.swing) body.legs[action.swing->leg].lift(now.time, action.swing->target);
 }
 
-/// One tick of the friction that the feet find. True if one began or ceased to slide: it stands
-/// elsewhere than it did.
+/// One tick of the friction estimates. True if a foot began or stopped sliding.
 bool observe_grip(const Situation& now, Body& body) {
   PerLeg<Vec3> normals = now.last.pyramid_normal;
   for (Vec3& normal : normals) {
@@ -58,7 +57,7 @@ bool observe_grip(const Situation& now, Body& body) {
 
 void Gait::observe(Situation& now, Body& body) {
   for (const Leg k : kLegs) {
-    const LegEvent event = look_at(k, now, body);
+    const LegEvent event = observe_leg(k, now, body);
     now.gait = status(body);
     if (const auto action = react_to_leg(event, now, k)) act(*action, now, body);
   }
@@ -84,7 +83,7 @@ void Gait::act(const Action& action, Situation& now, Body& body) {
 
 bool Gait::wants_plan(const Situation& now) {
   const PushBalance& balance = now.body.balance;
-  const double far = now.body.scale.length * kOffPlan;
+  const double far = now.body.scale.length * kMaxComError;
   const bool off = (now.dynamics.com.p.head<2>() - now.before.com.p).norm() > far;
   return balance.wants_plan(now.time) || (off && balance.may_plan(now.time));
 }

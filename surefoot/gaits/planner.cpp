@@ -36,7 +36,7 @@ const MotionPlan& Planner::update(const UserCommand& command, const RobotState& 
                                   const model::Dynamics& dynamics,
                                   const HierarchyOutcome& last) noexcept {
   body_.events = {};
-  if (!initialised_) calibration_.expect_switch(command.calibrate);  // it begins so anyway
+  if (!initialised_) calibration_.expect_switch(command.calibrate);  // a calibration begins anyway
   if (!initialised_ || restarts_) initialise(state, dynamics);
   calibration_.update(state.time, command.calibrate, is_undisturbed(state));
   const UserCommand user = limit(command);
@@ -57,7 +57,7 @@ void Planner::initialise(const RobotState& state, const model::Dynamics& dynamic
     const Vec3 hip = rotation_about_z(-yaw_) * (dynamics.hip[index(k)].p - state.p_WB);
     hips_[index(k)] = hip.head<2>();
   }
-  learn_ground_anew();
+  relearn_ground();
   friction_frame_.restart(body_.plane.normal);
   torso_.restart(state);
   const UserCommand nothing;
@@ -66,28 +66,27 @@ void Planner::initialise(const RobotState& state, const model::Dynamics& dynamic
   stand_.begin(now, body_, {});
 }
 
-void Planner::learn_ground_anew() {
+void Planner::relearn_ground() {
   learns_ground_ = learns_ground_ && calibration_.is_going_on();
   body_.learn_ground();
 }
 
-// The torso leans against a push, and its hips with it.
-CommandRoom Planner::room() const {
-  CommandRoom room{.cycle_duration = crawl_.cycle_duration(body_.pace()),
-                   .pace = body_.pace(),
-                   .caution = std::max(body_.grip.caution(), body_.balance.caution()),
-                   .hips = hips_,
-                   .stands = !walks_,
-                   .calibrates = calibration_.is_due()};
+// The torso leans against a push, which moves the hips.
+CommandContext Planner::command_context() const {
+  CommandContext context{.cycle_duration = crawl_.cycle_duration(body_.pace()),
+                         .pace = body_.pace(),
+                         .caution = std::max(body_.grip.caution(), body_.balance.caution()),
+                         .hips = hips_,
+                         .stands = !walks_,
+                         .calibrates = calibration_.is_due()};
   const Mat2 R = rotation_about_z(-yaw_).topLeftCorner<2, 2>();
-  for (Vec2& hip : room.hips) hip -= R * body_.balance.shift();
-  return room;
+  for (Vec2& hip : context.hips) hip -= R * body_.balance.shift();
+  return context;
 }
 
-// The heading needs no step to turn by itself: where it does not wait for the first steps, for late
-// ones or after it went the other way, the feet come to stand across the torso.
+// The heading waits for the feet: otherwise late steps would leave them twisted under the torso.
 UserCommand Planner::limit(const UserCommand& command) {
-  const CommandRoom now = room();
+  const CommandContext now = command_context();
   UserCommand user = limits_.update(command, now);
   user.walk = user.walk && !calibration_.is_due();
   user.yaw_rate *= limits_.strides().turning_share(user.yaw_rate, body_.legs.footholds(),
@@ -99,9 +98,9 @@ UserCommand Planner::limit(const UserCommand& command) {
 
 void Planner::move_legs(Situation& now) {
   gait().observe(now, body_);
-  if (learns_ground_ && !calibration_.is_going_on()) learn_ground_anew();
+  if (learns_ground_ && !calibration_.is_going_on()) relearn_ground();
   const GaitOutcome outcome = gait().advance(now, body_);
-  if (outcome.begins_step) limits_.take_up(room());
+  if (outcome.begins_step) limits_.begin_step(command_context());
   if (outcome.hands_over) {
     walks_ = !walks_;
     gait().begin(now, body_, outcome.first);
@@ -109,7 +108,7 @@ void Planner::move_legs(Situation& now) {
   rest_.update(now.state, !walks_ && body_.legs.all_down());
 }
 
-// Nothing else happens at a tick at which the estimate begins anew.
+// No other event shares the tick of a restart.
 void Planner::finish_calibration(const RobotState& state) {
   EventList& events = body_.events;
   if (events.empty()) events.add({.kind = calibration_.take_end()});
@@ -117,7 +116,7 @@ void Planner::finish_calibration(const RobotState& state) {
               rest_.is_at_rest(state);
   if (restarts_) events.add({.kind = PlanEvent::calibration});
   if (restarts_) return;
-  if (!calibration_.is_due()) limits_.tell(events);  // else it doesn't walk
+  if (!calibration_.is_due()) limits_.report(events);
   events.add({.kind = calibration_.take_waiting()});
 }
 

@@ -173,7 +173,7 @@ Group fields(FootholdOptions& o) {
       {"void_radius", &o.void_radius, kPositive, "m", "around where a foot found no ground"}};
 }
 
-/// A shorter turn would throw the robot down.
+/// A faster turn would make the robot fall.
 void check_duration(const CalibrationOptions& o, const Given& given) {
   const double least = CalibrationMotion::shortest_duration(o);
   if (o.duration == 0.0 || o.duration >= least) return;
@@ -221,7 +221,7 @@ Group fields(PushOptions& o) {
       {"zmp_margin", &o.zmp_margin, kNotNegative, "m", "ZMP inside until the walk goes on"}};
 }
 
-/// A leg is loaded after its touchdown before the next one is unloaded.
+/// A leg must be fully loaded after its touchdown before the next one is unloaded.
 void check_switches(const PlannerOptions& o, const Given& given) {
   const double least = o.force.ramps ? o.force.ramp_up + o.force.ramp_down : 0.0;
   for (const auto& [name, duration] : {std::pair{"switch_duration", o.gait.switch_duration},
@@ -233,7 +233,7 @@ void check_switches(const PlannerOptions& o, const Given& given) {
   }
 }
 
-/// Or a foot that searches would be taken back at once.
+/// Otherwise every search would end at once.
 void check_hip_height(const PlannerOptions& o, const Given& given) {
   if (o.swing.hip_height_min < o.stance.height) return;
   given.fail("swing", formatted("hip_height_min is %g m; it must be below stance.height, %g m",

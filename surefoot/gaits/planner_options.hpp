@@ -8,11 +8,11 @@ struct Group;
 
 namespace surefoot::gaits {
 
-/// Where the knees point: the side of each leg's inverse kinematics.
+/// Where the knees point: the branch of each leg's inverse kinematics.
 enum class KneeConfiguration {
   x,         ///< front knees backward, hind knees forward (ANYmal's usual stance)
-  forward,   ///< all forward: the way downstairs
-  backward,  ///< all backward: the way upstairs
+  forward,   ///< all forward: for descending stairs
+  backward,  ///< all backward: for climbing stairs
 };
 
 /// Nominal stance: feet relative to the torso's centre, in the control frame.
@@ -36,7 +36,7 @@ struct ForceOptions {
   bool ramps = true;
 };
 
-/// What is done about feet that slide.
+/// Friction estimation from slip.
 struct GripOptions {
   bool enabled = true;
   double friction_min = 0.2, share = 0.7, recovery = 0.05;
@@ -66,8 +66,7 @@ struct TouchdownOptions {
   double lost_force = 2.0, lost_duration = 0.06;
 };
 
-/// The step reflex: a foot that rises or goes forward against something goes back, higher, and over
-/// it.
+/// The step reflex: a foot that hits an obstacle goes back, then higher and over it.
 struct ReflexOptions {
   bool enabled = true;
   double force = 4.0, error = 0.03, hit_force = 20.0, duration = 0.02;
@@ -75,8 +74,7 @@ struct ReflexOptions {
   int most = 3;
 };
 
-/// Two-touch probing: a front foot first touches ahead of its foothold; an edge between is found
-/// before the foot is loaded.
+/// Two-touch probing: a front foot first touches ahead of its foothold, to find edges.
 struct ProbeOptions {
   bool enabled = false;
   double ahead = 0.045, tolerance = 0.015, lift = 0.02, beyond = 0.05, duration = 0.35;
@@ -96,19 +94,19 @@ struct TorsoOptions {
 struct FootholdOptions {
   bool hind_use_front_prints = true;
   double print_radius = 0.08, same_height = 0.03;
-  /// The plane through feet on two levels says nothing of what lies beyond them.
+  /// The plane through feet on two levels must not be extrapolated.
   bool bounded_by_feet = true;
   double max_step = 0.30, max_stride = 1e3, max_side_stride = 1e3;
   double stretch_max = 0.50, max_side_step = 0.22, void_radius = 0.06;
 };
 
-/// Turning on the spot before the first step, for the estimator.
+/// Turning on the spot before the first step, for the estimator's calibration.
 struct CalibrationOptions {
   double duration = 0.0, settle = 0.5;
   double roll = 0.20, pitch = 0.15, yaw = 0.25;
 };
 
-/// What the walk does about forces that push or pull the robot.
+/// Reactions of the walk to external forces.
 struct PushOptions {
   bool enabled = true;
   double replan_step = 4.0, replan_interval = 0.03, settling_time = 0.2;
@@ -136,14 +134,14 @@ struct PlannerOptions {
   PushOptions push;
 };
 
-/// Their names, units, ranges and help.
+/// Names, units, ranges and help of the options.
 [[nodiscard]] Group fields(PlannerOptions& o);
 
-/// Does a leg touch twice?
+/// Does a leg probe?
 [[nodiscard]] inline bool probes(const ProbeOptions& options, Leg leg) {
   return options.enabled && is_front(leg);
 }
-/// A hind foot that steps into a front foot's print knows how high the ground is.
+/// Is the ground's height known, as a hind foot steps in a front foot's print?
 [[nodiscard]] inline bool knows_ground(const PlannerOptions& options, Leg leg) {
   return options.foothold.hind_use_front_prints && !is_front(leg);
 }

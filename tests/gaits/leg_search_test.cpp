@@ -205,8 +205,8 @@ TEST(LegMotion, AFootThatFliesOffDownwardShortlyAfterItCameDownIsNoticedAtOnce) 
   for (const bool at_once : {true, false}) {
     const Bench bench = landed(at_once);
     const Vec3 aside = Vec3::UnitX(), off = aside - kUp;
-    EXPECT_EQ(moves(bench, 0.016 * off, 0.5 * off), LegEvent::flew) << "off an edge";
-    EXPECT_EQ(moves(bench, -0.021 * kUp, -0.7 * kUp), LegEvent::flew) << "there was no ground";
+    EXPECT_EQ(moves(bench, 0.016 * off, 0.5 * off), LegEvent::airborne) << "off an edge";
+    EXPECT_EQ(moves(bench, -0.021 * kUp, -0.7 * kUp), LegEvent::airborne) << "there was no ground";
     EXPECT_EQ(moves(bench, 0.016 * off, 0.4 * off), LegEvent::none) << "slowly";
     EXPECT_EQ(moves(bench, 0.013 * off, 0.5 * off), LegEvent::none) << "not yet far";
     Bench later = bench;
@@ -218,11 +218,11 @@ TEST(LegMotion, AFootThatFliesOffDownwardShortlyAfterItCameDownIsNoticedAtOnce) 
 TEST(LegMotion, AFootPutDownAtOnceThatReboundsOrGoesAsideFliesTooButOthersBounce) {
   const Bench at_once = landed(true), in_time = landed(false);
   const Vec3 aside = Vec3::UnitX();
-  EXPECT_EQ(moves(at_once, 0.006 * kUp, 0.3 * kUp), LegEvent::flew);
+  EXPECT_EQ(moves(at_once, 0.006 * kUp, 0.3 * kUp), LegEvent::airborne);
   EXPECT_EQ(moves(at_once, 0.006 * kUp, 0.2 * kUp), LegEvent::none) << "its ground gives way";
   EXPECT_EQ(moves(at_once, 0.004 * kUp, 0.3 * kUp), LegEvent::none) << "the estimate is unsure";
   EXPECT_EQ(moves(at_once, -0.006 * kUp, -0.3 * kUp), LegEvent::none) << "it sinks in";
-  EXPECT_EQ(moves(at_once, 0.021 * aside, 0.7 * aside), LegEvent::flew);
+  EXPECT_EQ(moves(at_once, 0.021 * aside, 0.7 * aside), LegEvent::airborne);
   EXPECT_EQ(moves(at_once, 0.021 * aside, 0.5 * aside), LegEvent::none) << "it slides";
   EXPECT_EQ(moves(at_once, 0.019 * aside, 0.7 * aside), LegEvent::none);
   EXPECT_EQ(moves(in_time, 0.03 * kUp, 1.0 * kUp), LegEvent::none);
@@ -234,7 +234,7 @@ TEST(LegMotion, WhereAFootThatFlewStoodBeforeIsItsFootholdAgain) {
   const Vec3 came_down = bench.leg.foothold();
   bench.p -= 0.03 * kUp;
   bench.foot_velocity = -kUp;
-  ASSERT_EQ(bench.rest(kPeriod, 50.0), LegEvent::flew);
+  ASSERT_EQ(bench.rest(kPeriod, 50.0), LegEvent::airborne);
   EXPECT_GT((bench.leg.foothold() - came_down).norm(), 0.1);
   EXPECT_EQ(bench.leg.foothold(), Bench{}.p);
 }

@@ -11,26 +11,26 @@
 namespace surefoot::gaits {
 namespace {
 
-constexpr double kGrace = 0.04;  // a touchdown this late is still on time [s]
-constexpr double kLate = 0.10;   // … and this late worth telling: noticing one takes 50 ms [s]
-constexpr double kWaitDuration = 0.8;  // how far ahead the COM is planned while a foot searches [s]
-constexpr double kOnTime = 0.05;       // a lift-off later than this needs a new COM plan [s]
-constexpr double kLiftOffPatience = 0.3;  // before a lift-off is given up [s]
-constexpr double kTiltGivenUp = 20.0;     // more of a shortfall than on all feet [rad/s²]
-constexpr double kShortestPlan = 0.08;    // left of a phase that a new plan can use [s]
-constexpr double kRecovery = 0.6;         // in which the COM of a pushed robot comes to rest [s]
+constexpr double kTouchdownTolerance = 0.04;  // a touchdown this late needs no new plan [s]
+constexpr double kReportedLateness = 0.10;    // of a touchdown, whose detection takes 50 ms [s]
+constexpr double kWaitDuration = 0.8;         // assumed rest of a search, for the COM plan [s]
+constexpr double kLiftOffTolerance = 0.05;    // a lift-off this late needs no new plan [s]
+constexpr double kLiftOffTimeout = 0.3;       // until a lift-off is aborted [s]
+constexpr double kMaxShortfallRise = 20.0;    // of the tilt since all feet were loaded [rad/s²]
+constexpr double kMinReplanTime = 0.08;       // left in a phase for a new plan [s]
+constexpr double kRecoveryDuration = 0.6;     // of a COM plan to rest after a push [s]
 
 }  // namespace
 
-void Crawl::go(CrawlCause cause) {
-  const CrawlTransition* way = find_transition(state_, cause);
-  assert(way != nullptr);
-  if (way != nullptr) state_ = way->to;
+void Crawl::transition(CrawlCause cause) {
+  const CrawlTransition* row = find_transition(state_, cause);
+  assert(row != nullptr);
+  if (row != nullptr) state_ = row->to;
 }
 
 void Crawl::begin(Situation& now, Body& body, const std::optional<Action>& first) {
   if (first) return act(*first, now, body);
-  go(CrawlCause::walks);
+  transition(CrawlCause::walks);
   begin_support(now, body.options.gait.start_duration);
   plan_com(now, body);
 }
@@ -39,7 +39,7 @@ bool Crawl::waits(const Body& body) const {
   return state_ != CrawlState::swing && (!body.legs.all_down() || recovers_);
 }
 
-bool Crawl::has_lost(const Body& body) const {
+bool Crawl::has_lost_contact(const Body& body) const {
   return std::ranges::any_of(kLegs, [&](Leg k) {
     const bool swings = state_ == CrawlState::swing && k == steps_.next();
     return !swings && !body.legs[k].down();
@@ -65,19 +65,19 @@ void Crawl::follow(const Action& action, const Situation& now, Body& body) {
 void Crawl::change_state(const Action& action, const Situation& now, Body& body) {
   const Leg next = steps_.next();
   if (action.steps_out_of_turn) {
-    go(CrawlCause::steps_to_recover);
+    transition(CrawlCause::steps_to_recover);
     steps_.go_on_with(action.swing->leg);
   } else if (state_ == CrawlState::swing && action.lands == next) {
-    go(CrawlCause::lands);
+    transition(CrawlCause::lands);
     ++body.steps_taken;
     steps_.advance();
     begin_support(now, steps_.support_duration(body.pace()));
   } else if (state_ == CrawlState::swing && action.swing && action.swing->leg == next) {
-    go(CrawlCause::goes_on_swinging);
+    transition(CrawlCause::goes_on_swinging);
   } else if (state_ == CrawlState::unload && body.legs[next].phase() != LegPhase::unloading) {
-    go(CrawlCause::reloads);
+    transition(CrawlCause::reloads);
   } else if (action.recovers == false) {
-    go(CrawlCause::goes_on);
+    transition(CrawlCause::goes_on);
   }
 }
 
@@ -88,7 +88,7 @@ void Crawl::begin_support(const Situation& now, double duration) {
 
 void Crawl::expect_touchdown(const Situation& now, double duration) {
   deadline_ = now.time + duration;
-  late_time_ = deadline_ + now.body.scale.time() * kLate;
+  late_time_ = deadline_ + now.body.scale.time() * kReportedLateness;
 }
 
 GaitOutcome Crawl::go_on(Situation& now, Body& body) {
@@ -116,7 +116,7 @@ void Crawl::react_to_push(Situation& now, Body& body) {
     react(step_to_recover, now, body);
   }
   const double left = (state_ == CrawlState::swing ? deadline_ : lift_time_) - now.time;
-  if (wants_plan(now) && left > body.scale.time() * kShortestPlan) plan_com(now, body);
+  if (wants_plan(now) && left > body.scale.time() * kMinReplanTime) plan_com(now, body);
 }
 
 GaitOutcome Crawl::go_on_shifting(const Situation& now, Body& body) {
@@ -125,27 +125,27 @@ GaitOutcome Crawl::go_on_shifting(const Situation& now, Body& body) {
     return {};
   }
   if (!now.user.walk) {
-    go(CrawlCause::stops);
+    transition(CrawlCause::stops);
     return {.hands_over = true};
   }
   if (now.time < lift_time_ - body.options.force.ramp_down) return {};
   if (const std::optional<Leg> first = leg_for_wider_support(now, steps_)) {
     body.events.add({.kind = PlanEvent::support_widened, .leg = first});
-    go(CrawlCause::another_goes_first);
+    transition(CrawlCause::another_goes_first);
     begin_support(now, body.pace() * body.options.gait.start_duration);
     steps_.go_on_with(*first);
     plan_com(now, body);
     return {};
   }
-  tilt_shortfall_on_four_ = now.last.tilt_shortfall;
-  go(CrawlCause::unloads);
+  initial_tilt_shortfall_ = now.last.tilt_shortfall;
+  transition(CrawlCause::unloads);
   body.legs[steps_.next()].unload(lift_time_);
   return {};
 }
 
 GaitOutcome Crawl::go_on_unloading(Situation& now, Body& body) {
   const Leg next = steps_.next();
-  const double most = tilt_shortfall_on_four_ + kTiltGivenUp / body.scale.length;
+  const double most = initial_tilt_shortfall_ + kMaxShortfallRise / body.scale.length;
   const bool holds = !(now.last.tilt_shortfall > most);  // nor if NaN
   if (holds && now.time < lift_time_) return {};
   const bool unloaded = body.legs[next].unloaded() || !body.options.force.ramps;
@@ -153,7 +153,7 @@ GaitOutcome Crawl::go_on_unloading(Situation& now, Body& body) {
     lift_off(now, body);
     return {.begins_step = true};
   }
-  if (!holds || now.time > lift_time_ + body.scale.time() * kLiftOffPatience)
+  if (!holds || now.time > lift_time_ + body.scale.time() * kLiftOffTimeout)
     react(abort_lift_off, now, body);
   return {};
 }
@@ -164,7 +164,7 @@ GaitOutcome Crawl::go_on_swinging(Situation& now, Body& body) {
     body.events.add(now.event(PlanEvent::late, steps_.next()));
     late_time_ = kNever;
   }
-  if (now.time >= deadline_ + body.scale.time() * kGrace) {
+  if (now.time >= deadline_ + body.scale.time() * kTouchdownTolerance) {
     deadline_ = now.time + body.scale.time() * kWaitDuration;
     plan_com(now, body);
   }
@@ -173,15 +173,14 @@ GaitOutcome Crawl::go_on_swinging(Situation& now, Body& body) {
 
 void Crawl::lift_off(const Situation& now, Body& body) {
   const Leg k = steps_.next();
-  go(CrawlCause::lifts_off);
+  transition(CrawlCause::lifts_off);
   begin_swing(k, now, body, steps_.cycle_duration(body.pace()));
-  const bool on_time = now.time - lift_time_ < body.scale.time() * kOnTime;
+  const bool on_time = now.time - lift_time_ < body.scale.time() * kLiftOffTolerance;
   expect_touchdown(now, steps_.swing_duration(body.pace(), k));
   if (!on_time) plan_com(now, body);
 }
 
-// The phases ahead: what is left of this one, then support and swing in turn over the horizon, with
-// the footholds that are expected by then.
+// Phases: the rest of the present one, then support and swing alternate over the horizon.
 void Crawl::plan_com(const Situation& now, Body& body) {
   ComHorizon ahead(now, recovers_);
   const bool swings = state_ == CrawlState::swing;
@@ -190,8 +189,8 @@ void Crawl::plan_com(const Situation& now, Body& body) {
     const bool is_next = swings && k == steps_.next();
     if (!ahead.is_down(k)) ahead.land(k, is_next ? body.legs[k].target().goal : now.foot(k));
   }
-  if (recovers_) return ahead.come_to_rest(body, kRecovery, true);
-  if (!now.user.walk || has_lost(body)) return ahead.come_to_rest(body);
+  if (recovers_) return ahead.come_to_rest(body, kRecoveryDuration, true);
+  if (!now.user.walk || has_lost_contact(body)) return ahead.come_to_rest(body);
   const double pace = body.pace(), cycle = steps_.cycle_duration(pace);
   for (int step = swings ? 1 : 0; step < body.options.com.horizon_steps; ++step) {
     const Leg k = steps_.next(step);

@@ -6,8 +6,8 @@
 
 namespace surefoot::gaits {
 
-/// One leg after the other in the gait's order, the COM led through the support regions by a ZMP
-/// plan. A foot that meets no ground goes on down while the gait waits.
+/// Statically stable walk: one leg after the other in the gait's order, with a ZMP plan of the COM.
+/// The gait waits while a foot searches for ground.
 class Crawl final : public Gait {
  public:
   /// Throws Error unless the gait's order has each leg once.
@@ -23,7 +23,7 @@ class Crawl final : public Gait {
   void plan_com(const Situation& now, Body& body) override;
   GaitOutcome go_on(Situation& now, Body& body) override;
 
-  void go(CrawlCause cause);
+  void transition(CrawlCause cause);
   void change_state(const Action& action, const Situation& now, Body& body);
   void begin_support(const Situation& now, double duration);
   void expect_touchdown(const Situation& now, double duration);
@@ -32,17 +32,16 @@ class Crawl final : public Gait {
   GaitOutcome go_on_unloading(Situation& now, Body& body);
   GaitOutcome go_on_swinging(Situation& now, Body& body);
   void lift_off(const Situation& now, Body& body);
-  /// A foot that should stand looks for ground.
-  [[nodiscard]] bool has_lost(const Body& body) const;
+  /// Does a foot that should stand search for ground?
+  [[nodiscard]] bool has_lost_contact(const Body& body) const;
 
   StepSequence steps_;
   CrawlState state_ = CrawlState::stand;
-  double lift_time_ = 0.0;  // planned lift-off of the next leg [s]
-  double deadline_ = 0.0;   // expected touchdown of the swinging leg; later the gait waits [s]
-  double late_time_ = 0.0;  // when a missing touchdown is told [s]
-  double tilt_shortfall_on_four_ = 0.0;  // before the next leg began to unload: more of it is the
-                                         // torso let go, as the others can't carry it [rad/s²]
-  bool recovers_ = false;  // after a push or a slip: the gait waits until it is balanced
+  double lift_time_ = 0.0;               // planned lift-off of the next leg [s]
+  double deadline_ = 0.0;                // expected touchdown of the swing leg [s]
+  double late_time_ = 0.0;               // when a missing touchdown is reported [s]
+  double initial_tilt_shortfall_ = 0.0;  // before the next leg began to unload [rad/s²]
+  bool recovers_ = false;                // waits for balance after a push or a slip
 };
 
 }  // namespace surefoot::gaits

@@ -5,15 +5,15 @@
 
 namespace surefoot::gaits {
 
-/// What the crawl is doing.
+/// States of the crawl.
 enum class CrawlState {
-  stand,   ///< another gait has the legs
-  shift,   ///< all feet stand, the COM goes to where the next leg can lift off
-  unload,  ///< the next leg carries less and less
-  swing,   ///< it is in the air
+  stand,   ///< another gait is active
+  shift,   ///< all feet stand, the COM moves until the next leg can lift off
+  unload,  ///< the force limit of the next leg ramps down
+  swing,   ///< the next leg is in the air
 };
 
-/// What takes the crawl from one state to another.
+/// Causes of the crawl's transitions.
 enum class CrawlCause {
   walks,
   stops,
@@ -34,7 +34,7 @@ struct CrawlTransition {
   std::string_view why;
 };
 
-/// Every way from state to state: the crawl changes its state by this table only.
+/// All transitions: the crawl changes its state by this table only.
 inline constexpr std::array kCrawlTable{
     CrawlTransition{CrawlState::stand, CrawlCause::walks, CrawlState::shift,
                     "commanded to walk, all feet down"},
@@ -66,10 +66,10 @@ inline constexpr std::array kCrawlTable{
   return kNames[static_cast<std::size_t>(state)];
 }
 
-/// Null where the table has no such way.
+/// Null if the table has no such transition.
 [[nodiscard]] constexpr const CrawlTransition* find_transition(CrawlState from, CrawlCause cause) {
-  for (const CrawlTransition& way : kCrawlTable) {
-    if (way.from == from && way.cause == cause) return &way;
+  for (const CrawlTransition& row : kCrawlTable) {
+    if (row.from == from && row.cause == cause) return &row;
   }
   return nullptr;
 }

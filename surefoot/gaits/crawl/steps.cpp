@@ -10,10 +10,10 @@
 namespace surefoot::gaits {
 namespace {
 
-constexpr double kMinStep = 0.02;  // a step that is shorter has no direction [m]
-constexpr double kWider = 0.01;    // a support that is worth another leg's step, by [m]
+constexpr double kMinStep = 0.02;      // a shorter step has no direction [m]
+constexpr double kMinWidening = 0.01;  // of the support, by another leg's step [m]
 
-/// The gait goes from leg to leg until it comes to the one that is looked for.
+/// Throws Error unless the order has each leg once: a search for a missing leg would not end.
 const GaitOptions& checked(const GaitOptions& gait) {
   for (const Leg k : kLegs) {
     const auto count = std::ranges::count(gait.order, k);
@@ -24,9 +24,8 @@ const GaitOptions& checked(const GaitOptions& gait) {
   return gait;
 }
 
-/// A foothold, not further from the hip than the leg reaches when the foot lands: nearly straight,
-/// a leg neither feels the ground nor stands on it. Above lower ground the hip comes down with the
-/// torso.
+/// The goal, limited to the leg's reach from the hip at landing: a nearly straight leg can't detect
+/// contact. Over lower ground the hip comes down with the torso.
 Vec2 within_reach(Leg k, const Vec3& goal, double duration, const Situation& now) {
   const Vec2 shift = now.body.com.at(now.time + duration).p - now.dynamics.com.p.head<2>();
   const Vec3& hip = now.dynamics.hip[index(k)].p;
@@ -66,7 +65,7 @@ std::optional<Leg> leg_for_wider_support(const Situation& now, const StepSequenc
   for (const Leg k : kLegs) places[index(k)] = feet[index(k)].head<2>();
   double widest = inradius_without(next, places);
   if (widest > enough) return {};
-  widest += body.scale.length * kWider;
+  widest += body.scale.length * kMinWidening;
   const double cycle = steps.cycle_duration(body.pace());
   std::optional<Leg> first;
   for (const Leg k : kLegs) {
@@ -85,7 +84,7 @@ void begin_swing(Leg k, const Situation& now, Body& body, double cycle_duration)
   const PlannerOptions& options = body.options;
   const PerLeg<Vec3> feet = body.legs.footholds();
   SwingMemory& memory = body.swing;
-  memory = memory.begun();
+  memory = memory.for_new_swing();
   memory.foothold = body.footholds.foothold(k, feet, body.plane, now.yaw, now.user, cycle_duration);
   memory.probes = probes(options.probe, k);
   Vec3 goal = memory.foothold;

@@ -4,25 +4,25 @@
 
 namespace surefoot::gaits {
 
-/// Which leg steps when: the gait's order, mirrored fore and hind when it walks backward, and its
-/// durations, all longer by a factor `pace`.
+/// Order and durations of the steps: front and hind swap when walking backward, and all durations
+/// are multiplied by `pace`.
 class StepSequence {
  public:
   /// Throws Error unless the gait's order has each leg once.
   StepSequence(const GaitOptions& gait, const ProbeOptions& probe);
 
-  /// The leg that swings or is about to, or the one that follows after so many more.
+  /// The present or next swing leg, or the one `ahead` swings later.
   [[nodiscard]] Leg next(int ahead = 0) const;
   void advance() { cursor_ = (cursor_ + 1) % kNumLegs; }
-  /// The order goes on from this leg.
+  /// Makes this leg the next one.
   void go_on_with(Leg leg) {
     while (next() != leg) advance();
   }
   void set_backward(bool backward) { backward_ = backward; }
 
-  /// With all feet down before that leg [s].
+  /// With all feet down before the swing of `next(ahead)` [s].
   [[nodiscard]] double support_duration(double pace, int ahead = 0) const;
-  /// With both touches, where the leg probes [s].
+  /// Including the second swing of a leg that probes [s].
   [[nodiscard]] double swing_duration(double pace, Leg leg) const {
     return pace * gait_.swing_duration + (probes(probe_, leg) ? probe_.duration : 0.0);
   }
@@ -35,13 +35,13 @@ class StepSequence {
   bool backward_ = false;
 };
 
-/// Where the other feet's triangle is too thin to swing the next leg: another leg that goes first,
-/// if one can and its step to its nominal place widens the triangle.
+/// If the support triangle is too thin for the next swing: another leg whose step to its nominal
+/// place is possible and widens the triangle.
 [[nodiscard]] std::optional<Leg> leg_for_wider_support(const Situation& now,
                                                        const StepSequence& steps);
 
-/// Lifts the leg off to its next foothold; one that probes first touches ahead of it.
-/// `cycle_duration` of the gait's steps [s].
+/// Begins the swing of a leg to its next foothold, or ahead of it if the leg probes.
+/// `cycle_duration` of the gait [s].
 void begin_swing(Leg leg, const Situation& now, Body& body, double cycle_duration);
 
 }  // namespace surefoot::gaits

@@ -6,10 +6,10 @@
 namespace surefoot::gaits {
 namespace {
 
-constexpr double kWeighing = 1.3;   // [s]
-constexpr double kFollowing = 1.0;  // until the COM is where it is now known to belong [s]
-constexpr double kShortest = 1.0;   // [s]
-constexpr double kQuickest = 36.0;  // of the torso [rad/s²]
+constexpr double kWeighingDuration = 1.3;  // [s]
+constexpr double kFollowDuration = 1.0;    // until the COM has moved to its corrected place [s]
+constexpr double kMinTurnDuration = 1.0;   // [s]
+constexpr double kMaxAcceleration = 36.0;  // of the torso [rad/s²]
 
 const Vec3 kPeriods(2.0, 3.0, 1.0);  // of roll, pitch and yaw
 
@@ -31,12 +31,12 @@ Motion<double> window(double frequency, double t) {
 
 double CalibrationMotion::shortest_duration(const CalibrationOptions& options) {
   const double most = amplitudes_of(options).cwiseProduct(kPeriods.cwiseAbs2()).maxCoeff();
-  return std::max(kShortest, 2.0 * kPi * std::sqrt(most / kQuickest));
+  return std::max(kMinTurnDuration, 2.0 * kPi * std::sqrt(most / kMaxAcceleration));
 }
 
 double CalibrationMotion::duration() const {
   if (!(options_.duration > 0.0)) return 0.0;
-  return options_.settle + options_.duration + kTakeOver + kWeighing + kFollowing;
+  return options_.settle + options_.duration + kTakeOver + kWeighingDuration + kFollowDuration;
 }
 
 CalibrationStage CalibrationMotion::stage(double t) const {
@@ -45,8 +45,8 @@ CalibrationStage CalibrationMotion::stage(double t) const {
   if (t < options_.settle) return CalibrationStage::settling;
   if (since_turning < 0.0) return CalibrationStage::turning;
   if (since_turning < kTakeOver) return CalibrationStage::settling;
-  if (since_turning < kTakeOver + kWeighing) return CalibrationStage::weighing;
-  const bool follows = since_turning < kTakeOver + kWeighing + kFollowing;
+  if (since_turning < kTakeOver + kWeighingDuration) return CalibrationStage::weighing;
+  const bool follows = since_turning < kTakeOver + kWeighingDuration + kFollowDuration;
   return follows ? CalibrationStage::settling : CalibrationStage::none;
 }
 

@@ -6,31 +6,30 @@
 
 namespace surefoot::gaits {
 
-/// Turns the torso on the spot with all feet down, so that the estimator can tell the
-/// accelerometer's biases, which turn along, from a tilt, which does not.
+/// Turns the torso on the spot with all feet down. The accelerometer's biases turn with the torso
+/// and gravity does not, so the estimator can separate biases from tilt.
 ///
 ///     φ(t) = A w(t) sin(2π n t / T),   w(t) = (1 − cos(2π t / T)) / 2
 ///
 /// for roll (n = 2), pitch (n = 3) and yaw (n = 1) with their amplitudes A; begins and ends at
-/// rest. Before it the robot settles; after it the legs' lengths and zeros that it has found come
-/// into use (KinematicCalibration), then it feels what it carries and where its centre of mass is
-/// (ComCalibration).
+/// rest. Before it the robot settles. After it the estimated leg lengths and joint zeros come into
+/// use (KinematicCalibration), then payload and centre of mass are estimated (ComCalibration).
 class CalibrationMotion {
  public:
-  /// From the end of the turning until the legs are believed to be as they were found [s].
+  /// From the end of the turning until the estimated leg lengths and zeros are in use [s].
   static constexpr double kTakeOver = 0.7;
 
   explicit CalibrationMotion(const CalibrationOptions& options) : options_(options) {}
 
-  /// In which the torso can turn by the amplitudes of the options [s]: accelerations, (2π n / T)² A
-  /// or somewhat more, within what legs and ground can give.
+  /// Shortest duration in which legs and ground can turn the torso by the options' amplitudes [s]:
+  /// accelerations are about (2π n / T)² A.
   [[nodiscard]] static double shortest_duration(const CalibrationOptions& options);
 
-  /// From the beginning to the end of all [s]; 0 if the motion takes no time.
+  /// From the beginning of the first stage to the end of the last [s]; 0 without a motion.
   [[nodiscard]] double duration() const;
-  /// What is done `t` after the beginning of all [s]; nothing if the motion takes no time.
+  /// Stage at `t` after the beginning [s]; none without a motion.
   [[nodiscard]] CalibrationStage stage(double t) const;
-  /// Roll, pitch and yaw [rad], their rates and accelerations; zero where the torso does not turn.
+  /// Roll, pitch and yaw [rad], their rates and accelerations; zero in other stages.
   [[nodiscard]] Motion<Vec3> at(double t) const;
 
  private:

@@ -6,11 +6,10 @@
 namespace surefoot::gaits {
 namespace {
 
-constexpr double kPatience = 10.0;     // until it is told that a calibration waits to begin, and a
-                                       // repeated one is given up [s]
-constexpr int kMostRepeats = 2;        // of a calibration that is disturbed
-constexpr double kLongestGap = 0.011;  // between two ticks; a longer one disturbs, too [s]
-constexpr double kStill = 0.02;        // [m/s] and [rad/s]
+constexpr double kWaitTimeout = 10.0;  // then a waiting calibration is reported, or given up [s]
+constexpr int kMaxRepeats = 2;         // of a disturbed calibration
+constexpr double kMaxTickGap = 0.011;  // a longer gap disturbs a calibration [s]
+constexpr double kRestSpeed = 0.02;    // [m/s] and [rad/s]
 constexpr double kRestDuration = 1.0;  // [s]
 
 }  // namespace
@@ -20,35 +19,35 @@ void CalibrationSchedule::begin(double time) {
   is_wanted_ = will_repeat_ = may_give_up_ = was_disturbed_ = false;
 }
 
-void CalibrationSchedule::update(double time, bool asked, bool is_undisturbed) {
-  const bool is_cut = time - time_ > kLongestGap;
+void CalibrationSchedule::update(double time, bool requested, bool is_undisturbed) {
+  const bool has_gap = time - time_ > kMaxTickGap;
   time_ = time;
   const bool listened = stage_ == CalibrationStage::turning || stage_ == CalibrationStage::weighing;
-  if (listened && (!is_undisturbed || is_cut)) was_disturbed_ = true;
+  if (listened && (!is_undisturbed || has_gap)) was_disturbed_ = true;
   if (was_going_on_ && !is_going_on()) end();
   was_going_on_ = is_going_on();
-  if (may_give_up_ && time_ >= tells_wait_at_) give_up();
-  if (asked && !asked_before_) {
+  if (may_give_up_ && time_ >= wait_timeout_at_) give_up();
+  if (requested && !requested_before_) {
     repeats_ = 0;
-    may_give_up_ = false;  // as it was asked for, it waits as long as it has to
+    may_give_up_ = false;  // a calibration that the user requested waits without limit
     want();
   }
-  asked_before_ = asked;
+  requested_before_ = requested;
   stage_ = motion_stage();
   if (will_repeat_ && stage_ == CalibrationStage::none) stage_ = CalibrationStage::settling;
 }
 
 void CalibrationSchedule::want() {
   is_wanted_ = true;
-  tells_wait_at_ = time_ + kPatience;
+  wait_timeout_at_ = time_ + kWaitTimeout;
 }
 
-// Not for ever: somebody who goes on pushing wants the robot to walk.
+// Repeats are limited, so that a lasting push does not keep the robot from walking.
 void CalibrationSchedule::end() {
   if (!was_disturbed_ || is_known_) {
     repeats_ = 0;
-  } else if (is_wanted_ || repeats_ < kMostRepeats) {
-    may_give_up_ = !is_wanted_;  // asked for meanwhile, it waits as long as it has to
+  } else if (is_wanted_ || repeats_ < kMaxRepeats) {
+    may_give_up_ = !is_wanted_;  // unless the user has requested one meanwhile
     if (may_give_up_) ++repeats_;
     will_repeat_ = true;
     end_ = PlanEvent::calibration_disturbed;
@@ -66,21 +65,20 @@ void CalibrationSchedule::give_up() {
 
 PlanEvent CalibrationSchedule::take_end() { return std::exchange(end_, PlanEvent::none); }
 
-// So that whoever asked sees why nothing happens.
 PlanEvent CalibrationSchedule::take_waiting() {
-  if (!is_wanted_ || is_going_on() || time_ < tells_wait_at_) return PlanEvent::none;
-  tells_wait_at_ = time_ + kPatience;
+  if (!is_wanted_ || is_going_on() || time_ < wait_timeout_at_) return PlanEvent::none;
+  wait_timeout_at_ = time_ + kWaitTimeout;
   return PlanEvent::calibration_waits;
 }
 
 void RestWatch::update(const RobotState& state, bool stands) {
   if (!stands) stands_from_ = state.time;
-  if (!(state.v_WB.norm() < scale_.speed() * kStill)) rests_from_ = state.time;
+  if (!(state.v_WB.norm() < scale_.speed() * kRestSpeed)) rests_from_ = state.time;
 }
 
 bool RestWatch::is_at_rest(const RobotState& state) const {
   return state.time > std::max(stands_from_, rests_from_) + kRestDuration &&
-         state.w_WB_B.norm() < scale_.rate() * kStill;
+         state.w_WB_B.norm() < scale_.rate() * kRestSpeed;
 }
 
 }  // namespace surefoot::gaits

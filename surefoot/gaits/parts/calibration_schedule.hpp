@@ -7,35 +7,34 @@
 
 namespace surefoot::gaits {
 
-/// When the robot calibrates itself: at the beginning, when it is asked to, and once more after a
-/// calibration that was disturbed and doesn't know legs and load, twice at most. The planner says
-/// when one may begin.
+/// When the robot calibrates itself: at the start, at the user's request, and up to twice again
+/// after a disturbed calibration that did not find legs and load.
 class CalibrationSchedule {
  public:
   explicit CalibrationSchedule(const CalibrationOptions& options) : motion_(options) {}
 
-  /// The user's switch stands like that before the first tick, which asks for nothing.
-  void expect_switch(bool asked) { asked_before_ = asked; }
+  /// State of the user's switch before the first tick: not a request.
+  void expect_switch(bool requested) { requested_before_ = requested; }
   /// A calibration begins at this time [s].
   void begin(double time);
-  /// Does the calibration that has just ended know the legs and what the robot carries?
+  /// Did the calibration that has just ended find the legs and the payload?
   void tell_known(bool known) { is_known_ = known; }
-  /// One tick at its time [s]: the user's switch, which asks when it is turned on, and whether a
-  /// calibration may listen. Ticks that are missing disturb it, too.
-  void update(double time, bool asked, bool is_undisturbed);
+  /// One tick at its time [s]. Turning the user's switch on, `requested`, requests a calibration.
+  /// Missing ticks disturb a calibration like pushes do.
+  void update(double time, bool requested, bool is_undisturbed);
 
   [[nodiscard]] bool is_going_on() const { return motion_stage() != CalibrationStage::none; }
-  /// … or is to begin as soon as it may.
+  /// Is a calibration going on or waiting to begin?
   [[nodiscard]] bool is_due() const { return is_going_on() || is_wanted_; }
   [[nodiscard]] bool is_wanted() const { return is_wanted_; }
-  /// Of this tick. It still settles where it will calibrate once more.
+  /// Of this tick; `settling` until a repeated calibration begins.
   [[nodiscard]] CalibrationStage stage() const { return stage_; }
   /// See CalibrationMotion.
   [[nodiscard]] Motion<Vec3> motion() const { return motion_.at(time_ - begun_at_); }
 
-  /// How the last one ended, if that is still to be told; once.
+  /// How the last calibration ended, reported once; none: nothing to report.
   [[nodiscard]] PlanEvent take_end();
-  /// That one waits to begin, if it is time to tell; again and again.
+  /// That a calibration is waiting to begin, reported at each timeout.
   [[nodiscard]] PlanEvent take_waiting();
 
  private:
@@ -47,26 +46,26 @@ class CalibrationSchedule {
   CalibrationMotion motion_;
   CalibrationStage stage_ = CalibrationStage::none;
   double time_ = 0.0, begun_at_ = 0.0;  // [s]
-  bool asked_before_ = false;           // at the last tick
-  bool is_wanted_ = false;              // one that has not begun
-  double tells_wait_at_ = 0.0;          // that it has not [s]
+  bool requested_before_ = false;       // at the last tick
+  bool is_wanted_ = false;              // waiting to begin
+  double wait_timeout_at_ = 0.0;        // when the waiting is reported or given up [s]
   bool was_going_on_ = false;           // at the last tick
-  bool was_disturbed_ = false;          // the one that goes on, or the last one
-  bool is_known_ = false;               // after it
-  bool will_repeat_ = false;            // that one, as soon as it may begin
-  bool may_give_up_ = false;            // to repeat it, as nobody has asked for one
-  int repeats_ = 0;                     // of one that was disturbed
-  PlanEvent end_ = PlanEvent::none;     // that is still to be told
+  bool was_disturbed_ = false;          // the present or last calibration
+  bool is_known_ = false;               // legs and payload, after the last calibration
+  bool will_repeat_ = false;            // the disturbed calibration
+  bool may_give_up_ = false;            // the repetition, which no user requested
+  int repeats_ = 0;                     // of a disturbed calibration
+  PlanEvent end_ = PlanEvent::none;     // not yet reported
 };
 
-/// Since when a robot has stood on all feet without going anywhere.
+/// Measures how long the robot has stood still on all feet.
 class RestWatch {
  public:
   explicit RestWatch(const Scale& scale) : scale_(scale) {}
 
-  /// One tick. `stands`: the gait lets all feet stand, and they do.
+  /// One tick. `stands`: the gait is standing, with all feet down.
   void update(const RobotState& state, bool stands);
-  /// For 1 s, and it does not turn.
+  /// Has it stood still for 1 s, without turning?
   [[nodiscard]] bool is_at_rest(const RobotState& state) const;
 
  private:

@@ -7,7 +7,7 @@
 namespace surefoot::gaits {
 namespace {
 
-constexpr int kLengths = 4, kDirections = 12;  // of the steps that are tried
+constexpr int kLengths = 4, kDirections = 12;  // of the candidate steps
 
 bool has_room(const PerLeg<Vec2>& feet, Leg leg, double room) {
   for (const Leg other : kLegs) {

@@ -9,15 +9,15 @@
 namespace surefoot::gaits {
 namespace {
 
-constexpr double kLeastHeight = 0.1;     // of the COM over an edge [m]
-constexpr double kRestWeight = 100.0;    // of an end at rest [1/s²]
-constexpr double kLoadedWeight = 3.0;    // of the pull to the centre against a load [1/s²] …
-constexpr double kFullLoad = 0.03;       // … that moves the ZMP by this or more [m]
-constexpr double kShortestPhase = 1e-3;  // [s]
-constexpr int kMinSamples = 3;           // of a phase: they hold a cubic acceleration
-constexpr int kMaxSamples = 8;           // of a phase
-constexpr int kFrictionRows = 4;         // of a sample
-constexpr double kNearReach = 0.5;       // of a leg's reach: a hip that is nearer needs no row
+constexpr double kMinHeight = 0.1;     // of the COM over an edge [m]
+constexpr double kRestWeight = 100.0;  // terminal weight of a plan that ends at rest [1/s²]
+constexpr double kLoadedWeight = 3.0;  // terminal weight under a full load [1/s²]
+constexpr double kFullLoad = 0.03;     // shift of the ZMP by a full load, or more [m]
+constexpr double kMinDuration = 1e-3;  // of a phase [s]
+constexpr int kMinSamples = 3;         // of a phase: they constrain a cubic acceleration
+constexpr int kMaxSamples = 8;         // of a phase
+constexpr int kFrictionRows = 4;       // per sample
+constexpr double kReachShare = 0.5;    // of a leg's reach: nearer hips need no row
 constexpr double kFrictionShare = 0.9 / std::numbers::sqrt2;  // of μ: within the feet's pyramids
 constexpr int kUnknownsPerKnot = 6;                           // p, v, a in x and y
 constexpr int kGaussPoints = 4;                               // exact for the square of a cubic
@@ -26,7 +26,7 @@ constexpr std::array<double, kGaussPoints> kGaussNodes{0.0694318442029737, 0.330
 constexpr std::array<double, kGaussPoints> kGaussWeights{0.1739274225687269, 0.3260725774312731,
                                                          0.3260725774312731, 0.1739274225687269};
 
-/// Coarse: what hardly moves a row of the plan isn't worth bending a spline for.
+/// Coarse, so that nearly dependent rows do not bend the splines.
 constexpr solver::RankTolerance kRank{.solve = 1e-8, .keep = 1e-12};
 
 int samples_of(const SupportPhase& phase, double interval) {
@@ -54,7 +54,7 @@ solver::Hierarchy make_hierarchy(std::size_t num_phases) {
 }  // namespace
 
 void ComProblem::add(const SupportPhase& phase) {
-  if (num_phases == kMaxPhases || !(phase.duration >= kShortestPhase)) return;
+  if (num_phases == kMaxPhases || !(phase.duration >= kMinDuration)) return;
   phases[num_phases++] = phase;
 }
 
@@ -99,7 +99,7 @@ void ComPlanner::plan(const ComProblem& problem) noexcept {
   measure_slack();
 }
 
-// The unknowns are the deviations from a guess, so that the solver starts where the last plan was.
+// The unknowns are deviations from the last plan, so that the solver starts there.
 void ComPlanner::guess_knots(const ComProblem& problem) noexcept {
   const double old_end = end_time();
   std::array<Motion<Vec2>, kMaxPhases + 1> guess;
@@ -118,7 +118,7 @@ void ComPlanner::guess_knots(const ComProblem& problem) noexcept {
 }
 
 double ComPlanner::pendulum(const HalfPlane& edge) const noexcept {
-  return std::max(length_ * kLeastHeight, problem_.height - edge.height) / kGravity;
+  return std::max(length_ * kMinHeight, problem_.height - edge.height) / kGravity;
 }
 
 void ComPlanner::write_region_rows(solver::Hierarchy& hierarchy, std::size_t phase) const noexcept {
@@ -134,7 +134,7 @@ void ComPlanner::write_region_rows(solver::Hierarchy& hierarchy, std::size_t pha
       write_friction_rows(hierarchy.level(0), phase, t);
       write_reach_rows(hierarchy.level(0), phase, t);
     }
-    if (support.must_rest || loaded) {  // a plan that stops later puts it off at each new plan
+    if (support.must_rest || loaded) {  // else each new plan would postpone the stop
       write_inside_rows(hierarchy.level(1), phase, t, region, options_.rest_margin,
                         Point::capture_point);
     }
@@ -178,7 +178,7 @@ void ComPlanner::write_reach_rows(solver::Level& level, std::size_t phase,
   const Vec2 com = evaluate(phase, t).p;
   for (std::size_t leg = 0; leg < kNumLegs; ++leg) {
     const Vec2 from_foot = com + support.hips[leg] - support.feet[leg];
-    if (!support.down[leg] || from_foot.norm() < kNearReach * support.reach[leg]) continue;
+    if (!support.down[leg] || from_foot.norm() < kReachShare * support.reach[leg]) continue;
     const Vec2 direction = from_foot.normalized();
     const double known = direction.dot(support.hips[leg] - support.feet[leg]);
     add_row(level, phase, w, direction, known, support.reach[leg]);

@@ -13,32 +13,31 @@
 
 namespace surefoot::gaits {
 
-/// A stretch of the gait with one set of feet down. Places are x and y in W [m], times from the
-/// phase's begin [s].
+/// A phase of the gait with one set of feet down. Places are x and y in W [m], times are relative
+/// to the phase's begin [s].
 struct SupportPhase {
   double duration = 0.0;
   PerLeg<Vec2> feet = per_leg(Vec2(0.0, 0.0));  ///< footholds
-  PerLeg<double> heights{};     ///< of the footholds over where `height` counts from [m]
+  PerLeg<double> heights{};     ///< of the footholds over the reference of `height` [m]
   PerLeg<bool> down{};          ///< carries force for (part of) this phase
   PerLeg<double> loaded_for{};  ///< since touchdown; ramps f_max up
   PerLeg<double> lifts_in = per_leg(kNever);    ///< to lift-off; ramps down
   PerLeg<Vec2> hips = per_leg(Vec2(0.0, 0.0));  ///< from the COM
   PerLeg<double> reach = per_leg(kInfinity);    ///< of a foot from its hip, horizontally [m]
-  double zmp_margin_max = kInfinity;            ///< takes the place of a greater zmp_margin [m]
-  bool must_rest = false;  ///< the capture point stays inside: the phase may have to wait
+  double zmp_margin_max = kInfinity;            ///< upper limit of zmp_margin [m]
+  bool must_rest = false;  ///< capture point stays inside, as the phase may last longer
 };
 
-/// What acts on the robot beside its weight and the ground: it moves the ZMP by
-/// h · force + moment.
+/// External load on the robot besides weight and contact: moves the ZMP by h · force + moment.
 struct ComLoad {
   Vec2 force{0.0, 0.0};   ///< horizontal, at the COM, as a share of the weight
   Vec2 moment{0.0, 0.0};  ///< (τ_y, −τ_x) over the weight [m]
 
-  /// d of a COM `height` over the feet [m].
+  /// Shift d of the ZMP with the COM `height` over the feet [m].
   [[nodiscard]] Vec2 shift(double height) const { return height * force + moment; }
 };
 
-/// What a plan of the COM is made from.
+/// Input of a COM plan.
 struct ComProblem {
   static constexpr std::size_t kMaxPhases = 10;
 
@@ -47,10 +46,10 @@ struct ComProblem {
   double height = 0.5;    ///< of the COM over the support [m]
   double weight = 300.0;  ///< [N]
   ComLoad load{};         ///< from the begin to the end
-  double friction = 0.5;  ///< μ that the feet have together …
-  double heading = 0.0;   ///< … along the sides of pyramids that look there [rad]
+  double friction = 0.5;  ///< mean μ of the feet
+  double heading = 0.0;   ///< of the friction pyramids' x axis [rad]
   Vec2 end_velocity{0.0, 0.0};
-  /// To the end the COM is drawn softly, for a next plan comes before it, unless it rests there.
+  /// Greater weight of the terminal state: this plan is not replaced before its end.
   bool comes_to_rest = false;
   std::array<SupportPhase, kMaxPhases> phases{};
   std::size_t num_phases = 0;
@@ -59,43 +58,42 @@ struct ComProblem {
   void add(const SupportPhase& phase);
 };
 
-/// The COM trajectory of the paper's ZMP walk: one quintic Hermite spline a phase, whose knots
-/// (position, velocity, acceleration in x and y) come from one strict hierarchy:
+/// The COM trajectory of the paper's ZMP walk: one quintic Hermite spline per phase, whose knots
+/// (position, velocity, acceleration in x and y) solve one strict hierarchy:
 ///
 ///   1. the ZMP  p − (h/g) p̈ + d  inside the shrinking and switching support region, by a margin:
-///      h is the height over the edge in question, for what tips the robot is the moment about that
-///      line; d is what the load moves it by. Against a load also the force along the ground within
-///      what friction gives, and the hips where the legs reach them
-///   2. the capture point  p + √(h/g) ṗ + d  inside the triangle of a swing, by a margin; against a
+///      h is the height over each edge, as the robot tips about that line; d is the load's shift.
+///      Under a load also horizontal forces within friction limits, and hips within the legs' reach
+///   2. the capture point  p + √(h/g) ṗ + d  inside the triangle of a swing, by a margin; under a
 ///      load inside the region of every phase
-///   3. ∫ ‖p̈‖² dt least (Gauss quadrature), end of the horizon drawn to the centre of its feet
+///   3. minimal ∫ ‖p̈‖² dt (Gauss quadrature), terminal COM at the centre of the feet
 ///
-/// Levels 1 and 2 are inequalities: when they can't be met they are violated as little as possible,
-/// never infeasible. Winkler 2015 and Kalakrishnan 2011 have the QP, the hierarchy replaces their
-/// weights. Allocates at construction only.
+/// Levels 1 and 2 are inequalities: if they can't be met, they are violated as little as possible.
+/// The QP is that of Winkler 2015 and Kalakrishnan 2011, with priorities instead of their weights.
+/// Allocates at construction only.
 class ComPlanner {
  public:
   static constexpr std::size_t kMaxPhases = ComProblem::kMaxPhases;
-  /// Swings that fit: each with the support before it, and the support after the last.
+  /// Most swings of a plan: each has a support before it, and the last one a support after it.
   static constexpr int kMaxSteps = (static_cast<int>(kMaxPhases) - 1) / 2;
 
   /// `scale` of the robot.
   ComPlanner(const ComPlannerOptions& options, const ForceOptions& force, const Scale& scale = {});
 
-  /// With numbers that are not finite, or without a phase, the plan before stays in force.
+  /// Input with non-finite numbers or without a phase leaves the plan as it is.
   void plan(const ComProblem& problem) noexcept;
 
-  /// The plan at a time; after its end it stays where it ended.
+  /// The plan at a time; after its end the COM stays there.
   [[nodiscard]] ComPlan at(double time) const noexcept;
   [[nodiscard]] double end_time() const;
   /// How far the ZMP of the plan had to leave the (unshrunk) region [m].
   [[nodiscard]] double zmp_slack() const { return zmp_slack_; }
-  /// What the last plan was made from, and the answer: for those who check it.
+  /// Problem and solution of the last plan, for checks.
   [[nodiscard]] const solver::Hierarchy& hierarchy() const { return last_problem().hierarchy; }
   [[nodiscard]] const solver::Solution& solution() const {
     return last_problem().solver.solution();
   }
-  /// Of a robot's weight [N], that a foot can carry `t` after the begin of a phase.
+  /// Share of `weight` [N] that a foot can carry `t` after the begin of a phase.
   [[nodiscard]] double share(const SupportPhase& phase, std::size_t leg, double t,
                              double weight) const;
 
@@ -115,7 +113,7 @@ class ComPlanner {
   /// Rows  n·point ≤ offset − margin  for every edge of the region, at t in a phase.
   void write_inside_rows(solver::Level& level, std::size_t phase, double t,
                          const SupportRegion& region, double margin, Point point) const noexcept;
-  /// Rows  ±(h/g p̈ − h f) ≤ share μ h  on both axes: what the feet push along the ground.
+  /// Rows  ±(h/g p̈ − h f) ≤ share μ h  on both axes, for the horizontal contact force.
   void write_friction_rows(solver::Level& level, std::size_t phase, double t) const noexcept;
   /// Rows  e·(p + hip − foot) ≤ reach  for every foot that is down, with the direction e from foot
   /// to hip at the guess.
@@ -137,11 +135,11 @@ class ComPlanner {
 
   ComPlannerOptions options_;
   ForceOptions force_;
-  double length_;  // that its lengths go with, as a ratio
-  // By number of phases. Copies of a planner share them, as they remember nothing; so of these one
-  // plans at a time.
+  double length_;  // scale of lengths
+  // By number of phases. Stateless between plans, so copies of a planner share them; only one copy
+  // may plan at a time.
   std::vector<std::shared_ptr<Problem>> problems_;
-  ComProblem problem_;  // that the plan in force answers; num_phases 0: none
+  ComProblem problem_;  // of the present plan; num_phases 0: none
   std::array<Motion<Vec2>, kMaxPhases + 1> knots_;
   double zmp_slack_ = 0.0;
 };

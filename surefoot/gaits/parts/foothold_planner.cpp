@@ -9,26 +9,26 @@ namespace surefoot::gaits {
 namespace {
 
 constexpr double kStrideShare = 5.0 / 8.0;
-constexpr double kReachUpward = 1.25;    // of max_step: a leg that steps up is not stretched
-constexpr double kLastReach = 1.25;      // … and one that would not go on otherwise must be
-constexpr double kSteepest = 0.36;       // rise over run of a slope; what is steeper is an edge
-constexpr double kLowestStair = 0.06;    // what rises by more in a stride may be stairs [m]
-constexpr double kEvenly = 0.015;        // a slope's print from the line through two others [m]
-constexpr double kLeastStride = 0.05;    // that says something of the ground's slope [m]
-constexpr double kLeastProgress = 0.03;  // a footprint must lie this far ahead of the foot [m]
+constexpr double kStepUpReach = 1.25;         // of max_step, as a step up does not stretch the leg
+constexpr double kForcedReach = 1.25;         // of max_step, where the next print is too far
+constexpr double kMaxSlope = 0.36;            // rise over run; steeper ground is an edge
+constexpr double kMinStairRise = 0.06;        // per stride; a greater rise may be stairs [m]
+constexpr double kMaxSlopeDeviation = 0.015;  // of a print from the line through two others [m]
+constexpr double kMinStride = 0.05;           // that determines the ground's slope [m]
+constexpr double kMinProgress = 0.03;         // of a footprint ahead of the foot [m]
 
-/// Do three prints, one behind the other, lie on one slope? Evenly, not steeper than slopes are and
-/// by less than stairs: a print on every tread rises evenly, too. `length` is the robot's scale.
+/// Do three consecutive prints lie on one slope: evenly, and flatter than stairs, whose prints may
+/// rise evenly too? `length` is the robot's scale.
 bool is_slope(const Vec3& first, const Vec3& second, const Vec3& third, double length) {
   const Vec3 stride = second - first, next = third - second;
   const double slope = stride.z() / stride.head<2>().norm(), run = next.head<2>().norm();
-  const bool gentle = std::max(std::abs(slope) * run, std::abs(next.z())) < kSteepest * run;
-  return gentle && std::abs(next.z()) < length * kLowestStair &&
-         std::abs(next.z() - slope * run) < length * kEvenly;
+  const bool gentle = std::max(std::abs(slope) * run, std::abs(next.z())) < kMaxSlope * run;
+  return gentle && std::abs(next.z()) < length * kMinStairRise &&
+         std::abs(next.z() - slope * run) < length * kMaxSlopeDeviation;
 }
 
-/// The prints before and behind a nominal foothold, along a heading, and one `stride` before; null:
-/// there is none.
+/// The prints beyond and before a nominal foothold along a heading, and one `stride` before that;
+/// null: none.
 struct Around {
   const Vec3 *beyond, *before, *earlier;
 };
@@ -41,7 +41,7 @@ Around prints_around(const Prints& prints, const Vec3& nominal, const Vec2& head
     const Vec3* found = nullptr;
     for (std::size_t i = 0; i < prints.size(); ++i) {
       const Vec3& print = prints.newest(i);
-      if (std::abs(aside.dot((print - nominal).head<2>())) > half_width) continue;  // another way's
+      if (std::abs(aside.dot((print - nominal).head<2>())) > half_width) continue;  // off the path
       if (!fits(ahead(print))) continue;
       if (found == nullptr || sign * ahead(print) < sign * ahead(*found)) found = &print;
     }
@@ -69,7 +69,7 @@ Vec3 FootholdPlanner::foothold(Leg leg, const PerLeg<Vec3>& footholds,
   const Mat2 R_ahead = rotation_about_z(yaw + ahead * user.yaw_rate).topLeftCorner<2, 2>();
   const Vec3& from = footholds[index(leg)];
   const Vec2 goal = center + R_ahead * nominal_offset(stance_, leg) + ahead * (R * user.velocity);
-  const Vec2 near = not_stretched(leg, goal, footholds, R.col(0));
+  const Vec2 near = limit_stretch(leg, goal, footholds, R.col(0));
   const Vec2 step = clip_norm<2>(near - from.head<2>(), options_.max_step);
   Vec3 nominal;
   nominal << from.head<2>() + step, 0.0;
@@ -77,7 +77,7 @@ Vec3 FootholdPlanner::foothold(Leg leg, const PerLeg<Vec3>& footholds,
   const Vec2 heading = R.col(0) * (user.velocity.x() < 0.0 ? -1.0 : 1.0);
   const bool follows = !is_front(leg) && options_.hind_use_front_prints;
   const Vec3 wanted = follows ? on_prints(prints(leg), nominal, from, heading) : nominal;
-  return beside_voids(leg, wanted, footholds, plane, heading);
+  return avoid_voids(leg, wanted, footholds, plane, heading);
 }
 
 double FootholdPlanner::expected_height(Leg leg, const Vec2& place, const PerLeg<Vec3>& footholds,
@@ -95,14 +95,14 @@ double FootholdPlanner::last_slope(const Prints& prints) const {
   for (std::size_t i = 1; i < prints.size(); ++i) {
     const Vec3 stride = prints.newest(0) - prints.newest(i);
     const double length = stride.head<2>().norm(), rise = std::abs(stride.z());
-    if (length < length_ * kLeastStride) continue;
-    return rise > kSteepest * length + options_.same_height ? 0.0 : rise / length;
+    if (length < length_ * kMinStride) continue;
+    return rise > kMaxSlope * length + options_.same_height ? 0.0 : rise / length;
   }
   return kInfinity;
 }
 
-// A front foot does not run away from the hind foot that is to follow in its prints.
-Vec2 FootholdPlanner::not_stretched(Leg leg, const Vec2& goal, const PerLeg<Vec3>& footholds,
+// Keeps a front foot near the hind foot that steps in its prints.
+Vec2 FootholdPlanner::limit_stretch(Leg leg, const Vec2& goal, const PerLeg<Vec3>& footholds,
                                     const Vec2& heading) const {
   if (!is_front(leg) || !options_.hind_use_front_prints) return goal;
   const double ahead = heading.dot(goal - footholds[index(same_side(leg))].head<2>());
@@ -121,12 +121,11 @@ bool FootholdPlanner::is_void(const Vec2& place) const {
   return false;
 }
 
-// Half the way there may still be the ground that the foot stands on; then over it, then beside it.
-// A leg that is stretched to get there can't look for ground below. Where nothing is left the foot
-// stays where it is: there is ground.
-Vec3 FootholdPlanner::beside_voids(Leg leg, const Vec3& place, const PerLeg<Vec3>& footholds,
-                                   const estimation::TerrainPlane& plane,
-                                   const Vec2& heading) const {
+// Tries half the step, then beyond the void, then beside it. Skips places out of reach, where the
+// leg could not search for ground. Otherwise the foot steps on the spot.
+Vec3 FootholdPlanner::avoid_voids(Leg leg, const Vec3& place, const PerLeg<Vec3>& footholds,
+                                  const estimation::TerrainPlane& plane,
+                                  const Vec2& heading) const {
   const Vec3& from = footholds[index(leg)];
   if (!is_void(place.head<2>())) return place;
   const Vec2 step = (place - from).head<2>();
@@ -138,8 +137,8 @@ Vec3 FootholdPlanner::beside_voids(Leg leg, const Vec3& place, const PerLeg<Vec3
                                    Vec2(step + 2.0 * far * way)};
   for (const Vec2& other : others) {
     const Vec2 there = from.head<2>() + other;
-    const bool is_near = other.norm() < kReachUpward * options_.max_step &&
-                         not_stretched(leg, there, footholds, heading) == there;
+    const bool is_near = other.norm() < kStepUpReach * options_.max_step &&
+                         limit_stretch(leg, there, footholds, heading) == there;
     if (!is_near || is_void(there)) continue;
     Vec3 result;
     result << there, expected_height(leg, there, footholds, plane);
@@ -162,25 +161,23 @@ void FootholdPlanner::forget_last(Leg leg) {
   if (is_front(leg)) prints(leg).drop_newest();
 }
 
-// The front foot's prints tell what lies under the hind foot's way. Where the print before the
-// nominal foothold and the one beyond it differ in height, there is an edge between to slip from,
-// and only the prints are known to be good: a step up may be longer than others, and where the far
-// side is out of reach the foot waits on the print before it, if it is not there yet. Elsewhere it
-// goes where it likes, over the higher of the two.
+// If the prints before and beyond the nominal foothold differ in height, there is an edge between
+// them, and only the prints are safe: the foot steps on the one beyond or, if that is out of reach,
+// on the one before. Elsewhere it may step between prints, at the height of the higher one.
 Vec3 FootholdPlanner::on_prints(const Prints& prints, const Vec3& nominal, const Vec3& from,
                                 const Vec2& heading) const {
   const auto [beyond, before, earlier] =
-      prints_around(prints, nominal, heading, stance_.half_width, length_ * kLeastStride);
+      prints_around(prints, nominal, heading, stance_.half_width, length_ * kMinStride);
   if (beyond == nullptr) return nominal;
   const auto ahead = [&](const Vec3& print) { return heading.dot((print - nominal).head<2>()); };
   const double rise = before == nullptr ? 0.0 : beyond->z() - before->z();
   const bool slope = earlier != nullptr && is_slope(*earlier, *before, *beyond, length_);
   const bool edge = std::abs(rise) > options_.same_height && !slope;
-  const double reach = (edge && rise > 0.0 ? kReachUpward : 1.0) * options_.max_step;
+  const double reach = (edge && rise > 0.0 ? kStepUpReach : 1.0) * options_.max_step;
   const auto reachable = [&](const Vec3& print) { return (print - from).head<2>().norm() < reach; };
-  const double least = length_ * kLeastProgress;
+  const double least = length_ * kMinProgress;
   const bool can_wait = edge && heading.dot((*before - from).head<2>()) > least;
-  if (edge && !reachable(*beyond)) return can_wait ? *before : towards(*beyond, from);
+  if (edge && !reachable(*beyond)) return can_wait ? *before : step_toward(*beyond, from);
   const Vec3& nearest =
       edge || before == nullptr || ahead(*beyond) < -ahead(*before) ? *beyond : *before;
   const bool near = (nearest - nominal).head<2>().norm() < options_.print_radius;
@@ -191,10 +188,10 @@ Vec3 FootholdPlanner::on_prints(const Prints& prints, const Vec3& nominal, const
   return between;
 }
 
-// As far as the leg can.
-Vec3 FootholdPlanner::towards(const Vec3& print, const Vec3& from) const {
+// As far as the leg reaches.
+Vec3 FootholdPlanner::step_toward(const Vec3& print, const Vec3& from) const {
   const Vec2 way = (print - from).head<2>();
-  const double longest = kLastReach * options_.max_step;
+  const double longest = kForcedReach * options_.max_step;
   if (way.norm() < longest) return print;
   Vec3 goal;
   goal << from.head<2>() + clip_norm<2>(way, longest), std::max(print.z(), from.z());

@@ -19,9 +19,9 @@ bool Grip::update(const RobotState& state, const PerLeg<Vec3>& normals_W) {
 }
 
 void Grip::adapt(double& friction, const Vec3& force, const Vec3& normal_W) const {
-  constexpr double kLeastForce = 15.0;  // of a foot whose forces say something of friction [N]
+  constexpr double kMinForce = 15.0;  // normal force that is enough to estimate friction [N]
   const double normal = normal_W.dot(force);
-  if (!(normal > scale_.force() * kLeastForce)) return;
+  if (!(normal > scale_.force() * kMinForce)) return;
   const double ratio = (force - normal * normal_W).norm() / normal;
   friction = std::min(friction, std::max(options_.friction_min, options_.share * ratio));
 }

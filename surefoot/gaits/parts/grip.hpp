@@ -6,12 +6,12 @@
 
 namespace surefoot::gaits {
 
-/// What friction each foot is believed to find: the configured one until it slides, then
+/// Estimated friction coefficient of each foot: the configured one until it slides, then
 ///
 ///     μ_k ← min(μ_k, max(μ_min, share |f_t| / f_n))
 ///
-/// for as long as it does, with the estimated forces about the normal of its friction pyramid;
-/// afterwards it comes back at a constant rate.
+/// while it slides, with the estimated forces relative to the normal of its friction pyramid;
+/// afterwards it recovers at a constant rate.
 class Grip {
  public:
   /// `period` of the control loop [s], `scale` of the robot.
@@ -20,22 +20,22 @@ class Grip {
     expect(friction);
   }
 
-  /// Every foot is believed to find this from now on, until it slides.
+  /// Sets the configured friction coefficient, and that of every foot.
   void expect(double friction) {
     configured_ = friction;
     friction_.fill(friction);
   }
 
-  /// One tick. True if a foot began or ceased to slide: it stands elsewhere than it did.
+  /// One tick. True if a foot began or stopped sliding: its foothold has moved.
   bool update(const RobotState& state, const PerLeg<Vec3>& normals_W);
 
   [[nodiscard]] double friction(Leg leg) const { return friction_[index(leg)]; }
-  /// Of the feet that stand, in the mean.
+  /// Mean over the feet that stand.
   [[nodiscard]] double mean_friction(const PerLeg<bool>& stands) const;
   /// Did a foot begin to slide at this tick?
   [[nodiscard]] bool began() const { return std::ranges::find(began_, true) != began_.end(); }
   [[nodiscard]] bool began(Leg leg) const { return began_[index(leg)]; }
-  /// How much slower than usual the walk should be: 1 while every foot has enough friction.
+  /// Factor ≥ 1 by which the walk should slow down: 1 while every foot has enough friction.
   [[nodiscard]] double caution() const;
 
  private:

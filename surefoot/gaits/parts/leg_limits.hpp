@@ -10,7 +10,7 @@
 
 namespace surefoot::gaits {
 
-/// A time that does not come [s].
+/// A time that is never reached [s].
 inline constexpr double kNever = kInfinity;
 
 /// Foot of the nominal stance relative to the stance's centre, in heading axes [m].
@@ -19,7 +19,7 @@ inline constexpr double kNever = kInfinity;
           is_left(leg) ? stance.half_width : -stance.half_width};
 }
 
-/// How far a leg reaches along the ground with its hip at a height over it [m].
+/// Horizontal reach of a foot with the hip at this height over it [m].
 [[nodiscard]] inline double horizontal_reach(const SwingOptions& swing, double height) {
   return std::sqrt(std::max(0.0, swing.reach_max * swing.reach_max - height * height));
 }

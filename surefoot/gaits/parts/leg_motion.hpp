@@ -9,33 +9,33 @@
 
 namespace surefoot::gaits {
 
-/// What a leg notices at a tick.
-enum class LegEvent { none, touchdown, caught, unreachable, lost, flew };
+/// What happened to a leg at a tick.
+enum class LegEvent { none, touchdown, caught, unreachable, lost, airborne };
 
-/// A leg as it is believed to be, in W.
+/// The estimated state of a leg, in W.
 struct LegObservation {
   const model::PointKinematics &hip, &foot;
-  const Vec3& force;              ///< estimated, of the ground on the foot [N]
+  const Vec3& force;              ///< estimated contact force on the foot [N]
   const Vec3& normal;             ///< of the terrain
-  double force_per_torque = 0.0;  ///< error of the normal force by one of the joint torques [1/m]
+  double force_per_torque = 0.0;  ///< normal force per joint torque [1/m]
 };
 
-/// How fast a foot that searches goes on down: it waits where the foot stays behind its reference,
-/// and at the end of the leg's reach.
+/// Speed of a search as a share of the touchdown speed: it waits for a foot that lags behind its
+/// reference, and at the end of the leg's reach.
 struct SearchPace {
-  /// The search waits for a foot further behind [m].
+  /// Tracking error above which the search waits [m].
   [[nodiscard]] double reference_lead() const { return scale.length * 0.02; }
 
-  /// One tick of `period` [s]; the foot is so far behind its reference, the leg reaches so much
-  /// further [m].
+  /// One tick of `period` [s]. `behind` is the foot's tracking error, `reach_left` the remaining
+  /// reach of the leg [m].
   void update(double behind, double reach_left, double period) {
-    constexpr double kSlowZone = 0.03;  // it slows down this far before the end of the reach [m]
-    constexpr double kWaiting = 0.1;    // a pace below this is none
+    constexpr double kSlowZone = 0.03;  // before the end of the reach [m]
+    constexpr double kMinPace = 0.1;    // below it the search waits
     const double slow_zone = scale.length * kSlowZone;
     pace = behind > reference_lead() ? 0.0 : std::clamp(reach_left / slow_zone, 0.0, 1.0);
-    stuck_for = std::max(0.0, stuck_for + (pace < kWaiting ? period : -period));
+    stuck_for = std::max(0.0, stuck_for + (pace < kMinPace ? period : -period));
   }
-  /// Has it waited for so long that there is no ground within reach?
+  /// Has it waited so long that there is no ground within reach?
   [[nodiscard]] bool is_stuck() const { return stuck_for > scale.time() * 0.3; }
 
   Scale scale{};           ///< of the robot
@@ -57,22 +57,22 @@ class LegMotion {
         search_{scale},
         impact_(options.contact, period) {}
 
-  /// Stands at p from `time` on; `loaded` from long before (no ramp).
+  /// Begins a stance at p; `loaded`: without a force ramp.
   void plant(double time, const Vec3& p_WF, bool loaded = false);
   /// Ramps f_max down to reach 0 at `lift_off_time`.
   void unload(double lift_off_time);
-  /// Takes the lift-off back: ramps up again.
+  /// Cancels the lift-off: ramps f_max up again.
   void reload(double time);
-  /// Leaves the ground.
+  /// Begins a swing.
   void lift(double time, const SwingTarget& target);
-  /// Goes straight down along −normal, from p and v on: a lost stance foot, or a swing to be ended
-  /// at once.
+  /// Moves straight down along −normal, starting at p and v: for a stance foot that lost contact,
+  /// or a swing that must end at once.
   void search(double time, const Vec3& p_WF, const Vec3& v_WF, const Vec3& normal);
 
-  /// Looks at the leg as it is.
+  /// One tick.
   [[nodiscard]] LegEvent observe(double time, const LegObservation& seen);
 
-  /// Without the friction.
+  /// The plan of the foot, except for its friction.
   [[nodiscard]] FootPlan plan(double time) const;
   [[nodiscard]] LegPhase phase() const { return phase_; }
   [[nodiscard]] bool down() const { return in_contact(phase_); }
@@ -85,17 +85,16 @@ class LegMotion {
 
  private:
   [[nodiscard]] LegEvent observe_stance(double time, const LegObservation& seen);
-  /// Is a foot that was put down at once, or that searched from where it was, in the air again: it
-  /// rebounded, or there was no ground?
-  [[nodiscard]] bool flies(double time, const LegObservation& seen) const;
+  /// Has a foot left the ground again soon after its touchdown, or had it none?
+  [[nodiscard]] bool is_airborne(double time, const LegObservation& seen) const;
   [[nodiscard]] LegEvent observe_swing(double time, const LegObservation& seen);
-  /// How little the torques say of a force, by the leg's posture: a factor from 1 on.
-  [[nodiscard]] double doubt() const;
+  /// Factor ≥ 1 on force thresholds, for the error of the estimated force in this posture.
+  [[nodiscard]] double force_uncertainty() const;
   [[nodiscard]] bool is_caught(double time, const LegObservation& seen);
-  /// Unit vector of where the foot is asked to go, without its way down; 0 if nowhere.
-  [[nodiscard]] Vec3 way(const Motion<Vec3>& asked) const;
-  /// Is the foot so far from its reference, along the ground, that it could not follow?
-  [[nodiscard]] bool strays(double time, const Vec3& p_WF) const;
+  /// Unit direction of the reference's velocity without its downward part; 0 if it is slow.
+  [[nodiscard]] Vec3 motion_direction(const Motion<Vec3>& asked) const;
+  /// Is the tracking error along the ground too large?
+  [[nodiscard]] bool is_off_track(double time, const Vec3& p_WF) const;
   [[nodiscard]] bool touches(double time, const LegObservation& seen);
   [[nodiscard]] LegEvent observe_search(double time, const Vec3& p_WF);
   [[nodiscard]] Motion<Vec3> reference(double time) const;
@@ -110,16 +109,16 @@ class LegMotion {
   LegPhase phase_ = LegPhase::stance;
   double begin_ = 0.0, lift_off_time_ = kNever;  // [s]
   Vec3 foothold_ = Vec3::Zero();
-  Vec3 stood_ = Vec3::Zero();   // where it stood before it came down there, in W [m]
-  Vec3 landed_ = Vec3::Zero();  // where the foot came down, or was loaded again, in W [m]
+  Vec3 previous_foothold_ = Vec3::Zero();  // in W [m]
+  Vec3 touchdown_point_ = Vec3::Zero();    // where the stance began or was loaded again, in W [m]
   SwingCurve curve_;
   Vec3 hip_ = Vec3::Zero(), hip_velocity_ = Vec3::Zero();  // in W [m], [m/s]
   double normal_force_ = 0.0, force_per_torque_ = 0.0;
-  double light_for_ = 0.0;  // how long a loaded stance foot has carried nothing [s]
+  double unloaded_for_ = 0.0;  // how long a stance foot has carried no force [s]
   SearchPace search_;
   ImpactDetector impact_;
-  double held_for_ = 0.0;  // how long something has been in the foot's way [s]
-  int firm_ticks_ = 0;     // ticks in a row with a firm contact
+  double blocked_for_ = 0.0;  // how long an obstacle has blocked the foot [s]
+  int contact_ticks_ = 0;     // in a row
 };
 
 /// The motion of all legs.

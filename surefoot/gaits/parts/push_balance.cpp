@@ -6,14 +6,13 @@
 namespace surefoot::gaits {
 
 void PushBalance::update(const RobotState& state, const model::Dynamics& dynamics, double height) {
-  constexpr double kLeastWeight = 0.5;  // that the ground must carry, as a share of the robot's
+  constexpr double kMinCarried = 0.5;  // share of the weight that the ground carries at least
   height_ = height;
   weight_ = kGravity * dynamics.mass;
   force_.setZero();
   load_ = ComLoad{};
   if (options_.enabled && state.external_force.allFinite() && state.external_moment.allFinite()) {
-    const double carried =
-        std::max(kLeastWeight * weight_, weight_ - state.external_force.z());  // by the ground
+    const double carried = std::max(kMinCarried * weight_, weight_ - state.external_force.z());
     force_ = state.external_force.head<2>();
     load_.force = force_ / carried;
     load_.moment = Vec2(state.external_moment.y(), -state.external_moment.x()) / carried;

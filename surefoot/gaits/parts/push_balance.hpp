@@ -9,8 +9,8 @@
 
 namespace surefoot::gaits {
 
-/// The robot's balance under the external force that the state estimates: where it would come to
-/// rest, and whether the force is one that a plan can rely on.
+/// The robot's balance under the estimated external force: its capture point, and whether the force
+/// is steady enough to plan with.
 class PushBalance {
  public:
   /// `period` of the control loop [s].
@@ -23,21 +23,21 @@ class PushBalance {
   /// d, how far the load moves the ZMP [m].
   [[nodiscard]] const Vec2& shift() const { return shift_; }
   [[nodiscard]] bool is_pushed() const { return force_.norm() > 0.0; }
-  /// Has the force stayed about what it is?
+  /// Is the force close to its filtered value?
   [[nodiscard]] bool is_steady() const {
     const double share = options_.unsteady_share * settled_force_.norm();
     return (force_ - settled_force_).norm() < std::max(options_.unsteady, share);
   }
-  /// How much slower than commanded a robot should walk that leans: its legs have less way.
+  /// Factor ≥ 1 by which the walk should slow down: a leaning robot's legs have shorter strides.
   [[nodiscard]] double caution() const {
     return is_pushed() ? 1.0 + shift_.norm() / options_.slow_shift : 1.0;
   }
-  /// Has the load moved so far from that of the plan that it needs a new one?
+  /// Has the load changed so much since the last plan that a new one is needed?
   [[nodiscard]] bool wants_plan(double time) const {
     const double step = height_ * options_.replan_step / weight_;
     return (shift_ - planned_shift_).norm() > step && time - planned_at_ > options_.replan_interval;
   }
-  /// Is the plan old enough for a new one, with a robot that is pushed?
+  /// Is the robot pushed, and the plan old enough to be replaced?
   [[nodiscard]] bool may_plan(double time) const {
     return is_pushed() && time - planned_at_ > options_.replan_interval;
   }
@@ -47,14 +47,14 @@ class PushBalance {
     planned_shift_ = shift_;
   }
 
-  /// Where the ZMP has to be for the COM to come to rest over it, c + √(h/g) ċ + d, with the shift
-  /// d of the load, x and y in W [m].
+  /// Capture point c + √(h/g) ċ + d with the load's shift d, x and y in W [m]: a ZMP there brings
+  /// the COM to rest.
   [[nodiscard]] const Vec2& capture_point() const { return capture_point_; }
-  /// How far the capture point is out of the region, along the normal of the edge that it is
-  /// farthest beyond [m]; zero inside.
+  /// Distance of the capture point from the region, along the normal of its farthest edge [m]; 0
+  /// inside.
   [[nodiscard]] Vec2 excess(const SupportRegion& region) const;
-  /// Where the capture point is after a time, at best: with the ZMP at the edge of the region that
-  /// it is out of; where it is, inside.
+  /// Best possible capture point after a time, with the ZMP at the edge of the region that it
+  /// exceeds; unchanged inside the region.
   [[nodiscard]] Vec2 capture_point_after(const SupportRegion& region, double duration) const {
     return capture_point_ + (growth(duration) - 1.0) * excess(region);
   }

@@ -8,14 +8,14 @@
 namespace surefoot::gaits {
 namespace {
 
-constexpr double kSpareReach = 0.01;    // of a leg, that no torso is held so high for [m]
-constexpr double kSway = 0.12;          // of the hips, sideways, as far as a turn makes them [m]
-constexpr double kLead = 0.3;           // of a heading that turns before the feet, in cycles …
-constexpr double kLeastLead = 0.2;      // … but up to this at any rate [rad]
-constexpr double kMostBehind = 0.5625;  // of a foot that a turn leaves, in max_side_step sideways …
-constexpr double kBrake = 3.0;  // … slowed down before in proportion to what is left, times this
+constexpr double kReachReserve = 0.01;  // of a leg at the greatest torso height [m]
+constexpr double kSway = 0.12;          // sideways, of the hips in a turn [m]
+constexpr double kMaxLeadCycles = 0.3;  // of the heading over the feet, in cycles of the turn
+constexpr double kMinLead = 0.2;        // lead that is always allowed [rad]
+constexpr double kMaxSideLag = 0.5625;  // of a stance foot in a turn, in max_side_step
+constexpr double kLagGain = 3.0;        // on what is left of this lag: slows the turn down
 
-// From the middle of the hind feet to that of the front feet, whatever the strides on either side.
+// Direction from the middle of the hind feet to that of the front feet [rad].
 double heading_of(const PerLeg<Vec3>& footholds) {
   Vec2 forward = Vec2::Zero();
   for (const Leg leg : kLegs)
@@ -23,8 +23,8 @@ double heading_of(const PerLeg<Vec3>& footholds) {
   return std::atan2(forward.y(), forward.x());
 }
 
-// Twice the way from a place at `offset` from the hip to the circle of radius `reach` about the
-// hip, forward or backward, whichever is shorter; 0 outside it.
+// Twice the shorter of the distances, forward and backward, from a place at `offset` from the hip
+// to the circle of radius `reach` about the hip; 0 outside it.
 double longest_stride(const Vec2& offset, const Vec2& direction, double reach) {
   const double along = offset.dot(direction);
   const double square = along * along - offset.squaredNorm() + reach * reach;
@@ -58,7 +58,7 @@ Vec2 Strides::stride(Leg leg, const UserCommand& user, double cycle_duration) co
 
 double Strides::tallest(const UserCommand& user, const PerLeg<Vec2>& hips,
                         double cycle_duration) const {
-  const double length = swing_.reach_max - length_ * kSpareReach;
+  const double length = swing_.reach_max - length_ * kReachReserve;
   double height = length;
   for (const Leg leg : kLegs) {
     const Vec2 half = 0.5 * stride(leg, user, cycle_duration);
@@ -74,22 +74,22 @@ double Strides::turning_share(double yaw_rate, const PerLeg<Vec3>& footholds,
                               const PerLeg<bool>& down, double yaw, double cycle_duration) const {
   const double side = yaw_rate < 0.0 ? -1.0 : 1.0;
   const double ahead = side * std::remainder(yaw - heading_of(footholds), 2.0 * kPi);
-  const double most_ahead = std::max(kLeastLead, kLead * cycle_duration * std::abs(yaw_rate));
-  const double behind = left_behind(side, footholds, down, yaw);
-  const double most_behind = kMostBehind * foothold_.max_side_step;
+  const double max_ahead = std::max(kMinLead, kMaxLeadCycles * cycle_duration * std::abs(yaw_rate));
+  const double behind = side_lag(side, footholds, down, yaw);
+  const double max_behind = kMaxSideLag * foothold_.max_side_step;
   return std::clamp(
-      std::min(2.0 * (1.0 - ahead / most_ahead), kBrake * (1.0 - behind / most_behind)), 0.0, 1.0);
+      std::min(2.0 * (1.0 - ahead / max_ahead), kLagGain * (1.0 - behind / max_behind)), 0.0, 1.0);
 }
 
 bool Strides::turns_slower(double yaw_rate, double cycle_duration) const {
-  constexpr double kFree = kMostBehind * (1.0 - 1.0 / kBrake);
+  constexpr double kUnslowedLag = kMaxSideLag * (1.0 - 1.0 / kLagGain);
   const double side_stride = cycle_duration * std::abs(yaw_rate) * stance_.half_length;
-  return 0.5 * side_stride > kFree * foothold_.max_side_step;
+  return 0.5 * side_stride > kUnslowedLag * foothold_.max_side_step;
 }
 
-// Sideways, in heading axes: there a leg is the least agile, and meets the one beside it.
-double Strides::left_behind(double side, const PerLeg<Vec3>& footholds, const PerLeg<bool>& down,
-                            double yaw) const {
+// Sideways, in heading axes: there a leg has the least room, and can hit the leg next to it.
+double Strides::side_lag(double side, const PerLeg<Vec3>& footholds, const PerLeg<bool>& down,
+                         double yaw) const {
   Vec2 center = Vec2::Zero();
   for (const Vec3& foothold : footholds) center += foothold.head<2>() / kNumLegs;
   const Vec2 left = rotation_about_z(yaw).col(1).head<2>();

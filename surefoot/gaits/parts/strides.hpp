@@ -6,8 +6,8 @@
 
 namespace surefoot::gaits {
 
-/// What strides the legs can make about the nominal stance. A foot makes one step a cycle, so its
-/// stride is velocity × cycle. Hips are about the torso's centre, in heading axes [m].
+/// The strides that the legs can make about the nominal stance. A foot makes one step per cycle, so
+/// its stride is velocity × cycle. Hips are relative to the torso's centre, in heading axes [m].
 class Strides {
  public:
   /// `scale` of the robot.
@@ -24,40 +24,39 @@ class Strides {
   ///     (stride_x / longest)² + (stride_y / aside)² ≤ 1
   ///
   /// with `aside` at most `max_side_step` and `max_side_stride`, `longest` at most `max_step`,
-  /// `max_stride`, what a swing can do in its time, and twice the way from the foot's nominal place
-  /// to where the leg reaches from the hip.
+  /// `max_stride`, `speed_max` × swing duration, and twice the distance from the foot's nominal
+  /// place to the end of the leg's reach.
   [[nodiscard]] double feasible_share(const UserCommand& user, const PerLeg<Vec2>& hips,
                                       double height, double cycle_duration) const;
 
-  /// Height of the hips over the feet up to which the legs reach both ends of the strides, half of
-  /// each before and behind the foot's nominal place, while the hips sway [m].
+  /// Greatest height of the hips over the feet at which the legs reach both ends of their strides
+  /// while the hips sway [m]. Strides are centred on the nominal places.
   [[nodiscard]] double tallest(const UserCommand& user, const PerLeg<Vec2>& hips,
                                double cycle_duration) const;
 
-  /// Share of a yaw rate, at most 1, that feet which stand allow until they step. In a steady turn
-  /// the heading is up to 0.15 cycles of the turn ahead of the feet, and they are up to 3/8 of
-  /// their stride aside of their nominal places. It is 0 where the heading is twice as far ahead,
-  /// or a foot that it leaves behind half as far again.
+  /// Share of a yaw rate, at most 1, that the stance feet allow until they step. In a steady turn
+  /// the heading leads the feet by up to 0.15 cycles of the turn, and the feet are up to 3/8 of
+  /// their stride beside their nominal places. The share is 0 at twice this lead, or at 1.5 times
+  /// this distance.
   [[nodiscard]] double turning_share(double yaw_rate, const PerLeg<Vec3>& footholds,
                                      const PerLeg<bool>& down, double yaw,
                                      double cycle_duration) const;
-  /// Whether the heading waits for the feet not only in a turn's first steps but for good: a foot
-  /// is left behind by half of its stride, sideways, when it steps again.
+  /// Is a steady turn slower than commanded, as the feet, half a stride behind when they step, slow
+  /// the heading down?
   [[nodiscard]] bool turns_slower(double yaw_rate, double cycle_duration) const;
 
  private:
-  /// Of a leg, in heading axes [m].
+  /// In heading axes [m].
   [[nodiscard]] Vec2 stride(Leg leg, const UserCommand& user, double cycle_duration) const;
-  /// How far the foot that stands furthest back in a turn to a side, 1 or −1, is aside of its
-  /// nominal place [m].
-  [[nodiscard]] double left_behind(double side, const PerLeg<Vec3>& footholds,
-                                   const PerLeg<bool>& down, double yaw) const;
+  /// Largest sideways lag of a stance foot in a turn to `side`, 1 or −1 [m].
+  [[nodiscard]] double side_lag(double side, const PerLeg<Vec3>& footholds,
+                                const PerLeg<bool>& down, double yaw) const;
 
   StanceOptions stance_;
   FootholdOptions foothold_;
   SwingOptions swing_;
   double swing_duration_;  // [s]
-  double length_;          // that its lengths go with, as a ratio
+  double length_;          // scale of lengths
 };
 
 }  // namespace surefoot::gaits

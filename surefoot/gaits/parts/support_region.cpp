@@ -10,9 +10,9 @@ namespace surefoot::gaits {
 namespace {
 
 constexpr double kSmallShare = 1e-9;
-constexpr double kCoincident = 1e-6;     // [m]
-constexpr double kParallel = 1e-6;       // sine of the angle between two edges
-constexpr double kSmallestTotal = 1.02;  // a region of one point has no edges to hold on to
+constexpr double kCoincident = 1e-6;  // [m]
+constexpr double kParallel = 1e-6;    // sine of the angle between two edges
+constexpr double kMinTotal = 1.02;    // at 1 the region would be a single point without edges
 
 }  // namespace
 
@@ -33,7 +33,7 @@ SupportRegion::SupportRegion(const PerLeg<Vec2>& feet, const PerLeg<double>& sha
     : feet_(feet), share_(share), heights_(heights) {
   const double total = std::accumulate(share.begin(), share.end(), 0.0);
   if (total <= kSmallShare) return;
-  for (double& a : share_) a *= std::max(1.0, kSmallestTotal / total);
+  for (double& a : share_) a *= std::max(1.0, kMinTotal / total);
   for (std::size_t i = 0; i < feet.size(); ++i) {
     for (std::size_t j = i + 1; j < feet.size(); ++j) {
       if (share_[i] <= kSmallShare || share_[j] <= kSmallShare) continue;
@@ -43,18 +43,18 @@ SupportRegion::SupportRegion(const PerLeg<Vec2>& feet, const PerLeg<double>& sha
   close();
 }
 
-// From where one foot carries to the middle of all feet: a direction that turns with them.
+// Unit vector from a loaded foot to the centre of all feet: rotates with the feet.
 Vec2 SupportRegion::inward() const {
   Vec2 middle = Vec2::Zero(), carrying = Vec2::Zero();
   for (std::size_t i = 0; i < feet_.size(); ++i) {
     middle += feet_[i] / kNumLegs;
     if (share_[i] > kSmallShare) carrying = feet_[i];
   }
-  const Vec2 way = middle - carrying;
-  return way.norm() > kCoincident ? way.normalized() : Vec2::UnitX();
+  const Vec2 offset = middle - carrying;
+  return offset.norm() > kCoincident ? offset.normalized() : Vec2::UnitX();
 }
 
-// Feet in a line have edges along it only, and one foot has none: the ends are added.
+// Feet in a line have edges along it only, and a single foot has none: adds the missing edges.
 void SupportRegion::close() {
   const bool point = num_edges_ == 0;
   const Vec2 normal = point ? inward() : edge(0).normal;
@@ -73,9 +73,9 @@ void SupportRegion::close() {
   }
 }
 
-// Maximising a direction fills the feet greedily in order of normal·p. Along the edge between i and
-// j these two tie; the edge has a length only if what is left for the tied feet is more than
-// nothing and less than all that they can take.
+// The support point of a direction loads the feet greedily in the order of normal·p. Feet i and j
+// tie on the edge between them. The edge has a length only if the weight left for the tied feet is
+// above zero and below their total share.
 void SupportRegion::add_edges_between(std::size_t i, std::size_t j) {
   const Vec2 along = feet_[j] - feet_[i];
   if (along.norm() < kCoincident) return;

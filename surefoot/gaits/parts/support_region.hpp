@@ -13,8 +13,7 @@ struct HalfPlane {
   double height = 0.0;  ///< mean height of the two feet that the edge runs between [m]
 };
 
-/// Radius of the largest circle in the triangle of the feet but one: twice its area over its
-/// circumference [m]. No point of the triangle is further from its edges.
+/// Inradius of the triangle of the other three feet: twice its area over its perimeter [m].
 [[nodiscard]] double inradius_without(Leg lifted, const PerLeg<Vec2>& feet);
 
 /// Where the zero-moment point can be while each foot carries at most a share α_i of the weight:
@@ -30,8 +29,8 @@ class SupportRegion {
 
   SupportRegion() = default;
   /// `share[i]` = α_i ≥ 0, zero for a foot in the air. Shares whose sum is less than 1.02 are
-  /// scaled up to that, so that more than one point is left. `heights` of the feet are only handed
-  /// on to the edges between them.
+  /// scaled up to it, so that the region is not a point. `heights` of the feet [m] are only
+  /// averaged for the edges.
   SupportRegion(const PerLeg<Vec2>& feet, const PerLeg<double>& share,
                 const PerLeg<double>& heights = {});
 

@@ -5,12 +5,11 @@
 namespace surefoot::gaits {
 namespace {
 
-constexpr double kStepHeight = 0.05;  // a goal this much lower or higher is a step [m]
-constexpr double kUpstairsStart =
-    0.35;  // horizontal motion begins once the foot is above the edge …
-constexpr double kDownstairsEnd = 0.60;  // … and ends before it goes down behind it
-constexpr double kNoWay = 1e-6;          // a way shorter than this has no direction [m]
-constexpr double kShortestWindow = 0.2;  // left of the options by these
+constexpr double kStepHeight = 0.05;     // a greater rise or drop is a step of the ground [m]
+constexpr double kUpstairsStart = 0.35;  // of horizontal motion: the foot clears the edge first
+constexpr double kDownstairsEnd = 0.60;  // of horizontal motion: it passes the edge first
+constexpr double kMinLength = 1e-6;      // a shorter step has no direction [m]
+constexpr double kMinWindow = 0.2;       // least share of the swing with horizontal motion
 constexpr double kUpstairsApexShare = 0.40;
 constexpr double kApexShare = 0.45;
 constexpr int kPeakSamples = 40;
@@ -23,18 +22,18 @@ SwingCurve::SwingCurve(const SwingTarget& target, const SwingOptions& options, c
   rise_ = target.normal.dot(difference);
   along_ = difference - rise_ * target.normal;
   top_ = std::max(0.0, rise_) + target.apex;
-  if (along_.norm() > kNoWay) back_ = -target.back * along_.normalized();
+  if (along_.norm() > kMinLength) back_ = -target.back * along_.normalized();
   horizontal_start_ = options.horizontal_start;
   horizontal_end_ = options.horizontal_end;
   apex_share_ = kApexShare;
   const double step_height = scale.length * kStepHeight;
   if (rise_ > step_height || target.back > 0.0) {
-    const double start = std::min(kUpstairsStart, horizontal_end_ - kShortestWindow);
+    const double start = std::min(kUpstairsStart, horizontal_end_ - kMinWindow);
     horizontal_start_ = std::max(horizontal_start_, start);
     apex_share_ = kUpstairsApexShare;
   }
   if (rise_ < -step_height && target.back == 0.0) {
-    const double end = std::max(kDownstairsEnd, horizontal_start_ + kShortestWindow);
+    const double end = std::max(kDownstairsEnd, horizontal_start_ + kMinWindow);
     horizontal_end_ = std::min(horizontal_end_, end);
   }
 }
@@ -79,7 +78,7 @@ Motion<double> SwingCurve::horizontal_share(double t) const {
   return hermite<double>({0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}, t - begin, length);
 }
 
-// Back as long as the foot rises on the spot, and forward again with the rest.
+// Backward until the horizontal motion starts, then forward again with it.
 Motion<double> SwingCurve::retreat(double t) const {
   const double T = target_.duration;
   const double turn = horizontal_start_ * T, end = horizontal_end_ * T;

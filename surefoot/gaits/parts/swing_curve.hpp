@@ -7,21 +7,20 @@
 
 namespace surefoot::gaits {
 
-/// Where a swing begins and should end.
+/// Start, goal and shape of a swing.
 struct SwingTarget {
   Vec3 start = Vec3::Zero();     ///< foot at lift-off, in W [m]
   Vec3 goal = Vec3::Zero();      ///< expected foothold, in W [m]
-  Vec3 normal = Vec3::UnitZ();   ///< of the terrain: the foot rises and searches along it
+  Vec3 normal = Vec3::UnitZ();   ///< of the terrain: direction of lift and search
   double duration = 0.5;         ///< [s]
   double apex = 0.08;            ///< over the higher of start and goal [m]
-  double back = 0.0;             ///< away from the goal first, as the foot rises [m]
-  bool straight = false;         ///< of a foot in the air: no apex, no way back …
-  Vec3 velocity = Vec3::Zero();  ///< … and it begins with this velocity [m/s]
+  double back = 0.0;             ///< initial motion away from the goal [m]
+  bool straight = false;         ///< directly to the goal: ignores apex and back
+  Vec3 velocity = Vec3::Zero();  ///< initial velocity of a straight swing [m/s]
 };
 
-/// A swing foot's path: quintic splines along and across the terrain normal, or a single one from a
-/// foot in motion straight to the goal; then a straight search at constant speed from the expected
-/// foothold on downward.
+/// Trajectory of a swing foot: quintic splines along and across the terrain normal, or a single one
+/// straight to the goal; then a search straight down from the goal at constant speed.
 class SwingCurve {
  public:
   SwingCurve() = default;
@@ -30,7 +29,7 @@ class SwingCurve {
 
   /// Position, velocity and acceleration t after lift-off, in W. Beyond the duration: the search.
   [[nodiscard]] Motion<Vec3> at(double t) const;
-  /// The greatest acceleration on the way [m/s²].
+  /// Greatest acceleration before the search [m/s²].
   [[nodiscard]] double peak_acceleration() const;
   [[nodiscard]] const SwingTarget& target() const { return target_; }
 
@@ -42,7 +41,7 @@ class SwingCurve {
 
   SwingTarget target_;
   Vec3 along_ = Vec3::Zero();  ///< start to goal within the plane [m]
-  Vec3 back_ = Vec3::Zero();   ///< where the foot is before it goes forward, from its start [m]
+  Vec3 back_ = Vec3::Zero();   ///< farthest retreat from the start [m]
   double rise_ = 0.0;          ///< start to goal along the normal [m]
   double top_ = 0.0;           ///< highest point over the start [m]
   double apex_share_ = 0.45;   ///< of the duration, when it is reached

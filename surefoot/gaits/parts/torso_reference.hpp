@@ -13,17 +13,16 @@ namespace surefoot::gaits {
 ///
 ///     r⃛ = ω³ (target − r) + 3 ω² (ṫarget − ṙ) − 3 ω r̈,
 ///
-/// so that neither r nor ṙ nor r̈ jumps where the target does. It knows nothing of the torso, which
-/// legs that reach down may take elsewhere: that comes back to its reference, as the tasks and the
-/// legs let it.
+/// so that r, ṙ and r̈ stay continuous when the target jumps. It does not depend on the measured
+/// torso, which may deviate from its reference, for example when a leg reaches down.
 class TorsoReference {
  public:
   TorsoReference(const TorsoOptions& options, double period) : options_(options), period_(period) {}
 
-  /// Begins at the torso's pose and motion as they are believed.
+  /// Starts at the estimated pose and velocity of the torso.
   void restart(const RobotState& state);
-  /// One period on. `com` gives where over the plane the torso is and how fast it goes; `turn` is
-  /// added to roll, pitch and yaw.
+  /// One control period. Height and climb over the plane are taken at `com`; `height` is that over
+  /// the plane [m]; `turn` is added to roll, pitch and yaw [rad].
   void update(const estimation::TerrainPlane& plane, double yaw, double yaw_rate,
               const ComPlan& com, double height,
               const Motion<Vec3>& turn = {Vec3::Zero(), Vec3::Zero(), Vec3::Zero()});

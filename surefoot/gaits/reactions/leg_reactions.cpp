@@ -6,30 +6,32 @@
 namespace surefoot::gaits {
 namespace {
 
-constexpr double kRetreatSpeed = 0.5;  // of a foot that found no ground [m/s]
-constexpr double kSamePlace = 1e-3;    // [m]
-constexpr int kMaxCollisions = 2;      // of one swing with an edge, before the touch is believed
-constexpr double kFolded = 0.20;       // of a hip over its foot: the leg folds no further [m]
-constexpr double kLevel = 1e-3;        // apex of a move that does not rise [m]
-constexpr double kMinStep = 0.02;      // a step that is shorter has no direction [m]
+constexpr double kRetreatSpeed = 0.5;   // of a foot that found no ground [m/s]
+constexpr double kSamePlace = 1e-3;     // [m]
+constexpr int kMaxCollisions = 2;       // per swing, before a contact is taken as ground
+constexpr double kMinHipHeight = 0.20;  // over its foot, with the leg folded [m]
+constexpr double kFlatApex = 1e-3;      // of a swing that does not rise [m]
+constexpr double kMinStep = 0.02;       // a shorter step has no direction [m]
 
-/// The leg goes on to another target.
-Action go_on(const Situation& now, PlanEvent event, Leg k, const SwingTarget& target) {
-  return {.events = now.told(event, k), .memory = now.body.swing, .swing = SwingOrder{k, target}};
+/// Continues the swing to another target.
+Action continue_swing(const Situation& now, PlanEvent event, Leg k, const SwingTarget& target) {
+  return {
+      .events = now.event_list(event, k), .memory = now.body.swing, .swing = SwingOrder{k, target}};
 }
-/// … and its next touch is no first one.
-Action go_on_for_good(const Situation& now, PlanEvent event, Leg k, const SwingTarget& target) {
-  Action action = go_on(now, event, k, target);
+/// Continues the swing without probing.
+Action continue_without_probe(const Situation& now, PlanEvent event, Leg k,
+                              const SwingTarget& target) {
+  Action action = continue_swing(now, event, k, target);
   action.memory->probes = false;
   return action;
 }
 
 bool is_folded(const Situation& now, Leg k) {
-  return now.dynamics.hip[index(k)].p.z() - now.foot(k).z() < now.body.scale.length * kFolded;
+  return now.dynamics.hip[index(k)].p.z() - now.foot(k).z() < now.body.scale.length * kMinHipHeight;
 }
 
-// A touch well above ground whose height is known is a shin or knee against the edge: up again, and
-// down further on. Found there once more, or as high as the leg folds, the ground really is higher.
+// A contact well above known ground is a shin or knee against an edge: the foot rises and lands
+// farther ahead. After repeated contacts, or with a folded leg, the ground is taken as higher.
 std::optional<Action> on_collision(const Situation& now, Leg k) {
   const Body& body = now.body;
   const PlannerOptions& options = body.options;
@@ -43,16 +45,16 @@ std::optional<Action> on_collision(const Situation& now, Leg k) {
   Vec3 goal = expected;
   const bool has_direction = step.norm() > body.scale.length * kMinStep;
   if (has_direction) goal.head<2>() += options.probe.beyond * step.normalized();
-  Action action =
-      go_on(now, PlanEvent::collision, k,
-            {p_WF, goal, body.plane.normal, options.gait.swing_duration, options.swing.apex});
+  Action action = continue_swing(
+      now, PlanEvent::collision, k,
+      {p_WF, goal, body.plane.normal, options.gait.swing_duration, options.swing.apex});
   ++action.memory->collisions;
   return action;
 }
 
-// A riser, or an edge that a shin or knee hangs on. The ground behind it lies higher by what nobody
-// knows, so the foot rises anew from where it is, away from the edge, and comes down well behind
-// it. Caught too often, or as high as the leg folds, it comes down before it.
+// The foot has hit a riser, or shin or knee an edge. The height beyond is unknown, so the foot
+// backs off, rises from where it is and lands well beyond the edge. If it was caught too often, or
+// the leg is folded, it lands before the edge.
 std::optional<Action> on_caught(const Situation& now, Leg k) {
   const Body& body = now.body;
   if (body.swing.lands_anywhere) return {};
@@ -76,18 +78,18 @@ std::optional<Action> on_caught(const Situation& now, Leg k) {
     target.goal = body.legs[k].foothold();
     target.goal.head<2>() = p_WF.head<2>() - reflex.back * way;
     target.normal = body.plane.normal;
-    target.apex = body.scale.length * kLevel;
+    target.apex = body.scale.length * kFlatApex;
     target.back = 0.0;
   } else {
     const double beyond = way.dot((before.goal - p_WF).head<2>());
     target.goal.head<2>() += std::max(0.0, reflex.beyond - beyond) * way;
   }
-  Action action = go_on(now, PlanEvent::caught, k, target);
+  Action action = continue_swing(now, PlanEvent::caught, k, target);
   action.memory = memory;
   return action;
 }
 
-/// Is this touch, after the foot was caught, the edge of what caught it?
+/// Is this contact the edge of the obstacle that caught the foot before?
 bool touches_the_edge(const Situation& now, Leg k) {
   const SwingMemory& swing = now.body.swing;
   const ReflexOptions& reflex = now.body.options.reflex;
@@ -95,7 +97,7 @@ bool touches_the_edge(const Situation& now, Leg k) {
   return goes_over && (now.foot(k).head<2>() - swing.caught_at).norm() < 0.5 * reflex.beyond;
 }
 
-// Two touches of a front foot: an edge between them is found before the foot is loaded.
+// The first of a front foot's two touches: finds an edge before the foot is loaded.
 Action on_first_touch(const Situation& now, Leg k) {
   const Body& body = now.body;
   const ProbeOptions& probe = body.options.probe;
@@ -108,9 +110,9 @@ Action on_first_touch(const Situation& now, Leg k) {
     goal.head<2>() = body.swing.foothold.head<2>();
   else
     goal.head<2>() += probe.beyond * body.swing.direction;
-  Action action =
-      go_on_for_good(now, same_ground ? PlanEvent::probe_same_ground : PlanEvent::probe_edge, k,
-                     {p_WF, goal, body.plane.normal, probe.duration, probe.lift});
+  Action action = continue_without_probe(
+      now, same_ground ? PlanEvent::probe_same_ground : PlanEvent::probe_edge, k,
+      {p_WF, goal, body.plane.normal, probe.duration, probe.lift});
   action.swing->keeps_deadline = true;
   return action;
 }
@@ -121,11 +123,11 @@ Action on_touchdown(const Situation& now, Leg k) {
     if (now.body.swing.probes) return on_first_touch(now, k);
     if (const std::optional<Action> collision = on_collision(now, k)) return *collision;
   }
-  return {.events = now.told(PlanEvent::touchdown, k), .lands = k, .replans = true};
+  return {.events = now.event_list(PlanEvent::touchdown, k), .lands = k, .replans = true};
 }
 
-// There was ground where it stood. The next step goes to another place. (A foot whose own ground is
-// gone has no other: it looks for it there again.)
+// Returns to the last foothold, and marks the target as a void. A foot that lost the ground of its
+// own foothold searches there again.
 Action on_no_ground(const Situation& now, Leg k) {
   const Body& body = now.body;
   const Vec3& p_WF = now.foot(k);
@@ -134,15 +136,15 @@ Action on_no_ground(const Situation& now, Leg k) {
   const double same = body.scale.length * kSamePlace, speed = body.scale.speed() * kRetreatSpeed;
   const double duration = body.options.gait.swing_duration + (p_WF - last).norm() / speed;
   Action action =
-      go_on_for_good(now, PlanEvent::no_ground, k,
-                     {p_WF, last, body.plane.normal, duration, body.options.swing.apex});
+      continue_without_probe(now, PlanEvent::no_ground, k,
+                             {p_WF, last, body.plane.normal, duration, body.options.swing.apex});
   const bool is_own_ground = target.straight && (target.start - last).norm() < same;
   if (!is_own_ground && (target.goal - last).norm() > same) action.avoids = target.goal;
   return action;
 }
 
 Action on_lost(const Situation& now, Leg k) {
-  Action action{.events = now.told(PlanEvent::lost_contact, k), .replans = true};
+  Action action{.events = now.event_list(PlanEvent::lost_contact, k), .replans = true};
   action.searches[index(k)] = true;
   if (now.gait.swings) {
     action.memory = now.body.swing;
@@ -153,9 +155,8 @@ Action on_lost(const Situation& now, Leg k) {
   return action;
 }
 
-// A foot that came down has flown off again: there was no ground, or only an edge. The plane, and
-// those that follow in its prints, must do without.
-Action on_flight(const Situation& now, Leg k) {
+// The foot left the ground soon after touchdown: its print is no foothold.
+Action on_airborne(const Situation& now, Leg k) {
   Action action = on_lost(now, k);
   action.forgets_print = k;
   return action;
@@ -175,14 +176,14 @@ std::optional<Action> react_to_leg(LegEvent event, const Situation& now, Leg k) 
       return on_no_ground(now, k);
     case LegEvent::lost:
       return on_lost(now, k);
-    case LegEvent::flew:
-      return on_flight(now, k);
+    case LegEvent::airborne:
+      return on_airborne(now, k);
   }
   return {};
 }
 
-// The foot hangs over an edge that lies behind it. It moves on before it goes down, so that the
-// leg, stretched, passes clear of the edge, and its first touch can be the foothold.
+// The edge lies behind the foot. The foot first moves ahead and then down, so that the stretched
+// leg clears the edge and the first touch can be the foothold.
 std::optional<Action> reach_beyond_edge(const Situation& now) {
   const Leg k = *now.gait.swings;
   const Body& body = now.body;
@@ -195,12 +196,13 @@ std::optional<Action> reach_beyond_edge(const Situation& now) {
   if (!body.swing.probes || leg.phase() != LegPhase::search || !below) return {};
   Vec3 goal = p_WF - probe.lift * target.normal;
   goal.head<2>() += probe.beyond * body.swing.direction;
-  return go_on_for_good(now, PlanEvent::probe_edge, k,
-                        {p_WF, goal, target.normal, probe.duration, body.scale.length * kLevel});
+  return continue_without_probe(
+      now, PlanEvent::probe_edge, k,
+      {p_WF, goal, target.normal, probe.duration, body.scale.length * kFlatApex});
 }
 
 std::optional<Action> abort_lift_off(const Situation& now) {
-  return Action{.events = now.told(PlanEvent::lift_off_aborted, *now.gait.unloads),
+  return Action{.events = now.event_list(PlanEvent::lift_off_aborted, *now.gait.unloads),
                 .reloads = now.gait.unloads,
                 .support = now.body.options.gait.switch_duration,
                 .replans = true};

@@ -7,14 +7,14 @@
 namespace surefoot::gaits {
 namespace {
 
-constexpr double kWorthAStep = 0.01;  // better balanced with it than without by [m]
-constexpr double kAgility = 45.0;     // that drives give a foot in the air [m/s²]
-constexpr double kAtRest = 0.06;      // a COM that is slower has been caught [m/s]
-constexpr double kFootRoom = 0.12;    // between two feet [m]
-constexpr double kLonger = 1.1;       // a hasty swing takes so many times as long …
-constexpr double kLongest = 2.0;      // … and again, up to about so many times, for its drives
+constexpr double kMinGain = 0.01;          // of the balance margin by a step [m]
+constexpr double kMaxAcceleration = 45.0;  // of a swing foot, by its drives [m/s²]
+constexpr double kRestSpeed = 0.06;        // of the COM [m/s]
+constexpr double kFootRoom = 0.12;         // least distance between two feet [m]
+constexpr double kSlowDownFactor = 1.1;    // per iteration, on a swing's duration
+constexpr double kMaxSlowDown = 2.0;       // about the largest factor on a swing's duration
 
-/// Of all feet where they are, as if all of them stood, but for one.
+/// Region of all feet at their present places, in contact or not, except one.
 SupportRegion region_of_feet(const Situation& now, std::optional<Leg> without = {}) {
   PerLeg<Vec2> feet;
   for (const Leg k : kLegs) feet[index(k)] = now.foot(k).head<2>();
@@ -23,19 +23,19 @@ SupportRegion region_of_feet(const Situation& now, std::optional<Leg> without = 
   return SupportRegion(feet, share);
 }
 
-/// Of the capture point in the region of all feet [m].
+/// Margin of the capture point in the region of all feet [m].
 double balance_margin(const Situation& now) {
   return region_of_feet(now).margin(now.body.balance.capture_point());
 }
 
-/// Where a foot that lands after a time catches the robot.
+/// Capture step of a foot that lands after `duration` [s].
 CaptureStep capture_step(const Situation& now, Leg k, double duration) {
   const Body& body = now.body;
   CaptureProblem problem;
   problem.heading = now.yaw;
   problem.foot_room = body.scale.length * kFootRoom;
   for (const Leg other : kLegs) problem.feet[index(other)] = now.foot(other).head<2>();
-  if (!body.legs[k].down())  // its speed takes it on: the least turn is from where it would rest
+  if (!body.legs[k].down())  // prefers goals near where a foot in the air would come to rest
     problem.feet[index(k)] += 0.5 * duration * now.before.feet[index(k)].v_WF.head<2>();
   problem.capture_point = body.balance.capture_point_after(region_of_feet(now, k), duration);
   problem.hip = (now.dynamics.hip[index(k)].p + duration * now.dynamics.com.v).head<2>();
@@ -43,27 +43,29 @@ CaptureStep capture_step(const Situation& now, Leg k, double duration) {
   return find_capture_step(problem, k, body.options.push);
 }
 
-/// Makes a hasty swing longer until the drives can move a foot like that. `aim` sets its goal.
+/// Extends a swing until the drives can follow it. `aim` sets its goal.
 template <typename Aim>
 void slow_down(SwingTarget& target, const Body& body, const Aim& aim) {
-  const double longest = kLongest * target.duration;
-  const auto is_agile = [&] {
-    return SwingCurve(target, body.options.swing, body.scale).peak_acceleration() < kAgility;
+  const double longest = kMaxSlowDown * target.duration;
+  const auto is_feasible = [&] {
+    return SwingCurve(target, body.options.swing, body.scale).peak_acceleration() <
+           kMaxAcceleration;
   };
-  for (aim(); !is_agile() && target.duration < longest; aim()) target.duration *= kLonger;
+  for (aim(); !is_feasible() && target.duration < longest; aim())
+    target.duration *= kSlowDownFactor;
 }
 
-/// Of a leg and the robot that it is to catch: where it is pushed to, and how hard.
+/// An event of a leg, with the horizontal external force.
 GaitEvent push_event(const Situation& now, PlanEvent kind, Leg k) {
   GaitEvent event = now.event(kind, k);
   event.force = now.state.external_force.head<2>().norm();
   return event;
 }
 
-/// Will the balance be lost before the swinging foot lands by itself?
+/// Will the balance be lost before the planned touchdown of the swing foot?
 bool tips_before_landing(const Situation& now, Leg swings) {
   const PushOptions& push = now.body.options.push;
-  if (now.body.legs[swings].target().straight) return false;  // it is on its way down
+  if (now.body.legs[swings].target().straight) return false;  // it already comes down
   const double left = now.gait.lands_at - now.time;
   if (left < push.foot_down_duration) return false;  // it lands as soon as it can
   const PushBalance& balance = now.body.balance;
@@ -71,8 +73,7 @@ bool tips_before_landing(const Situation& now, Leg swings) {
   return out.norm() * balance.growth(left) > push.foot_down_excess;
 }
 
-/// The foot after which the robot is balanced best, and its step; none if one has only just come
-/// down.
+/// The capture step with the best margin, and its leg; none while a foot's force ramps up.
 std::optional<std::pair<Leg, CaptureStep>> best_step(const Situation& now) {
   std::pair<Leg, CaptureStep> best{Leg::LF, {}};
   for (const Leg k : kLegs) {
@@ -83,10 +84,10 @@ std::optional<std::pair<Leg, CaptureStep>> best_step(const Situation& now) {
   return best;
 }
 
-/// The shortest way to the ground that catches the robot. No event.
+/// Puts the swing foot down at once, at its capture step. Adds no event.
 Action put_foot_down(const Situation& now, Leg k) {
   const Body& body = now.body;
-  const FootPlan& plan = now.before.feet[index(k)];  // goes on from here: the foot has its speed
+  const FootPlan& plan = now.before.feet[index(k)];  // continues this motion
   SwingTarget target{.start = plan.p_WF + body.period * plan.v_WF,
                      .normal = body.plane.normal,
                      .duration = body.options.push.foot_down_duration,
@@ -139,12 +140,12 @@ std::optional<Action> step_to_recover(const Situation& now) {
   if (!best) return {};
   const auto& [k, step] = *best;
   const double without = margin < 0.0 ? balance.growth(push.step_duration) * margin : margin;
-  if (step.margin < without + body.scale.length * kWorthAStep) return {};
+  if (step.margin < without + body.scale.length * kMinGain) return {};
   SwingTarget target{now.foot(k), Vec3::Zero(), body.plane.normal, push.step_duration,
                      push.step_apex};
   target.goal << step.goal, body.plane.height(step.goal);
   slow_down(target, body, [] {});
-  Action action{.memory = body.swing.begun(),
+  Action action{.memory = body.swing.for_new_swing(),
                 .swing = SwingOrder{k, target},
                 .steps_out_of_turn = true,
                 .recovers = true};
@@ -157,13 +158,13 @@ std::optional<Action> step_to_recover(const Situation& now) {
 std::optional<Action> go_on_if_calm(const Situation& now) {
   const Body& body = now.body;
   const bool is_calm = body.legs.all_down() && body.balance.is_steady() &&
-                       now.dynamics.com.v.head<2>().norm() < body.scale.speed() * kAtRest &&
+                       now.dynamics.com.v.head<2>().norm() < body.scale.speed() * kRestSpeed &&
                        balance_margin(now) > body.options.push.calm_margin;
   if (!is_calm) return {};
   return Action{.support = body.options.gait.switch_duration, .recovers = false, .replans = true};
 }
 
-// A foot that slid stands elsewhere, and while it slides the others must do without it.
+// The foothold has moved, and a sliding foot gives little support.
 std::optional<Action> on_slip(const Situation& now) {
   Action action;
   if (now.body.grip.began() && now.gait.unloads) {

@@ -7,18 +7,16 @@ namespace surefoot::gaits {
 /// Does the robot keep its balance when this leg lifts off?
 [[nodiscard]] bool is_balanced_without(Leg leg, const Situation& now);
 
-/// Pushed in a swing so that the balance is lost before the foot lands by itself: it comes down at
-/// once.
+/// Puts the swing foot down at once if a push would tip the robot before the planned touchdown.
 [[nodiscard]] std::optional<Action> land_if_tipping(const Situation& now);
-/// Pushed before a lift-off: the leg carries again.
+/// Loads an unloading leg again after a push.
 [[nodiscard]] std::optional<Action> reload_if_pushed(const Situation& now);
-/// Pushed out of balance on all feet: a step of the foot after which the robot is balanced best, if
-/// one helps.
+/// Out of balance by a push with all feet down: takes the best step, if one helps.
 [[nodiscard]] std::optional<Action> step_to_recover(const Situation& now);
-/// A robot that has come to rest, well inside its feet, under a force that stays, goes on.
+/// Continues the gait once the robot is at rest with enough margin, under a steady force.
 [[nodiscard]] std::optional<Action> go_on_if_calm(const Situation& now);
-/// Feet have begun or ceased to slide: a leg that was to lift off carries again, one in the air
-/// comes down where the others can't do without it.
+/// Feet have begun or stopped sliding: an unloading leg is loaded again, and a swing foot comes
+/// down if the robot is not balanced without it.
 [[nodiscard]] std::optional<Action> on_slip(const Situation& now);
 
 }  // namespace surefoot::gaits

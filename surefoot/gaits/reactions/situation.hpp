@@ -11,19 +11,19 @@
 
 namespace surefoot::gaits {
 
-/// What the gait that has the legs is about to do.
+/// State of the active gait.
 struct GaitStatus {
-  std::optional<Leg> swings{};    ///< makes its step
-  std::optional<Leg> unloads{};   ///< is about to lift off
+  std::optional<Leg> swings{};    ///< the swing leg
+  std::optional<Leg> unloads{};   ///< the leg that is about to lift off
   double lands_at = kNever;       ///< expected touchdown of `swings` [s]
-  double support_duration = 0.0;  ///< all feet down before the next step [s]
+  double support_duration = 0.0;  ///< of all feet, before the next step [s]
 };
 
 /// What a gait and its reactions see at a tick.
 struct Situation {
   double time = 0.0;        ///< [s]
-  double yaw = 0.0;         ///< that the torso is to have [rad]
-  const UserCommand& user;  ///< with velocities and a height that the legs can follow
+  double yaw = 0.0;         ///< reference of the torso [rad]
+  const UserCommand& user;  ///< within the command limits
   const RobotState& state;
   const model::Dynamics& dynamics;
   const HierarchyOutcome& last;  ///< of the tick before
@@ -32,43 +32,43 @@ struct Situation {
   GaitStatus gait{};
 
   [[nodiscard]] const Vec3& foot(Leg leg) const { return dynamics.foot[index(leg)].p; }
-  /// Something that has happened to a leg: where its foot is, and with what force along the normal.
+  /// An event of a leg, with the place of its foot and its normal force.
   [[nodiscard]] GaitEvent event(PlanEvent kind, Leg leg) const {
     return {.kind = kind,
             .leg = leg,
             .place = foot(leg),
             .force = body.plane.normal.dot(state.foot_force[index(leg)])};
   }
-  /// That event alone.
-  [[nodiscard]] EventList told(PlanEvent kind, Leg leg) const {
+  /// A list of this event alone.
+  [[nodiscard]] EventList event_list(PlanEvent kind, Leg leg) const {
     EventList result;
     result.add(event(kind, leg));
     return result;
   }
 };
 
-/// A leg that goes, or goes on, through the air.
+/// A swing that begins or continues.
 struct SwingOrder {
   Leg leg = Leg::LF;
   SwingTarget target;
-  bool keeps_deadline = false;  ///< its touchdown is expected when it was, and the COM plan stays
+  bool keeps_deadline = false;  ///< keeps expected touchdown and COM plan
 };
 
-/// What a reaction asks for; what is not set asks for nothing. A reaction is a function of the
-/// Situation, and only the gait carries out what it returns.
+/// What a reaction requests; unset members request nothing. A reaction is a function of the
+/// Situation, and only the gait carries out its action.
 struct Action {
   EventList events{};
-  std::optional<SwingMemory> memory{};  ///< of the swing, from now on
-  std::optional<Leg> lands{};           ///< this foot stands where it is
-  std::optional<Leg> forgets_print{};   ///< there was no ground where this foot came down last
+  std::optional<SwingMemory> memory{};  ///< new state of the swing
+  std::optional<Leg> lands{};           ///< begins this foot's stance at its place
+  std::optional<Leg> forgets_print{};   ///< deletes this foot's last print
   std::optional<Vec3> avoids{};         ///< no foothold near this place, in W [m]
-  std::optional<Leg> reloads{};         ///< this leg, about to lift off, carries again
-  PerLeg<bool> searches{};              ///< these feet look for ground from where they are
+  std::optional<Leg> reloads{};         ///< cancels this leg's lift-off
+  PerLeg<bool> searches{};              ///< these feet search for ground from their places
   std::optional<SwingOrder> swing{};
   bool steps_out_of_turn = false;   ///< `swing` is a step that the gait did not plan
-  std::optional<double> support{};  ///< time until the next lift-off, counted from now [s]
-  std::optional<bool> recovers{};   ///< the gait waits until the robot has come to rest
-  bool replans = false;             ///< the COM's way is planned anew
+  std::optional<double> support{};  ///< time until the next lift-off [s]
+  std::optional<bool> recovers{};   ///< the gait waits until the robot is at rest
+  bool replans = false;             ///< plans the COM again
 };
 
 }  // namespace surefoot::gaits

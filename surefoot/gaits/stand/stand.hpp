@@ -4,8 +4,8 @@
 
 namespace surefoot::gaits {
 
-/// All feet stay, the COM comes to rest over their centre. It hands over when the command is to
-/// walk, or when a push asks for a step.
+/// All feet stay, and the COM comes to rest over their centre. Hands over on a command to walk, or
+/// when a push requires a step.
 class Stand final : public Gait {
  public:
   void begin(Situation& now, Body& body, const std::optional<Action>& first) override;
