@@ -179,7 +179,7 @@ void Controller::Implementation::take_in(SensorReading reading) noexcept {
 void Controller::Implementation::begin_anew() noexcept {
   memory = at_start;
   memory.last.torque = record.command.torque;
-  estimator->begin_anew();
+  estimator->restart();
   safety.begin_anew();
   stack.begin_anew();
   record.plan = {};

@@ -47,7 +47,7 @@ int ContactForceEstimator::ticks_in(double delay) const {
   return std::abs(ticks) < kNumRecent ? static_cast<int>(ticks) : 0;  // 0 if NaN, too
 }
 
-void ContactForceEstimator::follow(const JointDelays& delays) {
+void ContactForceEstimator::set_delays(const JointDelays& delays) {
   const int angle_delay = ticks_in(delays.encoders), torque_delay = ticks_in(delays.torques);
   const int force_delay = std::max(angle_delay, torque_delay);
   velocity_observer_.go_back(angle_delay - angle_delay_);
@@ -64,7 +64,7 @@ const JointVector& ContactForceEstimator::observe(const SensorReading& reading,
   periods_ = periods_until(reading.time);
   periods_of_base_ += periods_;
   time_ = std::isfinite(reading.time) ? reading.time : time_ + period_;
-  follow(delays);
+  set_delays(delays);
   if (is_first || !torques_.ago(0).allFinite()) {
     torques_.start(reading.torque);
   } else {

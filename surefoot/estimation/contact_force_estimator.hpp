@@ -72,7 +72,7 @@ class ContactForceEstimator {
   [[nodiscard]] int periods_until(double time) const;
   /// In whole ticks, limited to the recent ones.
   [[nodiscard]] int ticks_in(double delay) const;
-  void follow(const JointDelays& delays);
+  void set_delays(const JointDelays& delays);
   void update_base_acceleration(const model::Dynamics& dynamics);
   /// Accelerations of a leg's joints, in the air under the measured torques and with a fixed foot.
   [[nodiscard]] Vec3 free_acceleration(const model::Dynamics& dynamics, Leg leg,
