@@ -298,7 +298,7 @@ TEST(Safety, ThatBeginsAnewForgetsItsPostureButNotItsTorques) {
   RobotState elsewhere = standing();
   elsewhere.q.setConstant(0.3);
   JointVector before = safety.command(elsewhere, &good).torque;
-  safety.begin_anew();
+  safety.restart();
   EXPECT_FALSE(safety.has_begun());
   for (int tick = 0; tick < 30; ++tick) {
     safety.bear(torques(5.0));
@@ -315,7 +315,7 @@ TEST(Safety, WhereItIsToBeCarefulTorquesChangeSlowlyUntilTheyHaveCaughtUp) {
   const solver::Solution one = solved(torques(10.0)), other = solved(torques(-10.0));
   Safety safety = make_safety();
   JointVector before = safety.command(standing(), &one).torque;
-  safety.be_careful();
+  safety.limit_next_change();
   int ticks = 0;
   for (; before != torques(-10.0) && ticks < 100; ++ticks) {
     const JointVector torque = safety.command(standing(), &other).torque;
@@ -330,7 +330,7 @@ TEST(Safety, ThatBeginsAnewAgainAndAgainDampsInTheEnd) {
   Safety safety = make_safety();
   int tick = 0;
   for (; !safety.has_stopped() && tick < 2000; ++tick) {
-    if (tick % 20 == 0) safety.begin_anew();
+    if (tick % 20 == 0) safety.restart();
     (void)safety.command(standing(tick * kPeriod), nullptr);
   }
   EXPECT_NEAR(tick * kPeriod, 2.0, 0.01);
