@@ -20,6 +20,9 @@ constexpr double kMostTicks = std::numeric_limits<std::uint32_t>::max();
 
 /// A tick that is being read, message by message.
 struct GrowingTick {
+  explicit GrowingTick(std::size_t joints) : num_joints(joints) {}
+
+  std::size_t num_joints;
   TickRecord record;
   logged::Hierarchy hierarchy;
   simulation::GroundTruth truth;
@@ -33,12 +36,15 @@ struct GrowingTick {
     const std::string& topic = message.channel->topic;
     has_begin = has_begin || topic == "/readings";
     has_end = has_end || topic == "/command";
-    if (logging::decode_signal(message, record)) return;
+    if (logging::decode_signal(message, num_joints, record)) return;
     if (topic == "/hierarchy") {
       logged::Decoder::decode(message.data, hierarchy);
       record.hierarchy.status = hierarchy.status;
     }
-    if (topic == "/truth") logged::Decoder::decode(message.data, truth);
+    if (topic == "/truth") {
+      logged::Decoder::decode(message.data, truth);
+      logged::check_joints(truth, num_joints);
+    }
     has_truth = has_truth || topic == "/truth";
   }
 };
@@ -52,6 +58,9 @@ double seconds(std::uint64_t nanoseconds) { return 1e-9 * static_cast<double>(na
 }  // namespace
 
 struct LogFrames::Decoded {
+  explicit Decoded(std::size_t joints) : num_joints(joints) {}
+
+  std::size_t num_joints;
   std::map<std::uint64_t, GrowingTick> ticks;  // by log time
   std::map<std::uint64_t, logged::Timing> timings;
 
@@ -62,7 +71,7 @@ struct LogFrames::Decoded {
 
 void LogFrames::Decoded::take(const logging::McapMessage& message, LogChunk& chunk) {
   if (message.channel->topic == "/timings") return take_timing(message, chunk);
-  GrowingTick& tick = ticks[message.log_time];
+  GrowingTick& tick = ticks.try_emplace(message.log_time, num_joints).first->second;
   try {
     tick.take(message);
     if (message.channel->topic != "/changes") return;
@@ -94,6 +103,7 @@ LogFrames::LogFrames(const std::string& path, const logging::LogHeader& header)
     : path_(path),
       file_(path),
       period_(header.control_period),
+      num_joints_(header.robot.joint_names.size()),
       cone_(explain::friction_cone_of(header)) {
   if (!(period_ > 0.0)) throw FileError(path + ": the header's control_period is no time");
   channels_.level_names = header.level_names;
@@ -152,7 +162,7 @@ void LogFrames::learn_channels(const std::string& path, const logging::LogHeader
   bool is_whole = false;
   std::string problem;
   for (std::size_t i = 0; i < places_.size() && !is_whole; ++i) {
-    Decoded decoded;
+    Decoded decoded(num_joints_);
     LogChunk unused;
     read_place(i, decoded, unused);
     if (!unused.problem.empty()) problem = "; " + unused.problem;
@@ -176,7 +186,7 @@ void LogFrames::learn_channels(const std::string& path, const logging::LogHeader
 }
 
 void LogFrames::find_start() {
-  Decoded decoded;
+  Decoded decoded(num_joints_);
   LogChunk unused;
   read_place(0, decoded, unused);
   if (decoded.ticks.empty()) return;
@@ -199,7 +209,7 @@ LogChunk LogFrames::decode(std::size_t number) {
   LogChunk chunk;
   chunk.from = seconds(std::max(place.before, file_.chunks()[place.chunk].first_time));
   chunk.to = seconds(place.last);
-  Decoded decoded;
+  Decoded decoded(num_joints_);
   read_place(number, decoded, chunk);
   for (const auto& [time, tick] : decoded.ticks) {
     if (!tick.is_whole()) continue;

@@ -79,13 +79,18 @@ class JointNumbers {
   JointNumbers(const Section& top, const model::Urdf& urdf, const model::RobotDescription& robot)
       : top_(top), urdf_(urdf), robot_(robot) {}
 
+  /// `arms`: of their joints, one after the other.
   [[nodiscard]] JointVector of(const char* key, const LegJoints& given,
-                               double model::UrdfJoint::* described, bool is_positive) const {
+                               double model::UrdfJoint::* described, bool is_positive,
+                               const std::vector<double>& arms = {}) const {
     JointVector numbers(robot_.num_joints());
     const std::vector<std::string> names = robot_.joint_names();
     for (Eigen::Index joint = 0; joint < numbers.size(); ++joint) {
-      const bool is_leg = joint < kNumLegJoints;
-      numbers[joint] = is_leg ? given[joint % kJointsPerLeg] : kNaN;
+      const auto of_arms =
+          static_cast<std::size_t>(std::max<Eigen::Index>(0, joint - kNumLegJoints));
+      numbers[joint] = joint < kNumLegJoints   ? given[joint % kJointsPerLeg]
+                       : of_arms < arms.size() ? arms[of_arms]
+                                               : kNaN;
       if (!std::isnan(numbers[joint])) continue;
       const model::UrdfJoint& from = *std::ranges::find(
           urdf_.joints, names[static_cast<std::size_t>(joint)], &model::UrdfJoint::name);
@@ -103,6 +108,18 @@ class JointNumbers {
   const model::Urdf& urdf_;
   const model::RobotDescription& robot_;
 };
+
+/// Numbers of all joints of arms; NaN: not given.
+std::vector<double> of_arms(const RobotInFile& given, const model::RobotDescription& robot,
+                            std::vector<double> ArmInFile::* numbers) {
+  std::vector<double> all;
+  for (std::size_t i = 0; i < robot.arms.size(); ++i) {
+    std::vector<double> of_arm = given.arms[i].*numbers;
+    of_arm.resize(robot.arms[i].joints.size(), kNaN);
+    all.insert(all.end(), of_arm.begin(), of_arm.end());
+  }
+  return all;
+}
 
 JointVector or_else(const LegJoints& given, const JointVector& others) {
   JointVector all = others;
@@ -141,12 +158,42 @@ void complete_leg(const Section& top, const model::Urdf& urdf, const std::string
   if (leg.shank_link.empty()) leg.shank_link = moved_by(leg.joints[2]);
 }
 
+void complete_arm(const Section& top, const model::Urdf& urdf, const ArmInFile& given,
+                  model::RobotDescription& robot) {
+  model::ArmDescription arm = given.names;
+  const std::vector<std::string> known = robot.joint_names();
+  if (arm.joints.empty()) {
+    for (std::string link = arm.tip_frame; link != robot.base_link && link != urdf.root;) {
+      const auto joint = std::ranges::find(urdf.joints, link, &model::UrdfJoint::child);
+      if (std::ranges::find(known, joint->name) != known.end()) break;
+      if (joint->type != "fixed") arm.joints.insert(arm.joints.begin(), joint->name);
+      link = joint->parent;
+    }
+  }
+  const std::string key = "arms." + arm.name;
+  if (arm.joints.empty())
+    top.fail(key, "no joint moves between the base and \"" + arm.tip_frame + "\"");
+  for (const auto& [what, numbers] : {std::pair{".posture", &given.posture},
+                                      {".torque", &given.torque},
+                                      {".velocity", &given.velocity}}) {
+    if (numbers->empty() || numbers->size() == arm.joints.size()) continue;
+    top.fail(key + what, "has " + std::to_string(numbers->size()) + " numbers, but the arm has " +
+                             std::to_string(arm.joints.size()) + " joints");
+  }
+  robot.arms.push_back(std::move(arm));
+  if (robot.num_joints() > kMaxJoints)
+    top.fail(key, "with it the robot has " + std::to_string(robot.num_joints()) +
+                      " joints; valid are at most " + std::to_string(kMaxJoints));
+}
+
 void complete_limits(const Section& top, const model::Urdf& urdf, const RobotInFile& given,
                      model::RobotDescription& robot) {
   const JointNumbers numbers(top, urdf, robot);
   using model::UrdfJoint;
-  robot.torque_limit = numbers.of("limits.torque", given.torque, &UrdfJoint::effort, true);
-  robot.velocity_limit = numbers.of("limits.velocity", given.velocity, &UrdfJoint::velocity, true);
+  robot.torque_limit = numbers.of("limits.torque", given.torque, &UrdfJoint::effort, true,
+                                  of_arms(given, robot, &ArmInFile::torque));
+  robot.velocity_limit = numbers.of("limits.velocity", given.velocity, &UrdfJoint::velocity, true,
+                                    of_arms(given, robot, &ArmInFile::velocity));
   robot.q_min = numbers.of("limits.position_min", given.position_min, &UrdfJoint::lower, false);
   robot.q_max = numbers.of("limits.position_max", given.position_max, &UrdfJoint::upper, false);
   for (Eigen::Index i = 0; i < robot.num_joints(); ++i) {
@@ -159,6 +206,18 @@ void complete_limits(const Section& top, const model::Urdf& urdf, const RobotInF
   }
   robot.stall_torque = or_else(given.stall_torque, robot.torque_limit);
   robot.no_load_speed = or_else(given.no_load_speed, robot.velocity_limit);
+  const std::vector<double> posture = of_arms(given, robot, &ArmInFile::posture);
+  robot.q_nominal = JointVector::Zero(robot.num_joints());
+  for (Eigen::Index i = kNumLegJoints; i < robot.num_joints(); ++i) {
+    const double wanted = posture[static_cast<std::size_t>(i - kNumLegJoints)];
+    const double q = std::clamp(std::isnan(wanted) ? 0.0 : wanted, robot.q_min[i], robot.q_max[i]);
+    robot.q_nominal[i] = q;
+    if (std::isnan(wanted) || wanted == q) continue;
+    top.fail("arms",
+             formatted("the posture of joint \"%s\" is %g rad; its limits allow %g to %g rad",
+                       robot.joint_names()[static_cast<std::size_t>(i)].c_str(), wanted,
+                       robot.q_min[i], robot.q_max[i]));
+  }
 }
 
 void complete_posture(const Section& top, const Vec3& front, const model::RobotModel& model,

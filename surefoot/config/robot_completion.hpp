@@ -15,6 +15,10 @@ namespace surefoot::config {
 void complete_leg(const Section& top, const model::Urdf& urdf, const std::string& base,
                   const std::string& key, model::LegDescription& leg);
 
+/// Joints of an arm: those between its tip and the base, or a joint of an arm before it.
+void complete_arm(const Section& top, const model::Urdf& urdf, const ArmInFile& given,
+                  model::RobotDescription& robot);
+
 /// Limits of each joint from the URDF, and drives from the limits.
 void complete_limits(const Section& top, const model::Urdf& urdf, const RobotInFile& given,
                      model::RobotDescription& robot);

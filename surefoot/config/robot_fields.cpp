@@ -85,6 +85,18 @@ Group posture(RobotInFile& o) {
 
 }  // namespace
 
+Group fields(ArmInFile& o) {
+  return {
+      text("name", o.names.name, "of the arm; tasks know its tip by it"),
+      text("tip", o.names.tip_frame, "frame at its end, for frame_position and frame_orientation"),
+      {"joints", Names{&o.names.joints, 0, "is not a list of joints, from the base to the tip"},
+       "without it those between the base, or an arm before it, and the tip"},
+      {"posture", &o.posture, kAnyNumber, "rad",
+       "of each joint; without it 0, or the nearest angle that its limits allow"},
+      {"torque", &o.torque, kPositive, "N·m", "limit of each joint; without it the URDF's"},
+      {"velocity", &o.velocity, kPositive, "rad/s", "limit of each joint; without it the URDF's"}};
+}
+
 Group fields(RobotInFile& o) {
   model::RobotDescription& robot = o.robot;
   return {
@@ -100,6 +112,11 @@ Group fields(RobotInFile& o) {
           .required(),
       {"limits", limits(o), "of the joints; one number for all, or HAA, HFE and KFE of each leg"},
       {"drives", drives(o), "of the joints, as limits"},
+      {"arms",
+       Entries{{shape_of<ArmInFile>(
+                   "", [&o](const ArmInFile& arm, const Given&) { o.arms.push_back(arm); })},
+               "is not a list of arms"},
+       "limbs that stand on nothing; a joint that moves belongs to a leg or to one of them"},
       {"posture", posture(o), "without it knees bent as the limits allow"},
       {"gains",
        Group{{"hold",

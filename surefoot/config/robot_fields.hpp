@@ -11,10 +11,20 @@ struct LegJoints : Vec3 {
   LegJoints() : Vec3(Vec3::Constant(kNaN)) {}
 };
 
+/// An arm as a file gives it: a number for each of its joints, or none.
+struct ArmInFile {
+  model::ArmDescription names;  ///< without joints: those between base, or arm before it, and tip
+  std::vector<double> posture, torque, velocity;
+};
+
+/// All keys of an arm.
+[[nodiscard]] Group fields(ArmInFile& o);
+
 /// Content of a robot file; the rest follows from the URDF.
 struct RobotInFile {
   model::RobotDescription robot;  ///< with the URDF as named in the file
   PerLeg<std::vector<std::string>> joints;
+  std::vector<ArmInFile> arms;
   LegJoints torque, velocity, position_min, position_max, stall_torque, no_load_speed, nominal;
 };
 

@@ -45,28 +45,36 @@ class NameCheck {
   }
 
   void leg(const std::string& key, const model::LegDescription& leg) {
-    for (const std::string& joint : leg.joints) {
-      check(key + ".joints", "joint", joint, joints_);
-      check_hinge(key + ".joints", joint);
-    }
+    joints(key, leg.joints, "a leg");
     frame(key + ".hip", leg.hip_frame);
     frame(key + ".thigh", leg.thigh_link);
     frame(key + ".shank", leg.shank_link);
     frame(key + ".foot", leg.foot_frame);
   }
 
+  void arm(const std::string& key, const model::ArmDescription& arm) {
+    joints(key, arm.joints, "an arm");
+  }
+
  private:
-  /// A leg's joints are hinges, and each is used once.
-  void check_hinge(const std::string& key, const std::string& name) {
+  void joints(const std::string& key, const auto& names, const std::string& limb) {
+    for (const std::string& joint : names) {
+      check(key + ".joints", "joint", joint, joints_);
+      check_hinge(key + ".joints", joint, limb);
+    }
+  }
+
+  /// A limb's joints are hinges, and each is used once.
+  void check_hinge(const std::string& key, const std::string& name, const std::string& limb) {
     const auto joint = std::ranges::find(urdf_.joints, name, &model::UrdfJoint::name);
     const std::string place = " (" + urdf_.path + ":" + std::to_string(joint->line) + ")";
     if (joint->type != "revolute" && joint->type != "continuous") {
-      top_.fail(key, "joint \"" + name + "\" is " + joint->type + place +
-                         "; a leg's joint must be revolute");
+      top_.fail(key, "joint \"" + name + "\" is " + joint->type + place + "; " + limb +
+                         "'s joint must be revolute");
     }
     if (!joint->mimics.empty()) {
-      top_.fail(key, "joint \"" + name + "\" mimics \"" + joint->mimics + "\"" + place +
-                         "; a leg's joints must each have a drive of their own");
+      top_.fail(key, "joint \"" + name + "\" mimics \"" + joint->mimics + "\"" + place + "; " +
+                         limb + "'s joints must each have a drive of their own");
     }
     const auto [first, is_new] = places_.emplace(name, key);
     if (is_new) return;
@@ -157,6 +165,11 @@ model::RobotDescription load_robot(const std::string& name_or_path,
     names.frame(key + ".foot", description.foot_frame);
     complete_leg(top, urdf, robot.base_link, key, description);
     names.leg(key, description);
+  }
+  for (const ArmInFile& arm : given.arms) {
+    names.frame("arms." + arm.names.name + ".tip", arm.names.tip_frame);
+    complete_arm(top, urdf, arm, robot);
+    names.arm("arms." + arm.names.name, robot.arms.back());
   }
   complete_limits(top, urdf, given, robot);
   complete_robot(top, *tree.find("legs"), given.nominal, robot);

@@ -240,6 +240,16 @@ bool visit_option(const Group& group, const std::string& path,
 
 }  // namespace
 
+Group fields(ReachCommand& o) {
+  return {{"arm", &o.arm, NumberRange{.min = 0.0, .words = "a number of at least 0", .none = -1.0},
+           "", "which, by its place in the robot's list of arms, from 0"},
+          {"in_world", &o.in_world, "in W; else in B, so that it moves with the torso"},
+          {"position", Numbers{o.position.data(), simulation::axis_elements()}, kAnyNumber, "m",
+           "of the tip"},
+          {"orientation", Numbers{o.orientation.data(), simulation::angle_elements()},
+           NumberRange{.none = kNaN}, "rad", "of the tip; without it as it was at first"}};
+}
+
 Group fields(TimedCommand& o) {
   return {Field{"time", &o.time, kNotNegative, "s", "from which on it holds"}.required(),
           {"walk", &o.user.walk, "or else stand"},
@@ -247,7 +257,8 @@ Group fields(TimedCommand& o) {
            "forward and to the left", Sizing::stride},
           {"yaw_rate", &o.user.yaw_rate, kAnyNumber, "rad/s", "to the left"},
           {"height", &o.user.height, kHeight, "m", "over the stance's height"},
-          {"calibrate", &o.user.calibrate, "stand, begin the estimate anew, calibrate, go on"}};
+          {"calibrate", &o.user.calibrate, "stand, begin the estimate anew, calibrate, go on"},
+          {"reach", fields(o.user.reach), "the tip of an arm follows this"}};
 }
 
 Group scenario_fields(Scenario& scenario) {

@@ -195,9 +195,22 @@ void read_robot_and_stack(Section& top, const fs::path& file, Scenario& scenario
   scenario.controller.stack = load_named(top, "stack", [&](const std::string& name) {
     control::StackOptions stack = load_stack(name, folder, scenario.robot.scale);
     keep_sources(scenario, "stack", "stack_base", stack_files(name, folder));
-    return stack;
+    return scenario.robot.arms.empty() ? stack : control::with_arms(std::move(stack));
   });
   read_stack_changes(top, scenario.controller);
+}
+
+/// Only arms that are there can reach.
+void check_arms(const ConfigNode& tree, const Scenario& scenario) {
+  const auto num_arms = static_cast<int>(scenario.robot.arms.size());
+  for (const TimedCommand& command : scenario.commands) {
+    if (command.user.reach.arm < num_arms) continue;
+    fail_at(
+        *tree.find("user"), "user",
+        formatted(
+            "at %g s, reach.arm: is %d, but the robot has %s", command.time, command.user.reach.arm,
+            num_arms == 0 ? "no arms" : ("arms 0 to " + std::to_string(num_arms - 1)).c_str()));
+  }
 }
 
 /// Pushes must act on links of the robot's URDF.
@@ -377,6 +390,7 @@ Scenario load_scenario(const ScenarioRequest& request) {
 
   scenario.plant.seed = request.seed;
   check_pushes(tree, scenario);
+  check_arms(tree, scenario);
   scenario.notes = scenario_notes(tree, scenario);
   model::RobotModel model(scenario.robot);
   check_reach(tree, model, scenario.controller.stack);

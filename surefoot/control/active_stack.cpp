@@ -50,9 +50,9 @@ double ActiveStack::share() const {
   return is_fading() ? fade_->share() : switcher_.transition().share;
 }
 
-void ActiveStack::begin_anew() noexcept {
-  switcher_.begin_anew();
-  if (fade_) fade_->begin_anew();
+void ActiveStack::restart() noexcept {
+  switcher_.restart();
+  if (fade_) fade_->restart();
 }
 
 bool ActiveStack::switch_levels(const LevelSwitch& change) {
@@ -62,7 +62,7 @@ bool ActiveStack::switch_levels(const LevelSwitch& change) {
 
 bool ActiveStack::set_stack(const StackOptions& options, double duration) {
   check_stack_change(switcher_.stack(), options, duration);
-  if (is_fading() || !switcher_.is_idle()) return false;  // before what costs much
+  if (is_fading() || !switcher_.is_idle()) return false;
   LevelSwitcher next_switcher = switcher_.for_stack(options);
   auto next = std::make_unique<SolvedStack>(options, solver_options_, robot_);
   fade_ = std::make_unique<StackFade>(std::exchange(solved_, std::move(next)),

@@ -8,26 +8,26 @@
 
 namespace surefoot::control {
 
-/// The stack that is in use, with its solver, and what leads from one set of levels or one stack to
-/// another. Allocates in its constructor and in `set_stack` only.
+/// The stack in use with its solver, and the transitions between sets of levels and between stacks.
+/// Allocates only in its constructor and in `set_stack`.
 class ActiveStack {
  public:
   ActiveStack(const ControllerOptions& options, const model::RobotDescription& robot);
 
-  /// This tick's rows, by a clock that the plan has [s].
+  /// Writes this tick's rows. `time` is the plan's [s].
   const solver::Hierarchy& update(double time, const model::Dynamics& dynamics,
                                   const MotionPlan& plan) noexcept;
-  /// Of the rows of the last update. The reference stays valid until the next call.
+  /// Solves the rows of the last update. The reference stays valid until the next call.
   const solver::Solution& solve(double time, const model::Dynamics& dynamics,
                                 const MotionPlan& plan) noexcept;
-  /// What is to be recorded of that solution; `explains`: what holds each level back, too.
+  /// Fills the report of that solution; with `explains` also the rows that block each level.
   void describe(const solver::Solution& solution, bool explains, HierarchyReport& report) noexcept;
-  /// What the planner is told of it. No shortfall is known between two optima.
+  /// Feedback of that solution to the planner; during a transition the shortfall is unknown.
   [[nodiscard]] HierarchyOutcome outcome(const solver::Solution& solution,
                                          const MotionPlan& plan) const;
 
-  /// By another clock.
-  void begin_anew() noexcept;
+  /// Restarts, as the clock has changed.
+  void restart() noexcept;
   /// As `Controller::switch_levels`.
   [[nodiscard]] bool switch_levels(const LevelSwitch& change);
   /// As `Controller::set_stack`.
@@ -43,8 +43,7 @@ class ActiveStack {
   SolverOptions solver_options_;
   model::RobotDescription robot_;
   std::unique_ptr<SolvedStack> solved_;
-  std::unique_ptr<StackFade>
-      fade_;  // from the stack before, if there was one; kept when it is over
+  std::unique_ptr<StackFade> fade_;  // from the previous stack, if any; kept after its end
   LevelSwitcher switcher_;
 };
 

@@ -4,15 +4,15 @@
 
 namespace surefoot::control {
 
-// Lying posture and period are of no use: where no sensor is said to be at fault, no ladder leads
-// to `sit`, every state that is asked has its time, and nobody waits for a log's robot to begin.
+// Lying posture and period are not used: without sensor faults Safety never sits down, each state
+// has its time, and the robot of a log has begun.
 AskedStack::AskedStack(const StackOptions& stack, const SolverOptions& solver,
                        const SafetyOptions& safety, const model::RobotDescription& robot)
     : solved_(stack, solver, robot),
       ladder_at_start_(safety, robot, solved_.stack.first_free_level(),
                        JointVector::Zero(robot.num_joints()), 0.0),
       ladder_(ladder_at_start_) {
-  for (Safety* ladder : {&ladder_at_start_, &ladder_}) ladder->skip_beginning();
+  for (Safety* ladder : {&ladder_at_start_, &ladder_}) ladder->assume_begun();
   at_rest_.before.set();
   at_rest_.after.set();
 }
@@ -28,19 +28,18 @@ const StackAnswer& AskedStack::ask(const RobotState& state, const model::Dynamic
   return answer_;
 }
 
-// A stop is latched: the robot would lie there. Who is asked at the next tick stands as the log
-// has it, with a ladder on which nothing has happened.
+// A stop is latched, but the robot of the next tick stands, as in the log: restarts the ladder.
 void AskedStack::command(const RobotState& state, const solver::Solution& solution,
                          const PerLeg<bool>& stands) noexcept {
   ladder_.set_standing(stands);
   answer_.command = ladder_.command(state, &solution);
   if (answer_.command.cause == StopCause::none) return;
-  Safety anew = ladder_at_start_;
-  anew.set_standing(stands);
-  const JointCommand first = anew.command(state, &solution);
+  Safety restarted = ladder_at_start_;
+  restarted.set_standing(stands);
+  const JointCommand first = restarted.command(state, &solution);
   if (first.cause != StopCause::none || first.mode == CommandMode::hold) return;
   answer_.command = first;
-  ladder_ = anew;
+  ladder_ = restarted;
 }
 
 std::vector<std::string> AskedStack::level_names() const {

@@ -10,25 +10,24 @@
 
 namespace surefoot::control {
 
-/// What a hierarchy says to one tick.
+/// Result of a hierarchy at one tick.
 struct StackAnswer {
   JointCommand command;
   HierarchyReport hierarchy;
 
-  /// Whether the torques are the hierarchy's. If not, it has no usable solution at this tick, and
-  /// its controller would hold the posture, or has a `cause` to stop for safety.
+  /// True if the torques are the hierarchy's. Otherwise it has no usable solution at this tick:
+  /// its controller would hold the posture, or stop for `cause`.
   [[nodiscard]] bool is_usable() const {
     return command.mode == CommandMode::optimal || command.mode == CommandMode::degraded;
   }
 };
 
-/// A hierarchy that is asked beside a controller what it would command, on the model and the plan
-/// that the controller has. Each tick is asked for itself: where it would have been stopped for
-/// safety, it is asked again at the next. Of the ticks before it remembers from which rows its
-/// solver begins, and how many in a row had no usable solution, after which it would be stopped.
+/// Computes what another hierarchy would command, with the model and plan of a running controller.
+/// A safety stop lasts for one tick only. Between ticks it keeps the solver's active rows and the
+/// number of consecutive ticks without a usable solution, which leads to a stop.
 class AskedStack {
  public:
-  /// Throws Error on options that make no sense. Allocates here only.
+  /// Throws Error on invalid options. Allocates here only.
   AskedStack(const StackOptions& stack, const SolverOptions& solver, const SafetyOptions& safety,
              const model::RobotDescription& robot);
 

@@ -10,6 +10,7 @@
 #include "surefoot/control/standing_torque.hpp"
 #include "surefoot/control/state_estimation.hpp"
 #include "surefoot/estimation/first_readings.hpp"
+#include "surefoot/gaits/parts/arm_reference.hpp"
 #include "surefoot/gaits/planner.hpp"
 #include "surefoot/math/rotation.hpp"
 #include "surefoot/signals/plan_event.hpp"
@@ -33,8 +34,8 @@ double clamp_finite(double value, double limit) {
   return std::isfinite(value) ? std::clamp(value, -limit, limit) : 0.0;
 }
 
-/// What can't be right in a command is dropped or limited, so that it can't reach the plan.
-UserCommand sane(const UserCommand& user) {
+/// Limits the command; values that are not finite become 0.
+UserCommand limited(const UserCommand& user) {
   UserCommand result = user;
   for (double& v : result.velocity) v = clamp_finite(v, UserCommand::kFastest);
   result.yaw_rate = clamp_finite(user.yaw_rate, UserCommand::kFastest);
@@ -53,14 +54,15 @@ ModelRecord unknown_model() {
 }  // namespace
 
 struct Controller::Implementation {
-  /// What the readings so far have taught, beside what `Safety` and the stack know: all that is
-  /// forgotten when the robot begins anew.
+  /// Everything derived from the readings so far, except in `Safety` and the stack; a restart
+  /// resets it to `at_start`.
   struct Memory {
     estimation::ReadingGuard guard;
     StateEstimation estimation;
     Calibration calibration;
     Footing footing;
     gaits::Planner planner;
+    gaits::ArmReference arm;
     LastTick last;
   };
 
@@ -70,9 +72,9 @@ struct Controller::Implementation {
   const JointCommand& step(const SensorReading& reading, const UserCommand& user) noexcept;
   void begin_tick(const SensorReading& reading, const UserCommand& user) noexcept;
   const estimation::ReadingGuard& sense() noexcept;
-  void take_in(SensorReading reading) noexcept;
-  void begin_anew() noexcept;
-  void stand_anew() noexcept;
+  void guard_reading(SensorReading reading) noexcept;
+  void restart() noexcept;
+  void restart_standing() noexcept;
   [[nodiscard]] bool estimate(const estimation::ReadingGuard& seen) noexcept;
   [[nodiscard]] bool is_on_its_feet() noexcept;
   const model::Dynamics& calibrate(const estimation::ReadingGuard& seen) noexcept;
@@ -116,6 +118,7 @@ Controller::Implementation::Implementation(
              .calibration = {options.link_masses, robot, model.base_mass(), options.period},
              .footing = {options.planner.stance, options.period, robot.scale},
              .planner = {options.planner, options.period, robot.scale},
+             .arm = {options.period, robot.scale},
              .last = {}},
       at_start(memory),
       first_readings(options.period),
@@ -150,7 +153,7 @@ void Controller::Implementation::begin_tick(const SensorReading& reading,
   for (JointVector* values : {&record.reading.q, &record.reading.torque}) {
     if (values->size() != n) values->setConstant(n, kNaN);
   }
-  record.user = sane(user);
+  record.user = limited(user);
 }
 
 /// The only stage that sees raw samples.
@@ -159,19 +162,19 @@ const estimation::ReadingGuard& Controller::Implementation::sense() noexcept {
   estimation::ReadingGuard& guard = memory.guard;
   guard.set_loose(before.has_stopped || !before.has_begun || !before.stands);
   if (memory.last.imu_step) guard.judge_imu_step(*memory.last.imu_step);
-  take_in(record.reading);
+  guard_reading(record.reading);
   record.health = guard.health();
   has_begun_anew = first_readings.are_contradicted(record.reading, guard.clock_is_right(),
                                                    record.health, memory.estimation.has_begun()) &&
                    !before.has_stopped;
-  if (has_begun_anew) begin_anew();
-  if (memory.footing.restarts() && !before.has_stopped) stand_anew();
+  if (has_begun_anew) restart();
+  if (memory.footing.restarts() && !before.has_stopped) restart_standing();
   if (!memory.estimation.has_begun()) memory.footing.look_at_start(model, guard.repaired().q);
   return guard;
 }
 
-/// Without the errors that calibration has found.
-void Controller::Implementation::take_in(SensorReading reading) noexcept {
+/// Corrects the reading by the calibrated errors.
+void Controller::Implementation::guard_reading(SensorReading reading) noexcept {
   const KinematicErrors& errors = memory.last.kinematics;
   const Quat imu = exp_rotation(errors.imu);
   reading.q.head<kNumLegJoints>() -= errors.zero;
@@ -180,37 +183,37 @@ void Controller::Implementation::take_in(SensorReading reading) noexcept {
   memory.guard.update(reading, memory.last.joint_velocity, record.reading);
 }
 
-/// With this reading as the first. The tick's health stays what the readings before made it.
-void Controller::Implementation::begin_anew() noexcept {
+/// Restarts with this reading as the first. The tick keeps its health from the readings before.
+void Controller::Implementation::restart() noexcept {
   memory = at_start;
   memory.last.torque = record.command.torque;
-  estimator->begin_anew();
-  safety.begin_anew();
-  stack.begin_anew();
+  estimator->restart();
+  safety.restart();
+  stack.restart();
   record.plan = {};
-  take_in(record.reading);
+  guard_reading(record.reading);
 }
 
-/// The robot has come to stand: where it stood before does not count.
-void Controller::Implementation::stand_anew() noexcept {
+/// The robot has stood up: discards where it stood before.
+void Controller::Implementation::restart_standing() noexcept {
   memory.planner.begin_anew(at_start.planner);
-  memory.estimation.stand_anew(at_start.estimation);
+  memory.estimation.restart_standing(at_start.estimation);
   memory.last.terrain_normal_W = memory.planner.terrain_normal();
-  safety.begin_anew();
+  safety.restart();
 }
 
-/// False: the state is not one to plan with.
+/// False: the state can't be used for planning.
 bool Controller::Implementation::estimate(const estimation::ReadingGuard& seen) noexcept {
   const RobotMode now = mode();
   StateEstimation& estimation = memory.estimation;
   const LastTick& last = memory.last;
-  const bool is_known = estimation.follow(seen, last, now, record.health);
+  const bool is_known = estimation.estimate_motion(seen, last, now, record.health);
   ended(Stage::estimate);
   if (is_known) {
     model.set_leg_lengths(last.kinematics);
     model.set_base_load(last.load);
     const model::Dynamics& dynamics = model.update(estimation.state(), last.terrain_normal_W);
-    estimation.feel(seen, dynamics, last, now, record.health);
+    estimation.estimate_forces(seen, dynamics, last, now, record.health);
   }
   record.state = estimation.state();
   return is_known;
@@ -225,7 +228,7 @@ bool Controller::Implementation::is_on_its_feet() noexcept {
   return stood && memory.footing.stands();
 }
 
-/// What the robot learns of itself acts from the next tick on; the push that is felt, at once.
+/// Calibration results act from the next tick on, the estimated external force at once.
 const model::Dynamics& Controller::Implementation::calibrate(
     const estimation::ReadingGuard& seen) noexcept {
   const RobotState& state = record.state;
@@ -240,6 +243,7 @@ const model::Dynamics& Controller::Implementation::calibrate(
 const MotionPlan& Controller::Implementation::plan_motion(
     const model::Dynamics& dynamics) noexcept {
   record.plan = memory.planner.update(record.user, record.state, dynamics, memory.last.outcome);
+  record.plan.arm = memory.arm.update(record.user.reach, record.state, dynamics);
   ended(Stage::plan);
   return record.plan;
 }
@@ -249,7 +253,7 @@ const JointCommand& Controller::Implementation::command(const solver::Solution& 
   return finish(&solution, stack.outcome(solution, record.plan));
 }
 
-/// By what the joints alone tell, if they do.
+/// Uses the joint angles alone, if known.
 const JointCommand& Controller::Implementation::command_without_state() noexcept {
   describe_unsolved();
   record.plan.events = {};
@@ -259,7 +263,7 @@ const JointCommand& Controller::Implementation::command_without_state() noexcept
   return finish(nullptr, {});
 }
 
-/// Nothing is planned or solved for a robot that is not on its feet.
+/// Without plan and solution.
 const JointCommand& Controller::Implementation::command_off_its_feet() noexcept {
   describe_unsolved();
   record.plan.time = record.state.time;
@@ -284,12 +288,12 @@ void Controller::Implementation::keep_posture() noexcept {
               footing.hangs() ? CommandMode::lifted : CommandMode::rise);
 }
 
-/// `solution` is null where nothing was solved.
+/// `solution` is null if nothing was solved.
 const JointCommand& Controller::Implementation::finish(const solver::Solution* solution,
                                                        const HierarchyOutcome& outcome) noexcept {
   if (has_begun_anew) record.plan.events.add({.kind = PlanEvent::begun_anew});
   has_solved = solution != nullptr;
-  if (memory.guard.is_shaken()) safety.be_careful();
+  if (memory.guard.is_shaken()) safety.limit_next_change();
   record.command = safety.command(record.state, solution, record.health);
   memory.last = remember(outcome);
   ended(Stage::command);
@@ -334,7 +338,7 @@ void Controller::Implementation::describe(const model::Dynamics& dynamics,
   }
 }
 
-// Nothing was solved: what the last tick said must not be logged once more.
+// The results of the last tick must not be logged again.
 void Controller::Implementation::describe_unsolved() noexcept {
   record.model = unknown_model();
   level_times.fill(0.0);

@@ -34,8 +34,8 @@ namespace surefoot::control {
 /// Stages of a tick, in order.
 enum class Stage : int { estimate = 0, model = 1, plan = 2, stack = 3, solve = 4, command = 5 };
 
-/// Is told when a stage of the tick ends; the runtime measures time with it, the controller has no
-/// clock.
+/// Notified at the end of each stage of a tick. The runtime measures time with it, as the
+/// controller has no clock.
 class StageObserver {
  public:
   StageObserver() = default;
@@ -50,7 +50,7 @@ struct ControllerOptions {
   double period = 0.0025;  ///< of the control loop [s]
   gaits::PlannerOptions planner;
   StackOptions stack;
-  std::vector<LevelSwitch> level_switches;  ///< of the stack, by time; one ends before the next
+  std::vector<LevelSwitch> level_switches;  ///< sorted by time; must not overlap
   SolverOptions solver;
   estimation::ReadingGuardOptions guard;
   estimation::SensorConsistencyOptions consistency;
@@ -67,57 +67,55 @@ struct ControllerOptions {
 /// The whole-body controller: one call a tick turns readings into joint torques.
 class Controller {
  public:
-  /// Throws Error on options that make no sense. Allocates here only.
+  /// Throws Error on invalid options. Allocates here only.
   Controller(const model::RobotDescription& robot, const ControllerOptions& options,
              std::unique_ptr<estimation::StateEstimator> estimator);
   ~Controller();
 
-  /// One tick: estimate, model, plan, stack, solve, command. Always returns finite torques inside
-  /// the limits; never throws, allocates, locks or prints.
+  /// One tick: estimate, model, plan, stack, solve, command. Always returns finite torques within
+  /// the limits [N·m]; never throws, allocates, locks or prints.
   const JointCommand& step(const SensorReading& reading, const UserCommand& user) noexcept;
 
-  /// Between two ticks: begins to put levels into the stack or to take them out, as one of
-  /// `level_switches` whose time has come. False, and nothing happens, while another switch is
-  /// going on. Throws Error on a switch that the stack can't make; allocates in that case only.
-  /// The record of the tick at which it begins has it.
+  /// Between two ticks: starts to add or remove levels, like one of `level_switches` that is due.
+  /// Returns false without effect during another switch. Throws Error on a switch that the stack
+  /// can't make; allocates in that case only. The record of its first tick reports it.
   [[nodiscard]] bool switch_levels(const LevelSwitch& change);
 
-  /// Between two ticks: puts a stack in the place of the present one, whose levels it has, in any
-  /// order and with any parameters. Estimator, plan and safety go on; the torques pass from one
-  /// stack's to the other's over `duration` [s] (see `StackFade`). False, and nothing happens,
-  /// while another change or a switch of levels is going on. Throws Error on a stack or duration
-  /// that makes no sense. Allocates.
+  /// Between two ticks: replaces the stack by one with the same levels, in any order and with any
+  /// parameters. Estimator, plan and safety continue; the torques fade from the old stack's to the
+  /// new one's over `duration` [s] (see `StackFade`). Returns false without effect during another
+  /// change or level switch. Throws Error on an invalid stack or duration. Allocates.
   [[nodiscard]] bool set_stack(const StackOptions& stack, double duration = 0.3);
-  /// Between two ticks: the friction coefficient that every foot is believed to find from now on,
-  /// as `planner.force.friction`. Throws Error unless it is above 0.
+  /// Between two ticks: sets the assumed friction coefficient of all feet, like
+  /// `planner.force.friction`. Throws Error unless it is above 0.
   void set_friction(double friction);
 
   /// Everything of the last tick.
   [[nodiscard]] const TickRecord& record() const;
-  /// What solving each level of the last tick took [s], by the clock of the options; 0 without one,
-  /// and of levels that were not solved by themselves. No torque depends on it.
+  /// Solve time of each level in the last tick [s], by the clock of the options; 0 without a clock,
+  /// and for levels that were not solved separately. No torque depends on it.
   [[nodiscard]] const std::array<double, kMaxLevels>& level_times() const;
-  /// The rows of the last tick that was believed, as the solver saw them.
+  /// The solver's rows of the last tick that was solved.
   [[nodiscard]] const solver::Hierarchy& hierarchy() const;
-  /// The model of the last tick, as its hierarchy had it; null where the tick's state was refused,
-  /// or a sensor lost, so that nothing was planned and solved.
+  /// The model of the last tick, as used by its hierarchy; null if nothing was solved, because the
+  /// state was refused or a sensor was lost.
   [[nodiscard]] const model::Dynamics* dynamics() const;
   /// Names of the levels, highest priority first.
   [[nodiscard]] std::vector<std::string> level_names() const;
-  /// Unit of each level's residual, or units, as "m/s² and rad/s²"; empty where rows have weights.
+  /// Unit of each level's residual, or units, as "m/s² and rad/s²"; empty for weighted rows.
   [[nodiscard]] std::vector<std::string> level_units() const;
   /// Name of the row with this id in a level, for logs and tables.
   [[nodiscard]] std::string row_name(int level, int id) const;
-  /// The names of all rows, by level and id: what `row_name` says, as a copy of its own.
+  /// A copy of all row names, by level and id.
   [[nodiscard]] std::vector<std::vector<std::string>> row_names() const;
-  /// Lines worth telling at start (what the model dropped, …).
+  /// Messages for the user at start, as what the model ignores of the URDF.
   [[nodiscard]] std::vector<std::string> notes() const;
-  /// Whether the record says from the next tick on what holds each level back, which takes some
-  /// microseconds a tick; not without this call. No torque depends on it.
+  /// From the next tick on, records which rows block each level, at a cost of some microseconds a
+  /// tick. Off by default. No torque depends on it.
   void explain_levels(bool wanted);
   /// May be null. Must outlive the controller.
   void set_stage_observer(StageObserver* observer);
-  /// Swings that ended on the ground, since the start.
+  /// Completed footsteps since the start.
   [[nodiscard]] int steps_taken() const;
 
  private:

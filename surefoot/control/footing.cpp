@@ -9,19 +9,19 @@
 namespace surefoot::control {
 namespace {
 
-constexpr double kLow = 0.6;       // of the stance's height: a robot that is lower lies
-constexpr double kFolded = 0.2;    // of it: how far the feet are drawn in
-constexpr double kBentHip = 1.0;   // where the inverse kinematics starts …
-constexpr double kBentKnee = 1.8;  // … well bent [rad]
-constexpr double kSpeed = 0.6;     // of the joints on their way, in the mean [rad/s]
-constexpr double kLeastWay = 1.0;  // [s]
-constexpr double kToBear = 0.5;    // in which the feet take over the weight [s]
-constexpr double kToHarden = 0.5;  // … and its joints become hard once they have [s]
-constexpr double kSettle = 0.5;    // after the way [s]
-constexpr double kPatience = 3.0;  // … until a robot that does not stand is given up [s]
-constexpr double kTips = 0.5;      // a torso that leans so far falls [rad]
-constexpr double kThere = 0.2;     // a joint that is where it should be [rad]
-constexpr double kAtRest = 0.3;    // [rad/s]
+constexpr double kMaxLyingHeight = 0.6;   // share of the stance height
+constexpr double kMinFoldedHeight = 0.2;  // share of the stance height
+constexpr double kGuessHip = 1.0;         // initial guess of the inverse kinematics [rad]
+constexpr double kGuessKnee = 1.8;        // initial guess of the inverse kinematics [rad]
+constexpr double kMeanSpeed = 0.6;        // of the joints during a motion [rad/s]
+constexpr double kMinDuration = 1.0;      // of a motion [s]
+constexpr double kLoadTime = 0.5;         // in which the feet take over the weight [s]
+constexpr double kStiffenTime = 0.5;      // of the joints, once the feet carry the robot [s]
+constexpr double kSettleTime = 0.5;       // after the motion [s]
+constexpr double kStandTimeout = 3.0;     // after the motion, until rising has failed [s]
+constexpr double kMaxTilt = 0.5;          // of a standing torso [rad]
+constexpr double kMaxError = 0.2;         // of a joint that has reached the posture [rad]
+constexpr double kMaxSpeed = 0.3;         // of a joint at rest [rad/s]
 
 }  // namespace
 
@@ -33,8 +33,8 @@ void Footing::look_at_start(const model::RobotModel& model, const JointVector& q
     knees_[index(leg)] = std::copysign(1.0, q_leg.z());
     height -= model.foot_in_base(leg, q_leg).z() / kNumLegs;
   }
-  if (!(height < kLow * stance_.height)) return;
-  go(State::folds, q, posture_at(model, std::max(height, kFolded * stance_.height)));
+  if (!(height < kMaxLyingHeight * stance_.height)) return;
+  go(State::folds, q, posture_at(model, std::max(height, kMinFoldedHeight * stance_.height)));
 }
 
 PlanEvent Footing::update(const model::RobotModel& model, const RobotState& state,
@@ -64,17 +64,17 @@ PlanEvent Footing::update(const model::RobotModel& model, const RobotState& stat
 PlanEvent Footing::update_rise(const model::RobotModel& model, const RobotState& state,
                                const estimation::LiftDetector& lift) {
   if (lift.is_down()) stood_for_ += period_;
-  const bool has_arrived = time_ > duration_ + scale_.time() * kSettle;
+  const bool has_arrived = time_ > duration_ + scale_.time() * kSettleTime;
   if (lift.is_lifted() && (stood_for_ > 0.0 || has_arrived)) return hang(model, state.q);
-  has_failed_ = state.R_WB()(2, 2) < std::cos(kTips);
+  has_failed_ = state.R_WB()(2, 2) < std::cos(kMaxTilt);
   if (!has_arrived) return PlanEvent::none;
-  const bool is_there = (state.q - to_).cwiseAbs().maxCoeff() < kThere;
-  const bool is_at_rest = state.qd.cwiseAbs().maxCoeff() < scale_.rate() * kAtRest;
+  const bool is_there = (state.q - to_).cwiseAbs().maxCoeff() < kMaxError;
+  const bool is_at_rest = state.qd.cwiseAbs().maxCoeff() < scale_.rate() * kMaxSpeed;
   if (is_there && is_at_rest && lift.is_down() && !has_failed_) {
     state_ = State::stands;
     restarts_ = true;
   } else {
-    has_failed_ = has_failed_ || time_ > duration_ + scale_.time() * kPatience;
+    has_failed_ = has_failed_ || time_ > duration_ + scale_.time() * kStandTimeout;
   }
   return PlanEvent::none;
 }
@@ -86,7 +86,7 @@ bool Footing::lies(const model::RobotModel& model, const RobotState& state) cons
     const Vec3 p_BF = model.foot_in_base(leg, state.q.segment<3>(first_joint(leg)));
     lowest = std::min(lowest, R_WB.row(2).dot(p_BF));
   }
-  return R_WB(2, 2) < std::cos(kTips) || -lowest < kLow * stance_.height;
+  return R_WB(2, 2) < std::cos(kMaxTilt) || -lowest < kMaxLyingHeight * stance_.height;
 }
 
 PlanEvent Footing::hang(const model::RobotModel& model, const JointVector& q) {
@@ -105,8 +105,8 @@ void Footing::go(State state, const JointVector& q, const JointVector& to) {
   from_ = q;
   to_ = to;
   time_ = 0.0;
-  const double speed = scale_.rate() * kSpeed;
-  duration_ = std::max(scale_.time() * kLeastWay, (to - q).cwiseAbs().maxCoeff() / speed);
+  const double speed = scale_.rate() * kMeanSpeed;
+  duration_ = std::max(scale_.time() * kMinDuration, (to - q).cwiseAbs().maxCoeff() / speed);
 }
 
 JointVector Footing::posture_at(const model::RobotModel& model, double height) const {
@@ -114,8 +114,8 @@ JointVector Footing::posture_at(const model::RobotModel& model, double height) c
   JointVector result = robot.q_nominal;
   for (const Leg leg : kLegs) {
     const Vec3 nominal = robot.q_nominal.segment<3>(first_joint(leg));
-    const double knee = kBentKnee * knees_[index(leg)];
-    const double hip = std::copysign(kBentHip, nominal.y() * nominal.z() * knee);
+    const double knee = kGuessKnee * knees_[index(leg)];
+    const double hip = std::copysign(kGuessHip, nominal.y() * nominal.z() * knee);
     Vec3 p_BF, q_leg;
     p_BF << gaits::nominal_offset(stance_, leg), -height;
     (void)model.inverse_kinematics(leg, p_BF, Vec3(nominal.x(), hip, knee), q_leg);
@@ -132,8 +132,8 @@ LegPosture Footing::posture(const estimation::LiftDetector& lift) const {
     result.stands[index(leg)] = state_ != State::folds && lift.bears(leg);
   }
   if (state_ == State::rises) {
-    result.bears = std::max(borne_, ease(std::min(1.0, time_ / (scale_.time() * kToBear))));
-    result.softness = 1.0 - std::min(1.0, stood_for_ / (scale_.time() * kToHarden));
+    result.bears = std::max(borne_, ease(std::min(1.0, time_ / (scale_.time() * kLoadTime))));
+    result.softness = 1.0 - std::min(1.0, stood_for_ / (scale_.time() * kStiffenTime));
   }
   return result;
 }

@@ -9,65 +9,65 @@
 
 namespace surefoot::control {
 
-/// What a robot does that is not on its feet: one that is lifted, or that lies.
+/// Moves the legs of a robot that is off its feet: lifted, or lying.
 ///
-///     stands   the walk
-///     hangs    its feet bear little and it does not fall (LiftDetector): the legs go to the
-///              stance's posture within a second and are held there softly, until the feet bear it
-///     folds    it begins with its feet too high for a stance: the feet go under the hips
-///     rises    the legs stretch to the stance's posture, with the torques that bear the robot
+///     stands   normal operation
+///     hangs    lifted (LiftDetector): the legs move to the stance posture within a second and are
+///              held there softly, until the feet carry the robot
+///     folds    at the start it lies: the feet move under the hips
+///     rises    the legs extend to the stance posture, with the torques that carry the robot
 ///
-/// and from there it stands, with estimate and plan begun anew. Knees stay on the side where they
-/// were at the start. A robot that does not come to stand, or tips on the way, can't: `has_failed`.
-/// A robot whose torso leans, or whose feet are not below it, was not lifted but fell:
-/// `has_fallen`. Does not allocate.
+/// After rising it stands, and estimate and plan restart. Knees stay on the side of their first
+/// reading. A robot that does not reach the stance, or tips while rising, `has_failed`. A robot
+/// with a tilted torso, or without feet below it, was not lifted: it `has_fallen`. Does not
+/// allocate.
 class Footing {
  public:
   /// `period` of the control loop [s], `scale` of the robot.
   Footing(const gaits::StanceOptions& stance, double period, const Scale& scale = {})
       : stance_(stance), period_(period), scale_(scale) {}
 
-  /// Before a robot stands for the first time: where are its knees, and does it lie? Nothing
-  /// happens where q [rad] is not known.
+  /// Before the first stand: finds the side of the knees, and whether the robot lies. Ignores q
+  /// [rad] that is not finite.
   void look_at_start(const model::RobotModel& model, const JointVector& q) noexcept;
 
-  /// One tick: the state, and `lift` of this tick. What has happened.
+  /// One tick, with `lift` of this tick. Returns the event of this tick, if any.
   PlanEvent update(const model::RobotModel& model, const RobotState& state,
                    const estimation::LiftDetector& lift) noexcept;
 
   [[nodiscard]] bool stands() const { return state_ == State::stands; }
   [[nodiscard]] bool hangs() const { return state_ == State::hangs; }
-  /// It came to stand at the last update: estimate and plan begin anew.
+  /// It stood up at the last update: estimate and plan restart.
   [[nodiscard]] bool restarts() const { return restarts_; }
   [[nodiscard]] bool has_failed() const { return has_failed_; }
-  /// It walked, and the torso lies on the ground.
+  /// It stood before and has fallen.
   [[nodiscard]] bool has_fallen() const { return has_fallen_; }
-  /// While it does not stand.
+  /// Leg posture while it does not stand.
   [[nodiscard]] LegPosture posture(const estimation::LiftDetector& lift) const;
 
  private:
   enum class State { stands, hangs, folds, rises };
 
-  /// From where the joints are to another posture, at rest at both ends.
+  /// Starts a motion from the present posture to another, at rest at both ends.
   void go(State state, const JointVector& q, const JointVector& to);
   void rise(const model::RobotModel& model, const JointVector& q, double borne);
   PlanEvent update_rise(const model::RobotModel& model, const RobotState& state,
                         const estimation::LiftDetector& lift);
   PlanEvent hang(const model::RobotModel& model, const JointVector& q);
-  /// Of a robot that something else than its feet holds: is that the ground?
+  /// Does the ground carry the robot's body, instead of somebody who lifts it?
   [[nodiscard]] bool lies(const model::RobotModel& model, const RobotState& state) const;
-  /// Feet at their places of the stance but for the height of the base over them [m].
+  /// Stance posture with another height of the base above the feet [m].
   [[nodiscard]] JointVector posture_at(const model::RobotModel& model, double height) const;
 
   gaits::StanceOptions stance_;
   double period_;
   Scale scale_;
   State state_ = State::stands;
-  PerLeg<double> knees_{1.0, 1.0, 1.0, 1.0};  // sides on which they were at the start: ±1
+  PerLeg<double> knees_{1.0, 1.0, 1.0, 1.0};  // side at the start: ±1
   JointVector from_, to_;
-  double time_ = 0.0, duration_ = 1.0;  // of the way [s]
-  double borne_ = 0.0;                  // share of the weight on the feet when it began to rise
-  double stood_for_ = 0.0;              // since then [s]
+  double time_ = 0.0, duration_ = 1.0;  // of the motion [s]
+  double borne_ = 0.0;                  // initial share of the weight on the feet
+  double stood_for_ = 0.0;              // while rising [s]
   bool restarts_ = false, has_failed_ = false, has_fallen_ = false;
 };
 

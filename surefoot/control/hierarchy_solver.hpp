@@ -11,23 +11,23 @@
 
 namespace surefoot::control {
 
-/// The controller's solver, as its options choose it.
+/// The solver chosen by the controller's options.
 class HierarchySolver {
  public:
-  /// Sizes come from `capacity`; nothing allocates afterwards.
+  /// `capacity` gives the sizes; nothing allocates afterwards.
   HierarchySolver(const solver::Hierarchy& capacity, const SolverOptions& options);
 
-  /// Is there a use for a substitution?
+  /// Does `solve` use a substitution?
   [[nodiscard]] bool wants_substitution() const { return wants_substitution_; }
 
-  /// `substitution` may be null. During a transition, for which `hierarchy` has the levels of both
-  /// sides, what lies between its two optima. The reference stays valid until the next call.
+  /// `substitution` may be null. During a transition `hierarchy` has the levels of both sides, and
+  /// the result interpolates between their optima. The reference stays valid until the next call.
   const solver::Solution& solve(const solver::Hierarchy& hierarchy,
                                 const solver::Substitution* substitution,
                                 const LevelTransition& transition) noexcept;
 
-  /// What holds each level of the last solution back; empty where the solver doesn't say, and
-  /// during a transition, which is no optimum. The hierarchy must be as it was.
+  /// The rows that block each level of the last solution; empty if the solver doesn't know them,
+  /// and during a transition, which is no optimum. The hierarchy must be unchanged since `solve`.
   [[nodiscard]] std::span<const solver::LevelBlockers> blockers() noexcept;
 
  private:
@@ -38,10 +38,10 @@ class HierarchySolver {
                                             const solver::Substitution* substitution) noexcept;
 
   Solver solver_;
-  Solver solver_after_;  // of what is behind a transition
+  Solver solver_after_;  // for the levels after a transition
   solver::SoftLevels soft_levels_;
   bool wants_substitution_;
-  bool is_optimum_ = false;  // the last solution, of one hierarchy
+  bool is_optimum_ = false;  // the last solution
 };
 
 }  // namespace surefoot::control

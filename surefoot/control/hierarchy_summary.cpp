@@ -9,10 +9,10 @@
 namespace surefoot::control {
 namespace {
 
-constexpr std::size_t kMostOfLevel = 3;  // blockers, or equalities that it missed
-constexpr double kSmallestShare = 0.1;   // of the cost of the dearest, of the miss of the worst
+constexpr std::size_t kMaxPerLevel = 3;  // blockers, or missed equalities
+constexpr double kMinShare = 0.1;        // of the largest cost or error
 
-static_assert(kMaxReportedMisses >= kMostOfLevel * kMaxLevels);
+static_assert(kMaxReportedMisses >= kMaxPerLevel * kMaxLevels);
 
 double violation(const solver::Level& level, Eigen::Index row, const Eigen::VectorXd& x) {
   return solver::signed_violation(level.A().row(row).dot(x), level.lower()[row],
@@ -36,16 +36,16 @@ void add_active_rows(const solver::LevelResult& result, const solver::Level& lev
   }
 }
 
-/// The worst first.
+/// The largest errors, in descending order.
 struct WorstMisses {
-  std::array<MissedEquality, kMostOfLevel + 1> rows{};  // the last is one too many
+  std::array<MissedEquality, kMaxPerLevel + 1> rows{};  // the last is discarded
   std::size_t count = 0;
 
   void add(const MissedEquality& row) {
     std::size_t at = count;
     for (; at > 0 && std::abs(rows[at - 1].by) < std::abs(row.by); --at) rows[at] = rows[at - 1];
     rows[at] = row;
-    count = std::min(count + 1, kMostOfLevel);
+    count = std::min(count + 1, kMaxPerLevel);
   }
 };
 
@@ -58,17 +58,16 @@ void add_missed_rows(const solver::LevelResult& result, const solver::Level& lev
     if (result.rows[static_cast<std::size_t>(i)] != solver::RowState::equality) continue;
     worst.add({static_cast<std::int16_t>(index), level.id(i), violation(level, i, x)});
   }
-  const double least =
-      std::max(kResidualRounding, kSmallestShare * std::abs(worst.rows.front().by));
+  const double least = std::max(kResidualRounding, kMinShare * std::abs(worst.rows.front().by));
   for (std::size_t i = 0; i < worst.count && std::abs(worst.rows[i].by) >= least; ++i)
     report.missed[static_cast<std::size_t>(report.num_missed++)] = worst.rows[i];
 }
 
 void add_blockers(const solver::LevelBlockers& blockers, const solver::Hierarchy& hierarchy,
                   std::size_t level, HierarchyReport& report) {
-  for (std::size_t i = 0; i < std::min(blockers.count, kMostOfLevel); ++i) {
+  for (std::size_t i = 0; i < std::min(blockers.count, kMaxPerLevel); ++i) {
     const solver::Blocker& blocker = blockers.dearest[i];
-    if (i > 0 && blocker.cost < kSmallestShare * blockers.dearest[0].cost) return;
+    if (i > 0 && blocker.cost < kMinShare * blockers.dearest[0].cost) return;
     if (report.num_blocking == static_cast<std::int32_t>(kMaxReportedBlockers)) return;
     report.blocking[static_cast<std::size_t>(report.num_blocking++)] = {
         static_cast<std::int16_t>(level), static_cast<std::int16_t>(blocker.at.level),

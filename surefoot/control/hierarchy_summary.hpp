@@ -9,15 +9,15 @@
 
 namespace surefoot::control {
 
-/// Residuals of a solution, its active inequality rows and by how much they are beyond their
-/// bounds, and the equality rows that were missed, as plain data, for the log: of these at most
-/// three a level, the worst, and those that miss at least a tenth of it. Does not allocate.
+/// Writes for the log a solution's residuals, its active inequality rows with their violations, and
+/// the equality rows with the largest errors: at most three a level, each at least a tenth of the
+/// largest. Does not allocate.
 void summarise(const solver::Solution& solution, const solver::Hierarchy& hierarchy,
                HierarchyReport& report) noexcept;
 
-/// Adds the dearest rows that hold each level back, at most three a level: the dearest, and those
-/// that cost at least a tenth of it; of rows that hold the same, and cost nothing alone, three too.
-/// After `summarise`; empty `blockers`: nothing is known.
+/// Adds the rows that block each level most: at most three a level, each at least a tenth as costly
+/// as the costliest, or three redundant rows, which cost nothing alone. Call after `summarise`;
+/// empty `blockers`: unknown.
 void summarise_blockers(std::span<const solver::LevelBlockers> blockers,
                         const solver::Hierarchy& hierarchy, HierarchyReport& report) noexcept;
 

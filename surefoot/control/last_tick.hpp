@@ -10,7 +10,7 @@
 
 namespace surefoot::control {
 
-/// All that a tick knows of the tick before.
+/// All that a tick uses of the tick before.
 struct LastTick {
   MotionPlan plan;
   Vec3 terrain_normal_W = Vec3::UnitZ();  ///< unit
@@ -20,10 +20,10 @@ struct LastTick {
   JointVector joint_velocity;                     ///< observed [rad/s]
   JointVector torque;                             ///< commanded [N·m]
   KinematicErrors kinematics;                     ///< calibrated
-  BaseLoad load;                                  ///< of the model's base, calibrated
+  BaseLoad load;                                  ///< payload of the base, calibrated
   HierarchyOutcome outcome;
-  std::optional<estimation::ImuStep> imu_step;  ///< what the legs say of a step of the IMU
-  bool restarts = false;  ///< the estimate is to begin again, all feet standing
+  std::optional<estimation::ImuStep> imu_step;  ///< the legs' verdict on a step of the IMU
+  bool restarts = false;                        ///< the estimate restarts, all feet standing
 };
 
 }  // namespace surefoot::control

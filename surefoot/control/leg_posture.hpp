@@ -4,13 +4,13 @@
 
 namespace surefoot::control {
 
-/// Where the legs of a robot that is not on its feet are to go, in joint space.
+/// Desired leg posture of a robot that is off its feet, in joint space.
 struct LegPosture {
   JointVector q;          ///< [rad]
   JointVector qd;         ///< [rad/s]
-  double softness = 1.0;  ///< of legs that stand: 0 hard, 1 as soft as in the air
+  double softness = 1.0;  ///< of stance legs: 0 stiff, 1 as soft as swing legs
   PerLeg<bool> stands{};  ///< legs with a foot on the ground
-  double bears = 0.0;     ///< share of the weight that the feet are to bear
+  double bears = 0.0;     ///< share of the weight that the feet shall carry
 };
 
 }  // namespace surefoot::control

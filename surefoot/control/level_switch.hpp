@@ -9,11 +9,11 @@ struct Group;
 
 namespace surefoot::control {
 
-/// Levels of the stack that come and go, by name. The torques pass from those without to those with
-/// them, in equal shares of the whole change (see `SoftLevels`), over the duration.
+/// Levels of the stack to add and to remove, by name. The torques fade from the old to the new
+/// optimum (see `SoftLevels`) over the duration. Times in s.
 struct LevelSwitch {
   double time = 0.0;
-  std::vector<std::string> add{}, remove{};  ///< those to be added that are there stay
+  std::vector<std::string> add{}, remove{};  ///< adding a present level has no effect
   double duration = 0.5;
 };
 

@@ -17,7 +17,7 @@ std::string text(double number) {
   return stream.str();
 }
 
-/// What may be switched, for the errors.
+/// For error messages.
 std::string free_levels(const StackOptions& stack) {
   std::string list;
   for (const LevelSpec& level : stack.levels) {
@@ -140,7 +140,7 @@ const LevelTransition& LevelSwitcher::update(double time) noexcept {
   return transition_;
 }
 
-void LevelSwitcher::begin_anew() noexcept {
+void LevelSwitcher::restart() noexcept {
   transition_.before.set();
   transition_.after.set();
   transition_.share = 1.0;

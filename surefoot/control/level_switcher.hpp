@@ -10,7 +10,7 @@
 
 namespace surefoot::control {
 
-/// On the way from one set of levels to another; at rest the two are the same.
+/// A transition from one set of levels to another; at rest both are the same.
 struct LevelTransition {
   solver::LevelSet before, after;
   double share = 1.0;  ///< of `after`, 0 … 1
@@ -18,41 +18,41 @@ struct LevelTransition {
   [[nodiscard]] bool is_going_on() const { return before != after; }
 };
 
-/// Throws Error on a switch that the stack can't make: levels that it does not have, levels that
-/// keep the physics, none at all, a time or duration that is none.
+/// Throws Error on a switch that the stack can't make: with unknown levels, levels that keep the
+/// physics, no level at all, or an invalid time or duration.
 void check_level_switch(const StackOptions& stack, const LevelSwitch& change);
 
 /// Throws Error unless the new stack has the levels of the present one, in any order, and the
-/// duration is one.
+/// duration is valid.
 void check_stack_change(const StackOptions& stack, const StackOptions& next, double duration);
 
-/// Says at each tick which levels of the stack are there. One transition at a time.
+/// Decides at each tick which levels are present. One transition at a time.
 class LevelSwitcher {
  public:
-  /// All levels are there until the first switch. Throws Error on a switch that can't be made, or
-  /// begins before the one above it has ended.
+  /// All levels are present until the first switch. Throws Error on an invalid switch, or one that
+  /// begins before the end of its predecessor.
   LevelSwitcher(const StackOptions& stack, const std::vector<LevelSwitch>& schedule);
 
-  /// Begins at the next tick, whatever its time. False, and nothing happens, while another is going
-  /// on; one of the schedule then waits. Throws Error on a switch that can't be made, and does not
-  /// allocate otherwise.
+  /// Starts a switch at the next tick, whatever its time; the schedule waits for it. Returns false
+  /// without effect during another switch. Throws Error on an invalid switch, and allocates in that
+  /// case only.
   [[nodiscard]] bool start(const LevelSwitch& change);
 
-  /// Once a tick, with its time [s]. Does not allocate.
+  /// One tick at its time [s]. Does not allocate.
   const LevelTransition& update(double time) noexcept;
 
-  /// By another clock: as if no tick had been. What was asked for begins at the next one, too.
-  void begin_anew() noexcept;
+  /// Restarts, as the clock has changed. A switch requested by `start` begins again, too.
+  void restart() noexcept;
 
-  /// The same for a stack that has the same levels in another order or with other parameters, in
-  /// the place of the present one. Throws Error where a switch of the schedule can't be made there.
+  /// The same schedule and levels for another stack, with the same levels in any order. Throws
+  /// Error if it can't make a switch of the schedule.
   [[nodiscard]] LevelSwitcher for_stack(const StackOptions& stack) const;
 
   [[nodiscard]] const StackOptions& stack() const { return stack_; }
-  /// Nothing is going on, and nothing was asked for.
+  /// No switch is in progress or requested.
   [[nodiscard]] bool is_idle() const { return !is_requested_ && !transition_.is_going_on(); }
   [[nodiscard]] const LevelTransition& transition() const { return transition_; }
-  /// The switch by `start` that has begun at the last update, so that a log can have it.
+  /// The switch requested by `start` that began at the last update, for the log.
   [[nodiscard]] const LevelSwitchReport& begun() const { return begun_; }
 
  private:
@@ -67,7 +67,7 @@ class LevelSwitcher {
 
   StackOptions stack_;
   std::vector<LevelSwitch> given_;  // the schedule
-  std::vector<Change> schedule_;    // … and with the levels' numbers
+  std::vector<Change> schedule_;    // with the levels' indices
   std::size_t next_ = 0;
   bool is_requested_ = false, has_begun_request_ = false;
   Change requested_{};

@@ -5,13 +5,13 @@
 
 namespace surefoot::control {
 
-/// Was the last good sample longer ago than may be bridged? Times in s.
+/// Is the last good sample older than `bridge_time`? Times in s.
 [[nodiscard]] constexpr bool is_lost(double age, double bridge_time) {
   constexpr double kRounding = 1e-9;
   return age > bridge_time + kRounding;
 }
 
-/// The first sensor that is lost; `none`: all are well enough.
+/// The first lost sensor; `none` if there is none.
 [[nodiscard]] constexpr StopCause lost_sensor(const SensorHealth& health, double bridge_time) {
   if (is_lost(health.encoders.age, bridge_time)) return StopCause::encoders;
   if (is_lost(health.imu.age, bridge_time)) return StopCause::imu;

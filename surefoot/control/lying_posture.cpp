@@ -5,7 +5,7 @@
 namespace surefoot::control {
 namespace {
 
-// Well bent, so that the straight leg does not lie between start and solution [rad].
+// Initial guess, well bent: the singular straight leg is not on the way to the solution [rad].
 constexpr double kFoldedHip = 1.3;
 constexpr double kFoldedKnee = 2.4;
 

@@ -4,8 +4,8 @@
 
 namespace surefoot::control {
 
-/// Joint angles of a folded robot: each foot below its hip by `height` [m], knees on the side of
-/// the nominal posture. Where a leg can't fold so far, as far as it comes.
+/// Joint angles of a folded robot [rad]: each foot below its hip by `height` [m], or as close as
+/// the leg can fold, with the knees on the side of the nominal posture.
 [[nodiscard]] JointVector lying_posture(const model::RobotModel& model, double height);
 
 }  // namespace surefoot::control

@@ -10,22 +10,22 @@
 namespace surefoot::control {
 namespace {
 
-constexpr double kFullTurn = 2.0 * kPi;  // no joint is turned further [rad]
-constexpr double kFadeTime = 0.5;        // of torques that nothing holds any more [s]
-// Of the way down: the last torques turn into those that bear the robot, the posture arrives, legs
-// become as soft as one that bears nothing, torques and springs fade.
-constexpr double kBearingTime = 0.4;                   // [s]
-constexpr double kArrived = 0.75;                      // share of `sit_duration` …
-constexpr double kSoftFrom = 0.2, kSoft = 0.6;         // … here, too …
-constexpr double kLightFrom = 0.6, kLastSpring = 0.1;  // … and of the spring
-// Shares of spring and damping with which a leg that bears nothing does not swing behind drives
-// that are late: they fit its inertia, `hold` fits a quarter of the robot.
+constexpr double kMaxAngle = 2.0 * kPi;  // of a joint [rad]
+constexpr double kFadeTime = 0.5;        // of torques without encoders [s]
+constexpr double kBearingTime = 0.4;     // of the change to the bearing torques, sitting down [s]
+// Shares of `sit_duration`: end of the leg motion; stance legs soften; torques and springs fade.
+constexpr double kArrived = 0.75;
+constexpr double kSoftFrom = 0.2, kSoft = 0.6, kUnloadBegin = 0.6;
+constexpr double kLastSpring = 0.1;  // share of the spring at the end
+// Shares of the PD gains for a swing leg: `hold` fits a quarter of the robot's inertia, which would
+// make a free leg oscillate with delayed drives.
 constexpr double kSoftSpring = 0.4, kSoftDamping = 0.175;
-constexpr double kToStand = 2.0;      // for which a robot that has not begun is held [s]
-constexpr double kDampFade = 1.0;     // of the damping: what falls lies by then [s]
-constexpr double kUnsureTilt = 0.03;  // of a robot that has not begun [s]
-constexpr double kTipTime = 0.2;      // for which a robot that tips goes on turning [s]
-constexpr double kUnsteady = 0.5;  // for which little is known of a robot that has begun late [s]
+constexpr double kSettleTime = 2.0;  // of `hold` before the first good tick [s]
+constexpr double kDampFadeTime =
+    1.0;  // of the damping gain, in which a falling robot comes to lie [s]
+constexpr double kTiltConfirmTime = 0.03;  // in which the first readings may be wrong [s]
+constexpr double kTiltHorizon = 0.2;       // prediction horizon of a tilt [s]
+constexpr double kLateStartTime = 0.5;     // of limited changes after a late start [s]
 
 JointVector finite_or_zero(const JointVector& v) {
   JointVector result = v;
@@ -34,19 +34,19 @@ JointVector finite_or_zero(const JointVector& v) {
 }
 
 bool is_posture(const JointVector& q) {
-  return (q.array().abs() <= kFullTurn).all();  // not if it is NaN
+  return (q.array().abs() <= kMaxAngle).all();  // false for NaN
 }
 
 double uprightness(const RobotState& state) {
   return is_rotation(state.q_WB) ? state.R_WB()(2, 2) : 1.0;
 }
 
-/// Is something filled in? Not for a sensor that the robot does not have.
+/// Is a sample replaced? False for a sensor that the robot lacks.
 bool is_bridged(const GroupHealth& group) {
   return group.fault != SampleFault::none && std::isfinite(group.age);
 }
 
-/// The sensor at fault whose samples the state lacks.
+/// The faulty sensor whose values are missing in the state.
 StopCause missing_sensor(const RobotState& state, const SensorHealth& health) {
   const auto lacks = [](const GroupHealth& group, const auto& values) {
     return group.fault != SampleFault::none && !values.allFinite();
@@ -56,7 +56,7 @@ StopCause missing_sensor(const RobotState& state, const SensorHealth& health) {
   return lacks(health.joint_torques, state.torque) ? StopCause::joint_torques : StopCause::failures;
 }
 
-/// How far from one share of the way to another, 0 to 1.
+/// Progress of `share` from one value to another, 0 to 1.
 double progress(double share, double from, double to) {
   return std::clamp((share - from) / (to - from), 0.0, 1.0);
 }
@@ -91,17 +91,17 @@ const JointCommand& Safety::command(const RobotState& state, const solver::Solut
   command_.time = std::isfinite(state.time) ? state.time : command_.time + period_;
   const bool good = is_good(state, solution);
   if (!has_begun_ && failures_ > 0) {
-    unsteady_ticks_ = static_cast<int>(std::lround(kUnsteady / period_));
+    late_start_ticks_ = static_cast<int>(std::lround(kLateStartTime / period_));
   }
   failures_ = good ? 0 : failures_ + 1;
-  if (posed_) failures_ = std::min(failures_, 1 + static_cast<int>(kUnsureTilt / period_));
+  if (pose_mode_) failures_ = std::min(failures_, 1 + static_cast<int>(kTiltConfirmTime / period_));
   has_begun_ = has_begun_ || good;
-  look_for_a_stop(state, health);
+  check_for_stop(state, health);
   if (damping_) {
     damp(state);
   } else if (sitting_) {
     sit(state);
-  } else if (posed_) {
+  } else if (pose_mode_) {
     take_posture(state);
   } else if (good) {
     follow(state, *solution);
@@ -111,18 +111,18 @@ const JointCommand& Safety::command(const RobotState& state, const solver::Solut
   limit();
   const bool bridges =
       is_bridged(health.encoders) || is_bridged(health.joint_torques) || is_bridged(health.imu);
-  const bool is_new = !has_begun_ || unsteady_ticks_ > 0 || posed_;
-  if (has_begun_ && unsteady_ticks_ > 0) --unsteady_ticks_;
-  limit_change(before, has_stopped() || bridges || is_new || is_careful_);
-  is_careful_ = false;
-  if ((good || posed_) && !has_stopped()) good_torque_ = command_.torque;
-  posed_.reset();
+  const bool is_new = !has_begun_ || late_start_ticks_ > 0 || pose_mode_;
+  if (has_begun_ && late_start_ticks_ > 0) --late_start_ticks_;
+  limit_change(before, has_stopped() || bridges || is_new || limits_change_);
+  limits_change_ = false;
+  if ((good || pose_mode_) && !has_stopped()) good_torque_ = command_.torque;
+  pose_mode_.reset();
   return command_;
 }
 
-void Safety::begin_anew() noexcept {
+void Safety::restart() noexcept {
   has_begun_ = false;
-  unsteady_ticks_ = static_cast<int>(std::lround(kUnsteady / period_));
+  late_start_ticks_ = static_cast<int>(std::lround(kLateStartTime / period_));
   good_q_.setConstant(kNaN);
   bearing_torque_.setConstant(kNaN);
   stands_.fill(true);
@@ -132,9 +132,9 @@ bool Safety::is_tilted(const RobotState& state) const {
   return uprightness(state) < std::cos(options_.max_tilt);
 }
 
-bool Safety::tips(const RobotState& state) const {
+bool Safety::will_tilt(const RobotState& state) const {
   if (!is_rotation(state.q_WB) || !state.w_WB_B.allFinite()) return false;
-  const Quat soon = state.q_WB * exp_rotation(kTipTime * state.w_WB_B);
+  const Quat soon = state.q_WB * exp_rotation(kTiltHorizon * state.w_WB_B);
   return soon.toRotationMatrix()(2, 2) < std::cos(options_.max_tilt);
 }
 
@@ -146,18 +146,18 @@ bool Safety::is_good(const RobotState& state, const solver::Solution* solution) 
   return usable && solution->x.allFinite() && solution->x.size() == 6 + 2 * torque_limit_.size();
 }
 
-void Safety::look_for_a_stop(const RobotState& state, const SensorHealth& health) {
+void Safety::check_for_stop(const RobotState& state, const SensorHealth& health) {
   if (damping_) return;
   const StopCause lost = lost_sensor(health, options_.bridge_time);
   if (lost == StopCause::encoders) note_lame_joints(state, health);
-  // An IMU that made the robot sit down is not believed, nor one that the standing legs contradict.
-  const bool lies = (sitting_ && command_.cause == StopCause::imu) ||
-                    (!has_begun_ && health.imu.fault == SampleFault::contradicts);
-  const bool is_sure =
-      !lies && posed_ != CommandMode::lifted && (has_begun_ || failures_ * period_ > kUnsureTilt);
+  // Ignores the tilt of an IMU that caused the sit, or that the stance legs contradict.
+  const bool imu_is_doubted = (sitting_ && command_.cause == StopCause::imu) ||
+                              (!has_begun_ && health.imu.fault == SampleFault::contradicts);
+  const bool is_sure = !imu_is_doubted && pose_mode_ != CommandMode::lifted &&
+                       (has_begun_ || failures_ * period_ > kTiltConfirmTime);
   const bool lost_joints =
       !sitting_ && (lost == StopCause::encoders || lost == StopCause::joint_torques);
-  if (is_sure && (is_tilted(state) || (lost_joints && tips(state)))) {
+  if (is_sure && (is_tilted(state) || (lost_joints && will_tilt(state)))) {
     stop(CommandMode::damping, StopCause::tilt, health);
   } else if (given_up_ != StopCause::none) {
     stop(CommandMode::damping, given_up_, health);
@@ -166,16 +166,16 @@ void Safety::look_for_a_stop(const RobotState& state, const SensorHealth& health
   } else if (lost != StopCause::none && !sitting_) {
     stopped_q_ = state.q;
     stop(can_sit(state) ? CommandMode::sit : CommandMode::damping, lost, health);
-  } else if (!sitting_ && !posed_ && failures_ > patience(state, health)) {
+  } else if (!sitting_ && !pose_mode_ && failures_ > max_failures(state, health)) {
     stop_after_failures(state, health);
   } else if (sitting_ && command_.time - stopped_at_ >= options_.sit_duration) {
     damping_ = true;
-    damped_ticks_ = static_cast<int>(std::lround(kDampFade / period_));
+    damped_ticks_ = static_cast<int>(std::lround(kDampFadeTime / period_));
   }
 }
 
-// A robot that has all its sensors, be one of them bridged, but has not begun, is to stand first.
-double Safety::patience(const RobotState& state, const SensorHealth& health) const {
+// A robot that has not begun, but has all its sensors, gets time to settle.
+double Safety::max_failures(const RobotState& state, const SensorHealth& health) const {
   const auto is_well = [](const GroupHealth& group) { return group.fault == SampleFault::none; };
   const auto is_there = [&](const GroupHealth& group) {
     return is_well(group) ||
@@ -184,17 +184,17 @@ double Safety::patience(const RobotState& state, const SensorHealth& health) con
   const bool has_torques = is_well(health.joint_torques) || state.torque.allFinite();
   const bool has_all = is_there(health.encoders) && is_there(health.joint_torques) &&
                        is_there(health.imu) && state.q.allFinite() && has_torques;
-  return has_all && !has_begun_ ? kToStand / period_ : options_.damp_after_failures;
+  return has_all && !has_begun_ ? kSettleTime / period_ : options_.damp_after_failures;
 }
 
-// Of several joints at fault the health does not say which: those whose angles are unknown are.
-// Angles that only come late are good enough to sit down by.
+// The health names a single faulty joint only; of several, the angles are NaN. Angles that are only
+// late suffice for sitting down.
 void Safety::note_lame_joints(const RobotState& state, const SensorHealth& health) {
-  const int one = health.encoders.joint;
+  const int reported = health.encoders.joint;
   bool is_known = false;
   for (int i = 0; i < torque_limit_.size(); ++i) {
     bool& lame = lame_[static_cast<std::size_t>(i)];
-    lame = lame || i == one || !std::isfinite(state.q[i]);
+    lame = lame || i == reported || !std::isfinite(state.q[i]);
     is_known = is_known || lame;
   }
   if (!is_known && health.encoders.fault != SampleFault::late) lame_.fill(true);
@@ -207,25 +207,25 @@ bool Safety::can_sit(const RobotState& state) const {
     for (int i = first_joint(leg); i < first_joint(leg) + kJointsPerLeg; ++i) {
       const bool lame = lame_[static_cast<std::size_t>(i)];
       is_lame = is_lame || lame;
-      if (!lame && !(std::abs(state.q[i]) <= kFullTurn)) return false;  // nor if it is NaN
+      if (!lame && !(std::abs(state.q[i]) <= kMaxAngle)) return false;  // also if NaN
     }
     lame_legs += is_lame ? 1 : 0;
   }
   return lame_legs <= 1;
 }
 
-// A sensor that is there from the start has been lost before; one that never came is missed here.
+// Covers sensors that never had a sample; others count as lost earlier.
 void Safety::stop_after_failures(const RobotState& state, const SensorHealth& health) {
   const StopCause cause = missing_sensor(state, health);
   const bool sits = is_sensor(cause) && is_posture(state.q);
-  stopped_q_ = is_posture(good_q_) ? good_q_ : state.q;  // what is held
+  stopped_q_ = is_posture(good_q_) ? good_q_ : state.q;  // the held posture
   stop(sits ? CommandMode::sit : CommandMode::damping, cause, health);
 }
 
 void Safety::stop(CommandMode mode, StopCause cause, const SensorHealth& health) {
   if (mode == CommandMode::damping && cause == StopCause::encoders) {
     fading_torque_ = sitting_ ? command_.torque : good_torque_;
-    damped_at_ = command_.time;
+    fade_begin_ = command_.time;
   }
   sitting_ = mode == CommandMode::sit;
   damping_ = mode == CommandMode::damping;
@@ -244,7 +244,7 @@ void Safety::follow(const RobotState& state, const solver::Solution& solution) {
   command_.torque = solution.x.tail(torque_limit_.size());
   good_q_ = state.q;
   stands_ = stands_now_;
-  bearing_torque_.setConstant(kNaN);  // of another posture
+  bearing_torque_.setConstant(kNaN);
 }
 
 void Safety::hold(const RobotState& state) {
@@ -261,7 +261,7 @@ JointVector Safety::pull(const RobotState& state, const JointVector& q, const Jo
     kp.segment<3>(first_joint(leg)).setConstant(hold_kp_ * (1.0 - soft * (1.0 - kSoftSpring)));
     kd.segment<3>(first_joint(leg)).setConstant(hold_kd_ * (1.0 - soft * (1.0 - kSoftDamping)));
   }
-  // Apart, for where the position is not known the damping still works, and the other way round.
+  // Separate terms: if q is unknown the damping still works, and vice versa.
   return spring * finite_or_zero(kp.cwiseProduct(q - state.q)) +
          finite_or_zero(kd.cwiseProduct(qd - state.qd));
 }
@@ -274,22 +274,22 @@ void Safety::sit(const RobotState& state) {
   const JointVector way = lying_q_ - stopped_q_;
   const JointVector q = stopped_q_ + ease(arrived) * way;
   const JointVector qd = ease_slope(arrived) / (kArrived * duration) * way;
-  const double light = ease(progress(share, kLightFrom, 1.0));
+  const double unloaded = ease(progress(share, kUnloadBegin, 1.0));
   if (bearing_torque_.allFinite()) borne_ = std::min(1.0, borne_ + period_ / kBearingTime);
   const double bears = ease(borne_);
   JointVector carried = (1.0 - bears) * good_torque_ + bears * finite_or_zero(bearing_torque_);
   JointVector pulled = pull(state, q, qd, ease(progress(share, kSoftFrom, kSoft)),
-                            1.0 - light * (1.0 - kLastSpring));
+                            1.0 - unloaded * (1.0 - kLastSpring));
   for (int i = 0; i < torque_limit_.size(); ++i) {
     if (!lame_[static_cast<std::size_t>(i)]) continue;
     carried[i] = good_torque_[i];
     pulled[i] = 0.0;
   }
-  command_.torque = (1.0 - light) * carried + pulled;
+  command_.torque = (1.0 - unloaded) * carried + pulled;
 }
 
 void Safety::take_posture(const RobotState& state) {
-  command_.mode = *posed_;
+  command_.mode = *pose_mode_;
   good_q_ = state.q;
   stands_ = posture_.stands;
   command_.torque = pull(state, posture_.q, posture_.qd, posture_.softness);
@@ -298,13 +298,13 @@ void Safety::take_posture(const RobotState& state) {
 
 void Safety::damp(const RobotState& state) {
   command_.mode = CommandMode::damping;
-  const double gone = std::min(1.0, damped_ticks_ * period_ / kDampFade);
-  const double last = std::min(damping_kd_, kSoftDamping * hold_kd_);
-  const double kd = damping_kd_ + gone * (last - damping_kd_);
-  if (gone < 1.0) ++damped_ticks_;
+  const double faded = std::min(1.0, damped_ticks_ * period_ / kDampFadeTime);
+  const double soft_kd = std::min(damping_kd_, kSoftDamping * hold_kd_);
+  const double kd = damping_kd_ + faded * (soft_kd - damping_kd_);
+  if (faded < 1.0) ++damped_ticks_;
   command_.torque = -kd * finite_or_zero(stiffness_.cwiseProduct(state.qd));
-  if (!std::isfinite(damped_at_)) return;
-  const double share = (command_.time - damped_at_) / kFadeTime;
+  if (!std::isfinite(fade_begin_)) return;
+  const double share = (command_.time - fade_begin_) / kFadeTime;
   command_.torque += std::clamp(1.0 - share, 0.0, 1.0) * fading_torque_;
 }
 
@@ -314,10 +314,10 @@ void Safety::limit() {
 }
 
 void Safety::limit_change(const JointVector& before, bool wanted) {
-  if (!wanted && !catching_up_) return;
+  if (!wanted && !change_is_limited_) return;
   const JointVector step = JointVector::Constant(before.size(), options_.max_torque_change);
   const JointVector limited = command_.torque.cwiseMax(before - step).cwiseMin(before + step);
-  catching_up_ = limited != command_.torque;
+  change_is_limited_ = limited != command_.torque;
   command_.torque = limited;
 }
 

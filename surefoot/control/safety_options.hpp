@@ -2,7 +2,7 @@
 
 namespace surefoot::control {
 
-/// When the controller gives up its optimum for good, and how it then comes to rest.
+/// When the controller stops for good, and how the robot then sits down.
 struct SafetyOptions {
   int damp_after_failures = 80;  ///< 200 ms at 400 Hz
   double max_tilt = 1.05, bridge_time = 0.02;

@@ -7,15 +7,15 @@
 
 namespace surefoot::control {
 
-/// Which solver the controller asks.
+/// Solver of the controller's hierarchy.
 enum class SolverMethod : int {
-  lexicographic = 0,  ///< LexicographicSolver, which starts from the rows active at the last tick
-  cascade = 1,        ///< CascadeSolver, the reference, which starts from nothing
+  lexicographic = 0,  ///< LexicographicSolver, warm-started with the last tick's active rows
+  cascade = 1,        ///< CascadeSolver, the reference, without a warm start
 };
 
 inline constexpr std::array kSolverMethods{SolverMethod::lexicographic, SolverMethod::cascade};
 
-/// As scenarios have it.
+/// The name in scenarios.
 [[nodiscard]] constexpr std::string_view name(SolverMethod method) {
   switch (method) {
     case SolverMethod::lexicographic:
@@ -26,18 +26,17 @@ inline constexpr std::array kSolverMethods{SolverMethod::lexicographic, SolverMe
   return "unknown";
 }
 
-/// How the controller solves its hierarchy. Without a budget the optimum is the same, the time is
-/// not.
+/// How the controller solves its hierarchy. Without a budget all methods give the same optimum.
 struct SolverOptions {
   SolverMethod method = SolverMethod::lexicographic;
-  /// Equations of motion and contacts in closed form, where they allow it (PhysicsSubstitution);
-  /// the cascade never uses it.
+  /// Solves equations of motion and contacts in closed form where possible (PhysicsSubstitution);
+  /// not for the cascade.
   bool structure = true;
-  /// What a tick may cost; where it ends the search x is feasible for all levels that are finished.
-  /// The controller has no clock, so that a replay ends at the same place: only the flops count.
-  /// The cascade has none.
+  /// Budget of a tick. When it ends the search, x is feasible for all finished levels. Only flops
+  /// count, as the controller has no clock: so a replay ends at the same place. Not for the
+  /// cascade.
   solver::SolveBudget budget{};
-  /// Seconds of any steady clock, for `Controller::level_times` alone: nothing else depends on it.
+  /// A steady clock [s], used for `Controller::level_times` only.
   double (*clock)() = nullptr;
 };
 

@@ -17,31 +17,31 @@ struct SolvedStack {
   HierarchySolver solver;
 };
 
-/// On the way from a stack to the one in its place, without a jump of the torques: what lies
-/// between the optima of both (see `SoftLevels`).
+/// Replaces a stack by another without a jump of the torques, by interpolation between the optima
+/// of both (see `SoftLevels`).
 class StackFade {
  public:
-  /// From `before`, whose levels `present` have rows, to a stack with as many levels and the
-  /// capacity `after`; `duration` [s].
+  /// From `before`, with the levels `present`, to a stack with as many levels and the capacity
+  /// `after`; `duration` [s].
   StackFade(std::unique_ptr<SolvedStack> before, const solver::LevelSet& present,
             const solver::Hierarchy& after, double duration);
 
-  /// Begins with the first tick, and is over with the last; 0 … 1.
+  /// True from the construction to the tick at which `share` is 1.
   [[nodiscard]] bool is_going_on() const { return share_ < 1.0; }
   [[nodiscard]] double share() const { return share_; }
 
-  /// By another clock: one that is not over begins with the next tick.
-  void begin_anew() noexcept { begin_ = kNaN; }
+  /// Restarts at the next tick, unless it has ended, as the clock has changed.
+  void restart() noexcept { begin_ = kNaN; }
 
-  /// One tick at its time [s], of which the new stack has the hierarchy and its optimum. The
-  /// reference stays valid until the next call. Does not allocate.
+  /// One tick at its time [s], with hierarchy and optimum of the new stack. The reference stays
+  /// valid until the next call. Does not allocate.
   const solver::Solution& between(const model::Dynamics& dynamics, const MotionPlan& plan,
                                   double time, const solver::Hierarchy& hierarchy,
                                   const solver::Solution& after) noexcept;
 
  private:
   std::unique_ptr<SolvedStack> before_;
-  LevelTransition at_rest_;  // of the stack before
+  LevelTransition at_rest_;  // of the old stack
   solver::SoftLevels soft_levels_;
   double duration_;
   double begin_;  // [s]; NaN before the first tick

@@ -12,7 +12,7 @@ struct TaskSpec {
   std::string task;
   std::map<std::string, double> numbers;       ///< e.g. kp: 500
   std::map<std::string, std::string> choices;  ///< e.g. form: radial
-  double weight = 1.0;  ///< on its rows, against the other tasks of its level; residuals have it
+  double weight = 1.0;  ///< of its rows within the level; residuals include it
 };
 
 /// One priority level; usually one task.
@@ -28,13 +28,17 @@ struct StackOptions {
   std::vector<LevelSpec> levels;
 };
 
-/// Has the level a task without which the torques mean nothing: equations of motion, contacts,
+/// Does the level have a task that makes the torques physical: equations of motion, contacts,
 /// torque or contact force limits?
 [[nodiscard]] bool keeps_physics(const LevelSpec& level);
 
-/// The same tasks with all levels from `first` on as one last level, "weighted", where they count
-/// by their weights instead of by their order. Damping of these levels is left out. Throws Error
-/// where one of them keeps the physics: a robot can't trade that for a task.
+/// The stack of a robot with arms: two levels that move them, `arm_tip` and `arm_posture`, before
+/// those that only save effort. Stays as it is if a task moves arms already.
+[[nodiscard]] StackOptions with_arms(StackOptions stack);
+
+/// Merges all levels from `first` on into one last level, "weighted", in which the tasks' weights
+/// replace their order. Omits the damping of these levels. Throws Error if one of them keeps the
+/// physics, which must not be traded for a task.
 [[nodiscard]] StackOptions weighted_from(StackOptions stack, std::size_t first);
 
 }  // namespace surefoot::control

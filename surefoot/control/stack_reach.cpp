@@ -10,13 +10,13 @@
 namespace surefoot::control {
 namespace {
 
-constexpr int kAngles = 3600;  // of the knee, all around: the longest leg is found to 1e-6 of it
+constexpr int kNumKneeAngles = 3600;  // of the knee in a full turn; gives the length to 1e-6
 
-/// The greatest distance of hip and foot, which only the knee changes, whatever its limits are.
+/// Largest distance from hip to foot, over all knee angles regardless of their limits.
 double leg_length(const model::RobotModel& model, Leg leg) {
   double longest = 0.0;
-  for (int i = 0; i < kAngles; ++i) {
-    const Vec3 q(0.0, 0.0, 2.0 * kPi * i / kAngles);
+  for (int i = 0; i < kNumKneeAngles; ++i) {
+    const Vec3 q(0.0, 0.0, 2.0 * kPi * i / kNumKneeAngles);
     longest = std::max(longest, (model.foot_in_base(leg, q) - model.hip_in_base(leg, q)).norm());
   }
   return longest;

@@ -11,7 +11,7 @@
 
 namespace surefoot::control {
 
-/// A number of a stack lies beyond the robot's reach.
+/// A length in a stack is beyond the robot's reach.
 class BeyondReachError : public Error {
  public:
   BeyondReachError(const std::string& message, std::string task, std::string number)
@@ -24,19 +24,19 @@ class BeyondReachError : public Error {
   std::string task_, number_;
 };
 
-/// How far a robot reaches: a bound of a stack that lies beyond it would bound nothing.
+/// Reach of a robot's legs: a larger bound in a stack has no effect.
 struct StackReach {
-  double leg = std::numeric_limits<double>::infinity();   ///< longest distance of hip and foot [m]
-  double base = std::numeric_limits<double>::infinity();  ///< no foot is further from the base [m]
+  double leg = std::numeric_limits<double>::infinity();   ///< longest distance hip to foot [m]
+  double base = std::numeric_limits<double>::infinity();  ///< longest distance base to foot [m]
 
-  /// The greatest value that means something for a task's number; infinity where all do.
+  /// Largest effective value of a task's number; infinity if there is no limit.
   [[nodiscard]] double greatest(std::string_view task, std::string_view number) const;
 };
 
 [[nodiscard]] StackReach reach_of(const model::RobotModel& model);
 
-/// Throws BeyondReachError on a number beyond the robot's reach, given or by default; the message
-/// says how far that is.
+/// Throws BeyondReachError if a number, given or by default, exceeds the robot's reach; the message
+/// states the limit.
 void check_reach(const StackOptions& stack, const StackReach& reach);
 
 }  // namespace surefoot::control

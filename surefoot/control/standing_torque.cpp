@@ -7,8 +7,8 @@
 namespace surefoot::control {
 namespace {
 
-/// Vertical forces at the feet with Σ f = m g, and, unless one would pull, no moment about the
-/// centre of mass.
+/// Vertical foot forces [N] with Σ f = m g and, unless one would pull, without moment about the
+/// COM.
 Eigen::Vector4d bearing_forces(const model::Dynamics& dynamics) {
   Eigen::Matrix<double, 3, kNumLegs> balance;
   for (const Leg leg : kLegs) {
@@ -17,8 +17,8 @@ Eigen::Vector4d bearing_forces(const model::Dynamics& dynamics) {
   }
   const Vec3 weight(dynamics.mass * kGravity, 0.0, 0.0);
   const Mat3 gram = balance * balance.transpose();
-  const Eigen::Vector4d pushes = (balance.transpose() * gram.ldlt().solve(weight)).cwiseMax(0.0);
-  return weight.x() / pushes.sum() * pushes;
+  const Eigen::Vector4d forces = (balance.transpose() * gram.ldlt().solve(weight)).cwiseMax(0.0);
+  return weight.x() / forces.sum() * forces;
 }
 
 }  // namespace

@@ -4,19 +4,17 @@
 
 namespace surefoot::control {
 
-/// A robot at rest with its torso level, the base at W's origin, and these joint angles [rad].
+/// State at rest with a level torso, the base at W's origin, and joint angles q [rad].
 [[nodiscard]] RobotState level_at_rest(const JointVector& q);
 
-/// Joint torques that bear a robot at rest on its four feet whose base is not known
-/// [N·m]: the torso is taken to be level, and the feet's forces to be those vertical ones that
-/// balance the weight and are of least norm. Where a foot would have to pull, the others bear the
-/// weight as if it did not, and the robot tips. Not finite where q [rad] isn't. Leaves the model at
-/// this posture. Does not allocate.
+/// Joint torques that carry a robot at rest on its four feet, without a base state [N·m]. Assumes a
+/// level torso and the vertical foot forces of least norm that balance the weight. A foot that
+/// would have to pull gets no force; then the moments don't balance. Not finite if q [rad] isn't.
+/// Leaves the model at this posture. Does not allocate.
 [[nodiscard]] JointVector standing_torque(model::RobotModel& model, const JointVector& q) noexcept;
 
-/// Force of the ground on the feet all together, of a robot at rest whose torso is taken to be
-/// level, by its joint torques [N], in B. Not finite where q [rad] or a torque [N·m] isn't. As
-/// above.
+/// Total ground force on the feet of a robot at rest, from its joint torques [N], in B. Assumes a
+/// level torso. Not finite if q [rad] or a torque [N·m] isn't. Leaves the model at this posture.
 [[nodiscard]] Vec3 borne_force(model::RobotModel& model, const JointVector& q,
                                const JointVector& torque) noexcept;
 

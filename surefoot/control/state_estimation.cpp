@@ -9,16 +9,15 @@
 namespace surefoot::control {
 namespace {
 
-// No robot comes near these; a single such number would stay in the filters for long.
+// Beyond any robot's values; a single larger number would stay in the filters for long.
 constexpr double kMaxDistance = 1e6;  // [m]
 constexpr double kMaxSpeed = 1e3;     // [m/s] and [rad/s]
 constexpr double kMaxAngle = 1e3;     // [rad]
 constexpr double kMaxTorque = 1e4;    // [N·m]
 
-/// After a longer time without a state the plan's time leaps [s].
-constexpr double kMaxGap = 1.0;
+constexpr double kMaxGap = 1.0;  // between two states, as the plan uses their time [s]
 
-/// Can the robot be so? Not where a number is NaN.
+/// False for NaN.
 bool is_plausible(const RobotState& state) {
   const auto within = [](const auto& v, double limit) { return (v.array().abs() <= limit).all(); };
   return std::isfinite(state.time) && within(state.p_WB, kMaxDistance) && is_rotation(state.q_WB) &&
@@ -62,13 +61,13 @@ StateEstimation::StateEstimation(const ControllerOptions& options,
 
 bool StateEstimation::has_begun() const { return std::isfinite(time_); }
 
-bool StateEstimation::follow(const estimation::ReadingGuard& seen, const LastTick& last,
-                             const RobotMode& mode, SensorHealth& health) noexcept {
+bool StateEstimation::estimate_motion(const estimation::ReadingGuard& seen, const LastTick& last,
+                                      const RobotMode& mode, SensorHealth& health) noexcept {
   imu_step_.reset();
   observe_joints(seen);
   if (!seen.clock_is_right()) {
     state_.time = kNaN;
-    state_.q = seen.measured().q;  // for the safe commands: what the joints do now
+    state_.q = seen.measured().q;  // for the safe commands
     state_.qd = joint_velocity_;
     return false;
   }
@@ -76,9 +75,9 @@ bool StateEstimation::follow(const estimation::ReadingGuard& seen, const LastTic
   const bool is_at_rest = mode.stands && !mode.has_begun && !mode.has_stopped;
   const bool fits = !is_at_rest || fits_at_rest(seen, health);
   forget_lost_joints(seen, health);
-  const bool can_be = is_plausible(state_) && !(std::abs(state_.time - time_) > kMaxGap);
-  if (can_be) time_ = state_.time;
-  return can_be && fits && !mode.has_stopped &&
+  const bool plausible = is_plausible(state_) && !(std::abs(state_.time - time_) > kMaxGap);
+  if (plausible) time_ = state_.time;
+  return plausible && fits && !mode.has_stopped &&
          lost_sensor(health, bridge_time_) == StopCause::none;
 }
 
@@ -87,7 +86,7 @@ void StateEstimation::observe_joints(const estimation::ReadingGuard& seen) noexc
       seen.measured(), {.encoders = seen.encoder_delay(), .torques = seen.torque_delay()});
 }
 
-// An IMU that is upside down or has another unit would else be known by its tilt, or never begin.
+// Otherwise an IMU that is upside down or has another unit would cause a tilt stop, or no start.
 bool StateEstimation::fits_at_rest(const estimation::ReadingGuard& seen,
                                    SensorHealth& health) noexcept {
   const SensorReading& reading = seen.repaired();
@@ -100,7 +99,7 @@ bool StateEstimation::fits_at_rest(const estimation::ReadingGuard& seen,
   return false;
 }
 
-// What was filled in for an encoder is good for a short time only.
+// Replaced angles are valid for a short time only.
 void StateEstimation::forget_lost_joints(const estimation::ReadingGuard& seen,
                                          const SensorHealth& health) noexcept {
   if (lost_sensor(health, bridge_time_) != StopCause::encoders) return;
@@ -112,9 +111,9 @@ void StateEstimation::forget_lost_joints(const estimation::ReadingGuard& seen,
   }
 }
 
-void StateEstimation::feel(const estimation::ReadingGuard& seen, const model::Dynamics& dynamics,
-                           const LastTick& last, const RobotMode& mode,
-                           SensorHealth& health) noexcept {
+void StateEstimation::estimate_forces(const estimation::ReadingGuard& seen,
+                                      const model::Dynamics& dynamics, const LastTick& last,
+                                      const RobotMode& mode, SensorHealth& health) noexcept {
   const PerLeg<bool> stands = last.plan.standing();
   contact_force_.update(dynamics, stands, last.terrain_normal_W, seen.repaired(), state_);
   lift_.update(kGravity * dynamics.mass, state_.foot_force, seen.repaired().accelerometer);
@@ -124,8 +123,7 @@ void StateEstimation::feel(const estimation::ReadingGuard& seen, const model::Dy
   compare_sensors(seen, dynamics, last, health);
 }
 
-// Legs that are found to be other than they were believed to be have not moved; feet that bear
-// nothing do not stand.
+// A changed calibration is no motion of the legs, and feet without load give no reference.
 void StateEstimation::compare_sensors(const estimation::ReadingGuard& seen,
                                       const model::Dynamics& dynamics, const LastTick& last,
                                       SensorHealth& health) noexcept {
@@ -149,7 +147,7 @@ void StateEstimation::compare_sensors(const estimation::ReadingGuard& seen,
   imu_step_ = consistency_.imu_step();
 }
 
-void StateEstimation::stand_anew(const StateEstimation& at_start) noexcept {
+void StateEstimation::restart_standing(const StateEstimation& at_start) noexcept {
   contact_force_ = at_start.contact_force_;
   slip_ = at_start.slip_;
   external_force_ = at_start.external_force_;

@@ -10,42 +10,41 @@
 
 namespace surefoot::control {
 
-/// What the robot was about before this tick.
+/// Mode of the robot before this tick.
 struct RobotMode {
-  bool stands = true;        ///< on its feet; else it is lifted, or lies
+  bool stands = true;        ///< on its feet, neither lifted nor lying
   bool has_begun = false;    ///< there was a good tick
   bool has_stopped = false;  ///< for good
 };
 
-/// Makes the state that the controller believes, in two steps: base and joints (`follow`), then,
-/// with the dynamics there, what the ground and others push with, and which feet slide (`feel`).
-/// Also says which sensors contradict the rest. Does not allocate after construction.
+/// Estimates the robot's state in two steps: base and joints, then, with the dynamics at these,
+/// foot forces, external forces and slips. Also reports sensors that contradict the others. Does
+/// not allocate after construction.
 class StateEstimation {
  public:
   StateEstimation(const ControllerOptions& options, estimation::StateEstimator& estimator,
                   model::RobotModel& model);
 
-  /// Base and joints by this tick's sensors. False: the state is not one to plan with. Sensors that
-  /// contradict each other at rest are written into `health`.
-  [[nodiscard]] bool follow(const estimation::ReadingGuard& seen, const LastTick& last,
-                            const RobotMode& mode, SensorHealth& health) noexcept;
-  /// Completes the state, with the dynamics at it. As above.
-  void feel(const estimation::ReadingGuard& seen, const model::Dynamics& dynamics,
-            const LastTick& last, const RobotMode& mode, SensorHealth& health) noexcept;
+  /// Estimates base and joints. False: the state can't be used for planning. Writes sensors that
+  /// contradict each other at rest into `health`.
+  [[nodiscard]] bool estimate_motion(const estimation::ReadingGuard& seen, const LastTick& last,
+                                     const RobotMode& mode, SensorHealth& health) noexcept;
+  /// Completes the state, with its dynamics. Writes contradicting sensors into `health`.
+  void estimate_forces(const estimation::ReadingGuard& seen, const model::Dynamics& dynamics,
+                       const LastTick& last, const RobotMode& mode, SensorHealth& health) noexcept;
 
-  /// It has come to stand: of who pushed it, and of what its legs were felt to weigh as they lay on
-  /// the ground, nothing holds any more.
-  void stand_anew(const StateEstimation& at_start) noexcept;
-  /// The robot is not on its feet: nothing of before says anything of its sensors.
+  /// The robot has stood up: discards the external force and leg weights estimated before.
+  void restart_standing(const StateEstimation& at_start) noexcept;
+  /// The robot is off its feet: discards comparisons of its sensors.
   void forget_contacts() noexcept { consistency_.forget(); }
 
   [[nodiscard]] const RobotState& state() const { return state_; }
   [[nodiscard]] const estimation::LiftDetector& lift() const { return lift_; }
-  /// Of the joints, observed [rad/s].
+  /// Observed [rad/s].
   [[nodiscard]] const JointVector& joint_velocity() const { return joint_velocity_; }
-  /// What the legs say of a step of the IMU at this tick; empty: they were not asked.
+  /// The legs' verdict on a step of the IMU at this tick; empty if not checked.
   [[nodiscard]] const std::optional<estimation::ImuStep>& imu_step() const { return imu_step_; }
-  /// There was a state that could be.
+  /// There was a plausible state.
   [[nodiscard]] bool has_begun() const;
 
  private:
@@ -68,7 +67,7 @@ class StateEstimation {
   estimation::LiftDetector lift_;
   JointVector joint_velocity_;  // [rad/s]
   KinematicErrors kinematics_before_;
-  double time_ = kNaN;  // of the last state that could be [s]
+  double time_ = kNaN;  // of the last plausible state [s]
   std::optional<estimation::ImuStep> imu_step_;
   RobotState state_;
 };

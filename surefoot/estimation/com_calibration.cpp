@@ -13,20 +13,20 @@ namespace {
 constexpr double kFadeInTime = 0.5;     // of a weighing [s]
 constexpr double kFollowTime = 0.5;     // time constant for new link masses [s]
 constexpr double kMaxComOffset = 0.10;  // of the COM, in B horizontal and vertical [m]
-constexpr double kMinLoadShare = -0.5;  // of a load, in masses of the base
-constexpr double kMaxLoadShare = 1.0;   // of a load, in masses of the base
+constexpr double kMinLoadShare = -0.5;  // of the payload, in masses of the base
+constexpr double kMaxLoadShare = 1.0;   // of the payload, in masses of the base
 // Smaller loads are uncertain: a robot as modelled can measure half of both.
 constexpr double kMinCertainLoad = 0.01;    // in masses of the robot
 constexpr double kMinCertainHeight = 0.01;  // of the COM against the bare model's [m]
 constexpr double kMinForceShare = 0.5;      // of the weight, on the feet
 constexpr double kMinWeighingTime = 0.5;    // [s]
-constexpr double kVerticalTime = 1.0;       // the vertical settles only after the motion [s]
+constexpr double kVerticalTime = 1.0;  // of the mean, as the vertical settles after the motion [s]
 
 Vec3 com_in_base(const model::Dynamics& dynamics) {
   return dynamics.base_rotation.R.transpose() * (dynamics.com.p - dynamics.base.p);
 }
 
-Vec3 believable(const Vec3& offset, const Scale& scale) {
+Vec3 limited(const Vec3& offset, const Scale& scale) {
   const double most = scale.length * kMaxComOffset;
   Vec3 result;
   result << clip_norm<2>(offset.head<2>(), most), std::clamp(offset.z(), -most, most);
@@ -41,16 +41,16 @@ void ComCalibration::update(const model::Dynamics& dynamics, const PerLeg<Vec3>&
   if (turns && (!turning_ || !is_quiet)) height_.forget();
   turning_ = turns;
   const GroundReaction reaction = ground_reaction(dynamics, foot_force);
-  const bool is_felt = is_quiet && reaction.force.z() > kMinForceShare * dynamics.mass * kGravity;
+  const bool is_loaded = is_quiet && reaction.force.z() > kMinForceShare * dynamics.mass * kGravity;
   if (stage == CalibrationStage::weighing) {
     weighing_ = true;
-    if (is_felt) weigh(dynamics, reaction);
+    if (is_loaded) weigh(dynamics, reaction);
     return;
   }
   if (weighing_) end_weighing(dynamics);
   share_ = std::min(1.0, share_ + period_ / kFadeInTime);
   heavier_in_use_ += period_ / kFollowTime * (heavier_ - heavier_in_use_);
-  if (turns && is_felt) height_.add(dynamics, reaction);
+  if (turns && is_loaded) height_.add(dynamics, reaction);
 }
 
 void ComCalibration::weigh(const model::Dynamics& dynamics, const GroundReaction& reaction) {
@@ -67,24 +67,24 @@ void ComCalibration::weigh(const model::Dynamics& dynamics, const GroundReaction
 
 // The weighing ignores heavier links; the load in use during it includes them.
 void ComCalibration::end_weighing(const model::Dynamics& dynamics) {
-  const std::optional<double> higher = height_.found();
+  const std::optional<double> o_z = height_.found();
   const bool is_long_enough = samples_ >= std::lround(kMinWeighingTime / period_);
-  knows_load_ = is_long_enough && higher.has_value();
+  knows_load_ = is_long_enough && o_z.has_value();
   if (is_long_enough) {
     const BaseLoad now = load();
     const Vec3 com = com_in_base(dynamics);
     const double bare_mass = dynamics.mass - now.mass;
     const Vec3 bare_com = (dynamics.mass * com - now.first_moment) / bare_mass;
     const Vec3 up = dynamics.base_rotation.R.row(2);
-    const double felt = now.mass + mean_mass_;
-    const Vec3 found = mean_offset_ + (higher.value_or(0.0) - mean_offset_.z()) / up.z() * up;
-    Vec3 offset = believable(com - bare_com + found, dynamics.scale);
-    const bool carries = std::abs(felt) > kMinCertainLoad * bare_mass ||
-                         std::abs(offset.z()) > dynamics.scale.length * kMinCertainHeight;
+    const double measured_mass = now.mass + mean_mass_;
+    const Vec3 found = mean_offset_ + (o_z.value_or(0.0) - mean_offset_.z()) / up.z() * up;
+    Vec3 offset = limited(com - bare_com + found, dynamics.scale);
+    const bool is_certain = std::abs(measured_mass) > kMinCertainLoad * bare_mass ||
+                            std::abs(offset.z()) > dynamics.scale.length * kMinCertainHeight;
     double mass = now.mass;
-    if (higher && carries) {
-      mass = std::clamp(felt, kMinLoadShare * base_mass_, kMaxLoadShare * base_mass_);
-    } else if (higher) {
+    if (o_z && is_certain) {
+      mass = std::clamp(measured_mass, kMinLoadShare * base_mass_, kMaxLoadShare * base_mass_);
+    } else if (o_z) {
       mass = offset.z() = 0.0;
     }
     slope_ = (bare_mass + mass) * slope(dynamics);

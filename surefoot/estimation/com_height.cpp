@@ -38,11 +38,11 @@ void ComHeight::add(const model::Dynamics& dynamics, const GroundReaction& react
 
 std::optional<double> ComHeight::found() const noexcept {
   const double n = sums_.ticks;
-  const Vec2 spread = sums_.tilt_tilt - sums_.tilt.cwiseAbs2() / n;
-  if (!(period_ * spread.sum() > kMinTiltIntegral)) return std::nullopt;
-  const Vec2 together =
+  const Vec2 variance = sums_.tilt_tilt - sums_.tilt.cwiseAbs2() / n;
+  if (!(period_ * variance.sum() > kMinTiltIntegral)) return std::nullopt;
+  const Vec2 covariance =
       sums_.tilt_error - sums_.tilt.cwiseProduct(sums_.error) / n - sums_.rate_momentum;
-  return together.sum() / spread.sum();
+  return covariance.sum() / variance.sum();
 }
 
 }  // namespace surefoot::estimation

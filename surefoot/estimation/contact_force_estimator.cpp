@@ -47,7 +47,7 @@ int ContactForceEstimator::ticks_in(double delay) const {
   return std::abs(ticks) < kNumRecent ? static_cast<int>(ticks) : 0;  // 0 if NaN, too
 }
 
-void ContactForceEstimator::follow(const JointDelays& delays) {
+void ContactForceEstimator::set_delays(const JointDelays& delays) {
   const int angle_delay = ticks_in(delays.encoders), torque_delay = ticks_in(delays.torques);
   const int force_delay = std::max(angle_delay, torque_delay);
   velocity_observer_.go_back(angle_delay - angle_delay_);
@@ -64,7 +64,7 @@ const JointVector& ContactForceEstimator::observe(const SensorReading& reading,
   periods_ = periods_until(reading.time);
   periods_of_base_ += periods_;
   time_ = std::isfinite(reading.time) ? reading.time : time_ + period_;
-  follow(delays);
+  set_delays(delays);
   if (is_first || !torques_.ago(0).allFinite()) {
     torques_.start(reading.torque);
   } else {
@@ -86,9 +86,8 @@ void ContactForceEstimator::update(const model::Dynamics& dynamics, const PerLeg
                                    RobotState& state) noexcept {
   update_base_acceleration(dynamics);
   const JointVector& torque = torques_.ago(-torque_lag_);
-  JointVector free(torque.size()), constrained(torque.size());
-  expect_of_arms(dynamics, torque, free);
-  constrained = free;
+  // Torques say little of the light bodies of arms: these are expected to move on.
+  JointVector free = JointVector::Zero(torque.size()), constrained = free;
   for (const Leg leg : kLegs) {
     const Vec3 a = free_acceleration(dynamics, leg, torque);
     free.segment<3>(first_joint(leg)) = a;
@@ -138,18 +137,6 @@ Vec3 ContactForceEstimator::stance_acceleration(const model::Dynamics& dynamics,
   const model::PointKinematics& contact = dynamics.contact[index(leg)];
   const Vec3 rest = contact.J.leftCols<6>() * base_acceleration_ + contact.Jdot_u;
   return -model::damped_inverse(model::leg_jacobian(contact, leg), dynamics.scale) * rest;
-}
-
-// A leg's and an arm's joints are coupled by the base alone.
-void ContactForceEstimator::expect_of_arms(const model::Dynamics& dynamics,
-                                           const JointVector& torque,
-                                           JointVector& acceleration) const {
-  const Eigen::Index n = torque.size() - kNumLegJoints, first = 6 + kNumLegJoints;
-  if (n == 0) return;
-  const JointVector left =
-      torque.tail(n) - dynamics.h.tail(n) - dynamics.M.block(first, 0, n, 6) * base_acceleration_;
-  const model::MassMatrix M = dynamics.M.bottomRightCorner(n, n);
-  acceleration.tail(n) = M.llt().solve(left);
 }
 
 LegJointVector ContactForceEstimator::missing_torque(const model::Dynamics& dynamics) const {

@@ -73,15 +73,12 @@ class ContactForceEstimator {
   [[nodiscard]] int periods_until(double time) const;
   /// In whole ticks, limited to the recent ones.
   [[nodiscard]] int ticks_in(double delay) const;
-  void follow(const JointDelays& delays);
+  void set_delays(const JointDelays& delays);
   void update_base_acceleration(const model::Dynamics& dynamics);
   /// Accelerations of a leg's joints, in the air under the measured torques and with a fixed foot.
   [[nodiscard]] Vec3 free_acceleration(const model::Dynamics& dynamics, Leg leg,
                                        const JointVector& torque) const;
   [[nodiscard]] Vec3 stance_acceleration(const model::Dynamics& dynamics, Leg leg) const;
-  /// The same of all joints of arms, which touch nothing.
-  void expect_of_arms(const model::Dynamics& dynamics, const JointVector& torque,
-                      JointVector& acceleration) const;
   /// M_kk d̂_k of all legs [N·m].
   [[nodiscard]] LegJointVector missing_torque(const model::Dynamics& dynamics) const;
 

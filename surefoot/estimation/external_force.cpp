@@ -11,8 +11,7 @@ namespace {
 
 constexpr double kLongestGap = 0.05;  // between two updates; a longer one restarts the observer [s]
 
-/// v (1 − (band / |v|)²) outside a ball of radius `band`, 0 inside, at most `most` long; keeps
-/// nearly all of a clear excess.
+/// v (1 − (band / |v|)²) for |v| above `band`, else 0; at most `most` long.
 template <int N>
 Eigen::Matrix<double, N, 1> beyond(const Eigen::Matrix<double, N, 1>& v, double band, double most) {
   const double length = v.norm();
@@ -22,8 +21,8 @@ Eigen::Matrix<double, N, 1> beyond(const Eigen::Matrix<double, N, 1>& v, double 
 
 }  // namespace
 
-// Mass that enters the model leaves the unknown load.
-void ExternalForceEstimator::take_over(const model::Dynamics& dynamics) {
+// Mass that the model gains is no unknown load any more.
+void ExternalForceEstimator::update_mass(const model::Dynamics& dynamics) {
   const double more = dynamics.mass - mass_;
   mass_ = dynamics.mass;
   if (!std::isfinite(more)) return;
@@ -52,7 +51,7 @@ void ExternalForceEstimator::update(const model::Dynamics& dynamics, const PerLe
     ground += f;
     turning += (dynamics.contact[index(leg)].p - dynamics.com.p).cross(f);
   }
-  take_over(dynamics);
+  update_mass(dynamics);
   const double dt = state.time - time_;
   time_ = state.time;
   const bool usable = ground.allFinite() && turning.allFinite() && explained_.allFinite() &&

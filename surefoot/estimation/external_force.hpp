@@ -46,7 +46,7 @@ class ExternalForceEstimator {
 
  private:
   void start(const Vec3& momentum, const Vec3& angular_momentum);
-  void take_over(const model::Dynamics& dynamics);
+  void update_mass(const model::Dynamics& dynamics);
 
   ExternalForceOptions options_;
   double time_ = kNaN;  // of the last update [s]

@@ -7,9 +7,9 @@
 namespace surefoot::estimation {
 namespace {
 
-constexpr double kWindow = 0.1;                                   // of an estimate [s]
-constexpr double kMaxWindow = 1.0;                                // since the first tick [s]
-constexpr double kYoung = ReadingGuardOptions::kLongestPatience;  // the longest bridged gap [s]
+constexpr double kWindow = 0.1;                                        // of an estimate [s]
+constexpr double kMaxWindow = 1.0;                                     // since the first tick [s]
+constexpr double kJumpWindow = ReadingGuardOptions::kLongestPatience;  // [s]
 constexpr int kUnconfirmedJumps = 3;   // in a row: the second would confirm the first
 constexpr int kMaxRestartsByJump = 3;  // by one jump, without known velocities
 constexpr double kMaxTurnStep = 0.15;  // of a standing robot [rad/s]
@@ -21,7 +21,7 @@ int ticks_in(double time, double period) { return static_cast<int>(std::lround(t
 
 FirstReadings::FirstReadings(double period)
     : window_(ticks_in(kWindow, period)),
-      young_(ticks_in(kYoung, period)),
+      jump_window_(ticks_in(kJumpWindow, period)),
       ticks_left_(window_),
       ticks_left_in_all_(ticks_in(kMaxWindow, period)) {}
 
@@ -47,13 +47,13 @@ bool FirstReadings::are_contradicted(const SensorReading& reading, bool clock_is
 // A held sample is no evidence; a NaN time counts as new.
 bool FirstReadings::jumps(Sensor& sensor, double sample_time, SampleFault fault, bool estimates) {
   const bool is_new = sample_time != sensor.time;
-  const bool behind_gap = sensor.was_missed;
+  const bool is_after_gap = sensor.was_missed;
   sensor.was_missed = fault != SampleFault::none && fault != SampleFault::jump;
   if (!is_new) return false;
   sensor.time = sample_time;
   sensor.jumps = fault == SampleFault::jump ? sensor.jumps + 1 : 0;
   if (sensor.jumps == 0) return false;
-  if (estimates) return age_ <= young_ || behind_gap;
+  if (estimates) return age_ <= jump_window_ || is_after_gap;
   return sensor.jumps >= kUnconfirmedJumps || (age_ == 1 && num_restarts_ < kMaxRestartsByJump);
 }
 
@@ -64,7 +64,7 @@ bool FirstReadings::imu_differs(const SensorReading& reading, bool estimates) {
                        (reading.accelerometer - accelerometer_).norm() > kMaxForceStep;
   gyro_ = reading.gyro;
   accelerometer_ = reading.accelerometer;
-  return estimates && differs && age_ <= young_;
+  return estimates && differs && age_ <= jump_window_;
 }
 
 void FirstReadings::restart() {

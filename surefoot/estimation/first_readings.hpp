@@ -14,8 +14,8 @@ namespace surefoot::estimation {
 /// Contradictions are
 ///
 /// - a clock that leaps or goes back;
-/// - a jump of encoders or IMU within 20 ms, or after a gap. Later, a sensor that was right so long
-///   is not doubted for one sample, nor for its failure;
+/// - a jump of encoders or IMU within 20 ms, or after a gap. Later, a single jump or a failure is a
+///   fault of the sensor, not of the first reading;
 /// - an IMU sample within 20 ms that differs from the one before by more than a standing robot's:
 ///   3 m/s² or 0.15 rad/s.
 ///
@@ -43,10 +43,10 @@ class FirstReadings {
   [[nodiscard]] bool imu_differs(const SensorReading& reading, bool estimates);
   void restart();
 
-  int window_, young_;     // [ticks]
-  int ticks_left_;         // of the window
-  int ticks_left_in_all_;  // of the second
-  int age_ = 0;            // since the last restart [ticks]
+  int window_, jump_window_;  // [ticks]
+  int ticks_left_;            // of the window
+  int ticks_left_in_all_;     // of the second
+  int age_ = 0;               // since the last restart [ticks]
   int num_restarts_ = 0;
   double time_ = kNaN;  // of the reading before [s]
   Sensor encoders_, imu_;

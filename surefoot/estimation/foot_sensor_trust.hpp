@@ -8,9 +8,9 @@ namespace surefoot::estimation {
 /// feels a touchdown earlier; the joints' from 30 N on; a mixture between.
 ///
 /// The sensor may read 20 N less or 40 N more than the joints (10 N more in the air), plus 0.3 of
-/// their force. Too low a value is not believed; too high a value is limited to that, for 50 ms. A
-/// sensor off for longer is believed again after fitting for 0.5 s. Impossible values (NaN, beyond
-/// 10 kN) are never believed. Forces are the reference robot's: `Scale`. Does not allocate.
+/// their force. Too low a value is ignored; too high a value is limited to that, for 50 ms. A
+/// sensor off for longer is used again after fitting for 0.5 s. Impossible values (NaN, beyond
+/// 10 kN) are never used. Forces are the reference robot's: `Scale`. Does not allocate.
 class FootSensorTrust {
  public:
   /// `period` of the control loop [s], `scale` of the robot.

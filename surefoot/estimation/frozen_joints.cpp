@@ -7,13 +7,13 @@
 namespace surefoot::estimation {
 namespace {
 
-/// A base velocity estimated at rest adds up to a motion, too; so older motion fades [s].
+/// Time constant: the velocity error of a base at rest must not add up to a motion [s].
 constexpr double kMotionMemory = 2.0;
 constexpr double kSecondJointShare = 0.25;  // of the motion, next to another frozen joint
 
 /// Velocities of a leg's joints that hold its stance foot or move its swing foot as planned
 /// [rad/s].
-Vec3 asked_velocity(const model::Dynamics& dynamics, bool stands, const Vec3& v_WF, Leg leg) {
+Vec3 desired_velocity(const model::Dynamics& dynamics, bool stands, const Vec3& v_WF, Leg leg) {
   const std::size_t k = index(leg);
   const model::PointKinematics& point = stands ? dynamics.contact[k] : dynamics.foot[k];
   const Vec3 target = stands ? Vec3(Vec3::Zero()) : v_WF;
@@ -31,7 +31,7 @@ void FrozenJoints::update(const SensorReading& reading, const model::Dynamics& d
   for (const Leg leg : kLegs) {
     const std::size_t k = index(leg);
     motion.segment<kJointsPerLeg>(first_joint(leg)) =
-        period_ * asked_velocity(dynamics, stands[k], v_WF[k], leg);
+        period_ * desired_velocity(dynamics, stands[k], v_WF[k], leg);
   }
   look_at_angles(reading, motion);
   look_at_torques(reading, command);

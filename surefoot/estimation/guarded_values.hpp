@@ -17,12 +17,12 @@ class StepDoubt {
  public:
   /// A new sample; `waited`: the samples before it were doubted together; `sure_only`: accept no
   /// large step. True: refused.
-  [[nodiscard]] bool of(bool is_large, bool waited, bool sure_only, double sample_time,
-                        double patience) noexcept {
-    const bool is_confirmed = doubts_ || waited || sample_time - shaken_ <= patience;
+  [[nodiscard]] bool refuses(bool is_large, bool waited, bool sure_only, double sample_time,
+                             double patience) noexcept {
+    const bool is_confirmed = doubts_ || waited || sample_time - believed_ <= patience;
     const bool is_believed = !is_large || (is_confirmed && !sure_only);
     if (is_large) large_ = sample_time;
-    if (is_large && is_believed) shaken_ = sample_time;
+    if (is_large && is_believed) believed_ = sample_time;
     doubts_ = !is_believed;
     return doubts_;
   }
@@ -37,8 +37,8 @@ class StepDoubt {
   [[nodiscard]] bool is_shaken_since(double time) const { return large_ >= time; }
 
  private:
-  double large_ = kNaN;   // when a step was [s]
-  double shaken_ = kNaN;  // when a large step was believed [s]
+  double large_ = kNaN;     // time of the last large step [s]
+  double believed_ = kNaN;  // time of the last accepted large step [s]
   bool doubts_ = false;
 };
 
@@ -58,11 +58,11 @@ class GuardedValues {
 
   /// Range of a value, and limits on its distance from the expected one. Beyond `tolerance` it is
   /// refused; beyond `sure` accepted only as `StepDoubt` allows, and with `sure_only` never. If
-  /// half of the values are beyond `together`, `StepDoubt` decides on all; if half are beyond
-  /// `never`, all are refused. The last three are per period between the samples.
+  /// half of the values are beyond `group_step`, `StepDoubt` decides on all; if half are beyond
+  /// `max_group_step`, all are refused. The last three are per period between the samples.
   struct Limits {
     Vector range, tolerance, sure;
-    double together = kUnlimited, never = kUnlimited;
+    double group_step = kUnlimited, max_group_step = kUnlimited;
     bool sure_only = false;
   };
 
@@ -164,8 +164,8 @@ class GuardedValues {
       if (watch.is_new()) doubt.skip(is_large, watch.sample_time());
       return fault;
     }
-    const bool is_doubted = watch.is_new() ? doubt.of(is_large, all_waited, limits.sure_only,
-                                                      watch.sample_time(), patience)
+    const bool is_doubted = watch.is_new() ? doubt.refuses(is_large, all_waited, limits.sure_only,
+                                                           watch.sample_time(), patience)
                                            : doubt.doubts();
     return is_doubted ? SampleFault::jump : SampleFault::none;
   }
@@ -178,12 +178,12 @@ class GuardedValues {
     for (int i = 0; i < size(); ++i) {
       if (!(watch.sample_time() - seen_[i] <= patience)) continue;  // lost, or NaN
       const double off = std::abs(raw[i] - expected_[i]) / periods(i, watch);
-      num_off += off > limits.together ? 1 : 0;
-      num_far += off > limits.never ? 1 : 0;
+      num_off += off > limits.group_step ? 1 : 0;
+      num_far += off > limits.max_group_step ? 1 : 0;
     }
-    const bool is_doubted =
-        all_.of(2 * num_off >= size(), false, false, watch.sample_time(), patience);
-    return is_doubted || 2 * num_far >= size();
+    const bool refused =
+        all_.refuses(2 * num_off >= size(), false, false, watch.sample_time(), patience);
+    return refused || 2 * num_far >= size();
   }
 
   [[nodiscard]] SampleFault check(int i, double raw, double range,

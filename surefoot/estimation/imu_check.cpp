@@ -28,9 +28,9 @@ ImuCheck::ImuCheck(const ImuCheckOptions& options, double period)
     : options_(options), period_(period) {
   for (std::size_t i = 0; i < kParts.size(); ++i)
     ticks_[i] = even_ticks(kParts[i] * options.window, period);
-  Moment nowhere;
-  nowhere.x.fill(Vec3::Zero());
-  moments_.assign(static_cast<std::size_t>(ticks_.back()) + 1, nowhere);
+  Moment zero;
+  zero.x.fill(Vec3::Zero());
+  moments_.assign(static_cast<std::size_t>(ticks_.back()) + 1, zero);
   R_IS_.fill(Mat3::Identity());
   arm_.fill(Vec3::Zero());
   rolled_.fill(Vec3::Zero());
@@ -38,7 +38,7 @@ ImuCheck::ImuCheck(const ImuCheckOptions& options, double period)
 
 void ImuCheck::forget() noexcept {
   firm_ticks_.fill(0);
-  lasts_ = wrong_for_ = 0.0;
+  disagrees_for_ = wrong_for_ = 0.0;
 }
 
 const ImuCheck::Moment& ImuCheck::before(int ticks) const {
@@ -115,7 +115,7 @@ void ImuCheck::count_firm_feet(const RobotState& state, const PerLeg<bool>& stan
   }
 }
 
-Vec3 ImuCheck::second_way_of_imu(int half) const {
+Vec3 ImuCheck::imu_second_difference(int half) const {
   Vec3 way = Vec3::Zero();
   for (int i = 0; i < half; ++i) {
     way +=
@@ -124,25 +124,25 @@ Vec3 ImuCheck::second_way_of_imu(int half) const {
   return 0.5 * period_ * way;
 }
 
-double ImuCheck::unseen_way(int ticks) const {
+double ImuCheck::unseen_displacement(int ticks) const {
   double jump = 0.0;
   for (int i = 0; i < ticks; ++i) jump = std::max(jump, before(i).jump);
   return jump * period_ * (0.5 * period_ * ticks);
 }
 
 // A foot that slides or lifts off differs from a correct IMU; a faulty IMU differs from all feet.
-double ImuCheck::least_displacement(const Vec3& second_way, const PerLeg<bool>& firm,
+double ImuCheck::least_displacement(const Vec3& second_difference, const PerLeg<bool>& firm,
                                     int ticks) const {
   double least = kUnlimited;
   for (std::size_t k = 0; k < kNumLegs; ++k) {
     if (!firm[k]) continue;
     const Vec3 of_foot = before(0).x[k] - 2.0 * before(ticks / 2).x[k] + before(ticks).x[k];
-    least = std::min(least, (second_way + of_foot).norm());
+    least = std::min(least, (second_difference + of_foot).norm());
   }
   return least;
 }
 
-double ImuCheck::swing(const PerLeg<bool>& firm, int from, int to) const {
+double ImuCheck::largest_turn(const PerLeg<bool>& firm, int from, int to) const {
   double result = 0.0;
   for (std::size_t i = 0; i < kNumLegs; ++i) {
     for (std::size_t k = 0; k < i; ++k) {
@@ -160,15 +160,15 @@ ImuCheck::Disagreement ImuCheck::compare(int ticks) const {
   const int settled = static_cast<int>(std::lround(options_.settle / period_));
   const int half = ticks / 2;
   PerLeg<bool> firm{};
-  const Vec3 second_way = second_way_of_imu(half);
+  const Vec3 second_difference = imu_second_difference(half);
   for (const Leg leg : kLegs) {
     const std::size_t k = index(leg);
     firm[k] = firm_ticks_[k] > ticks + settled;
     result.feet += firm[k] ? 1 : 0;
   }
   if (result.feet < kMinFeet) return result;
-  result.displacement = least_displacement(second_way, firm, ticks);
-  result.unseen = unseen_way(ticks);
+  result.displacement = least_displacement(second_difference, firm, ticks);
+  result.unseen = unseen_displacement(ticks);
   const Turn first = turn(firm, ticks, half), second = turn(firm, half, 0);
   result.spread = first.spread + second.spread;
   if (result.feet < kMinFeetForTurn) return result;
@@ -177,13 +177,13 @@ ImuCheck::Disagreement ImuCheck::compare(int ticks) const {
   };
   const bool goes_on = first.angle.dot(second.angle) > 0.0;
   result.turn = goes_on ? 2.0 * std::max(0.0, std::min(sure(first), sure(second))) : 0.0;
-  // A foot that slides off an edge looks like a turn about the others: they must show it, too.
+  // A foot that slides off an edge looks like a turn about the others, so these must turn, too.
   for (std::size_t k = 0; k < kNumLegs; ++k) {
     if (!firm[k]) continue;
     PerLeg<bool> others = firm;
     others[k] = false;
-    result.turn =
-        std::min(result.turn, 2.0 * std::min(swing(others, ticks, half), swing(others, half, 0)));
+    result.turn = std::min(result.turn, 2.0 * std::min(largest_turn(others, ticks, half),
+                                                       largest_turn(others, half, 0)));
   }
   return result;
 }
@@ -227,17 +227,17 @@ void ImuCheck::judge() {
     shares_[i] = 0.0;
     if (found.feet < kMinFeet) continue;
     const double span = period_ * ticks_[i];
-    const double way = options_.position_margin + options_.velocity_margin * span;
-    const double angle = options_.turn_margin + options_.rate_margin * span;
-    const double doubtful = options_.doubt * (found.spread + found.unseen);
-    shares_[i] = std::max(0.0, (found.displacement - doubtful) / way);
+    const double max_displacement = options_.position_margin + options_.velocity_margin * span;
+    const double max_turn = options_.turn_margin + options_.rate_margin * span;
+    const double uncertainty = options_.doubt * (found.spread + found.unseen);
+    shares_[i] = std::max(0.0, (found.displacement - uncertainty) / max_displacement);
     if (found.feet >= kMinFeetForTurn) {
-      shares_[i] = std::max(shares_[i], found.turn / angle);
+      shares_[i] = std::max(shares_[i], found.turn / max_turn);
     }
     if (shares_[i] > 1.0) longest = std::max(longest, span);
   }
-  lasts_ = longest > 0.0 ? lasts_ + period_ : 0.0;
-  wrong_for_ = lasts_ > kOneSample * period_ ? longest + lasts_ : 0.0;
+  disagrees_for_ = longest > 0.0 ? disagrees_for_ + period_ : 0.0;
+  wrong_for_ = disagrees_for_ > kOneSample * period_ ? longest + disagrees_for_ : 0.0;
 }
 
 }  // namespace surefoot::estimation

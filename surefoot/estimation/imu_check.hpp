@@ -54,7 +54,7 @@ class ImuCheck {
  private:
   /// One tick, in I.
   struct Moment {
-    PerLeg<Vec3> x;             // of the feet, minus their rolled way [m]
+    PerLeg<Vec3> x;             // of the feet, minus the rolled distance [m]
     Vec3 v_imu = Vec3::Zero();  // ∫ (R a + g) dt [m/s]
     double jump = 0.0;          // of the accelerometer since the tick before [m/s²]
   };
@@ -81,13 +81,13 @@ class ImuCheck {
   [[nodiscard]] bool is_shaken(const SensorReading& reading, const RobotState& state,
                                const model::Dynamics& dynamics, const PerLeg<bool>& stands) const;
   void count_firm_feet(const RobotState& state, const PerLeg<bool>& stands, const Vec3& normal_W);
-  [[nodiscard]] Vec3 second_way_of_imu(int half) const;
-  [[nodiscard]] double unseen_way(int ticks) const;
-  /// Smallest difference between the ways of the IMU and of a firm foot [m].
-  [[nodiscard]] double least_displacement(const Vec3& second_way, const PerLeg<bool>& firm,
+  [[nodiscard]] Vec3 imu_second_difference(int half) const;
+  [[nodiscard]] double unseen_displacement(int ticks) const;
+  /// Smallest difference between the displacements of the IMU and of a firm foot [m].
+  [[nodiscard]] double least_displacement(const Vec3& second_difference, const PerLeg<bool>& firm,
                                           int ticks) const;
   /// Largest turn of a line between two firm feet [rad].
-  [[nodiscard]] double swing(const PerLeg<bool>& firm, int from, int to) const;
+  [[nodiscard]] double largest_turn(const PerLeg<bool>& firm, int from, int to) const;
   [[nodiscard]] Disagreement compare(int ticks) const;
   [[nodiscard]] Turn turn(const PerLeg<bool>& firm, int from, int to) const;
   void judge();
@@ -105,7 +105,7 @@ class ImuCheck {
   PerLeg<Vec3> rolled_;  // [m]
   PerLeg<int> firm_ticks_{};
   std::array<double, kNumSpans> shares_{};
-  double lasts_ = 0.0, wrong_for_ = 0.0;  // [s]
+  double disagrees_for_ = 0.0, wrong_for_ = 0.0;  // [s]
 };
 
 }  // namespace surefoot::estimation

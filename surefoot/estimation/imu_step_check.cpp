@@ -26,17 +26,17 @@ void ImuStepCheck::update(const SensorReading& offered, const SensorReading& hel
                           const RobotState& state, const model::Dynamics& dynamics,
                           const PerLeg<bool>& stands, const Vec3& normal_W) noexcept {
   if (!is_doubted) {
-    const bool was_blow = doubted_ticks_ > kShortHold && verdict_ != ImuStep::contradicted;
+    const bool was_impact = doubted_ticks_ > kShortHold && verdict_ != ImuStep::contradicted;
     unsure_ticks_ =
-        was_blow ? static_cast<int>(kRecoveryTime / period_) : std::max(0, unsure_ticks_ - 1);
+        was_impact ? static_cast<int>(kRecoveryTime / period_) : std::max(0, unsure_ticks_ - 1);
     forget();
     begin(held, state, dynamics, stands, normal_W);
     return;
   }
   ++doubted_ticks_;
   if (!has_begun_ || unsure_ticks_ > 0) is_witness_.fill(false);
-  carry(offered_, offered);
-  carry(held_, held);
+  integrate(offered_, offered);
+  integrate(held_, held);
   judge(dynamics, stands);
 }
 
@@ -53,14 +53,14 @@ void ImuStepCheck::begin(const SensorReading& reading, const RobotState& state,
   }
 }
 
-void ImuStepCheck::carry(Way& way, const SensorReading& reading) const {
-  const Vec3 turn = 0.5 * period_ * (way.gyro + reading.gyro);
-  const Mat3 R_half = way.R * exp_rotation(0.5 * turn).toRotationMatrix();
+void ImuStepCheck::integrate(Prediction& base, const SensorReading& reading) const {
+  const Vec3 turn = 0.5 * period_ * (base.gyro + reading.gyro);
+  const Mat3 R_half = base.R * exp_rotation(0.5 * turn).toRotationMatrix();
   const Vec3 change = period_ * (R_half * reading.accelerometer + kGravityVector);
-  way.p += period_ * (way.v + 0.5 * change);
-  way.v += change;
-  way.R = way.R * exp_rotation(turn).toRotationMatrix();
-  way.gyro = reading.gyro;
+  base.p += period_ * (base.v + 0.5 * change);
+  base.v += change;
+  base.R = base.R * exp_rotation(turn).toRotationMatrix();
+  base.gyro = reading.gyro;
 }
 
 void ImuStepCheck::judge(const model::Dynamics& dynamics, const PerLeg<bool>& stands) {
@@ -71,7 +71,7 @@ void ImuStepCheck::judge(const model::Dynamics& dynamics, const PerLeg<bool>& st
     is_witness_[k] = is_witness_[k] && stands[k];
     if (!is_witness_[k]) continue;
     const Vec3 h_B = R_BW * (dynamics.foot[k].p - dynamics.base.p);
-    const auto moved = [&](const Way& way) { return (way.p + way.R * h_B - p_WF_[k]).norm(); };
+    const auto moved = [&](const Prediction& b) { return (b.p + b.R * h_B - p_WF_[k]).norm(); };
     const double more = moved(offered_) - moved(held_);
     ++witnesses;
     against += more > least ? 1 : 0;

@@ -41,8 +41,8 @@ class ImuStepCheck {
   [[nodiscard]] ImuStep verdict() const { return verdict_; }
 
  private:
-  /// The base, integrated from one of the two.
-  struct Way {
+  /// The base, integrated with offered or held samples.
+  struct Prediction {
     Mat3 R = Mat3::Identity();
     Vec3 p = Vec3::Zero(), v = Vec3::Zero();
     Vec3 gyro = Vec3::Zero();  // of the tick before
@@ -50,14 +50,14 @@ class ImuStepCheck {
 
   void begin(const SensorReading& reading, const RobotState& state, const model::Dynamics& dynamics,
              const PerLeg<bool>& stands, const Vec3& normal_W);
-  void carry(Way& way, const SensorReading& reading) const;
+  void integrate(Prediction& base, const SensorReading& reading) const;
   void judge(const model::Dynamics& dynamics, const PerLeg<bool>& stands);
 
   double period_;
   bool has_begun_ = false;
   int doubted_ticks_ = 0;
   int unsure_ticks_ = 0;  // left, with an uncertain velocity
-  Way offered_, held_;
+  Prediction offered_, held_;
   PerLeg<Vec3> p_WF_{};        // of the feet before the step [m]
   PerLeg<bool> is_witness_{};  // stood at that time
   ImuStep verdict_ = ImuStep::not_judged;

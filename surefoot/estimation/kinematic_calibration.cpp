@@ -50,11 +50,11 @@ double KinematicCalibration::periods_until(double time) const {
 }
 
 void KinematicCalibration::update(double time, const model::Dynamics& dynamics, const Vec3& gyro_B,
-                                  const Vec3& normal, bool listening) noexcept {
+                                  const Vec3& normal, bool is_turning) noexcept {
   if (periods_until(time) > kLongestGapInPeriods) forget();
   const double periods = periods_until(time);
   time_ = time;
-  if (!listening) {
+  if (!is_turning) {
     if (samples_ >= kMinSamples) finish();
     samples_ = ticks_ = 0;
     fade();

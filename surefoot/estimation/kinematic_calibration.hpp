@@ -35,11 +35,11 @@ class KinematicCalibration {
   /// `period` of the control loop [s].
   KinematicCalibration(const model::RobotDescription& robot, double period);
 
-  /// One tick at its time [s]; `listening` while the torso turns on four feet. `dynamics` contain
+  /// One tick at its time [s]; `is_turning` while the torso turns on four feet. `dynamics` contain
   /// errors(). A few missed ticks are bridged with this tick's rate; a longer gap restarts the
   /// motion.
   void update(double time, const model::Dynamics& dynamics, const Vec3& gyro_B,
-              const Vec3& terrain_normal_W, bool listening) noexcept;
+              const Vec3& terrain_normal_W, bool is_turning) noexcept;
 
   /// Discards this motion: a foot moved, or a push disturbed it.
   void forget() noexcept;
@@ -79,7 +79,7 @@ class KinematicCalibration {
   double time_ = kNaN;  // of the last update [s]
   int ticks_per_sample_;
   double foot_radius_;
-  double length_;  // that its lengths go with, as a ratio
+  double length_;  // of the robot's `Scale`
   PerLeg<model::LegChain> chains_;
   PerLeg<Vec3> rolled_ = per_leg<Vec3>(Vec3::Zero());
   Mat3 R_start_ = Mat3::Identity();

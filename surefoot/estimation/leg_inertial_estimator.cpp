@@ -54,7 +54,7 @@ const RobotState& LegInertialEstimator::update(const SensorReading& reading,
   } else {
     take_over(context.kinematics, reading.q);
     advance(reading, dt, is_complete);
-    doubt_turn();
+    add_turn_uncertainty();
     for (const Leg leg : kLegs) update_foot(leg, context.contacts[index(leg)], dt);
   }
   write_joints(reading, context);
@@ -63,9 +63,9 @@ const RobotState& LegInertialEstimator::update(const SensorReading& reading,
   return state_;
 }
 
-void LegInertialEstimator::begin_anew() noexcept {
+void LegInertialEstimator::restart() noexcept {
   started_ = false;
-  standing_start_.begin_anew();
+  standing_start_.restart();
   chains_ = described_;
   errors_ = {};
   state_ = {};
@@ -96,7 +96,7 @@ void LegInertialEstimator::hang(const SensorReading& reading, double dt) {
   const double ground = p_WB.z() - height_over_feet();
   advance(reading, dt, true);
   filter_.start(mean_force_, filter_.gyro_bias(), yaw(filter_.R_WB()));
-  see_feet(reading);
+  update_kinematics(reading);
   p_WB.z() = ground + height_over_feet();
   stand_at(p_WB);
 }
@@ -108,7 +108,7 @@ void LegInertialEstimator::start(const SensorReading& reading, const StandingSta
   mean_force_ = recent_force_ = standing.specific_force;
   filter_.start(standing.specific_force, standing.gyro_bias, heading, standing.v_WB_B,
                 standing.doubt);
-  see_feet(reading);
+  update_kinematics(reading);
 }
 
 double LegInertialEstimator::height_over_feet() const {
@@ -124,21 +124,21 @@ void LegInertialEstimator::stand_at(const Vec3& p_WB) {
     foot.stands_for = kLongAgo;
     filter_.plant(leg, foot.p_BF, foot.J);
   }
-  start_way();
+  reset_distance();
 }
 
-void LegInertialEstimator::start_way() {
+void LegInertialEstimator::reset_distance() {
   p_WB_planted_ = filter_.p_WB();
-  way_ = 0.0;
+  farthest_ = 0.0;
 }
 
 // Feet of legs with errors seem to turn as the base passes over them. The effect depends on the
-// base's position: it cancels on a way back.
-void LegInertialEstimator::doubt_turn() {
-  const double way = (filter_.p_WB() - p_WB_planted_).head<2>().norm();
-  if (!(way > way_)) return;
-  filter_.turn_feet(options_.stance_turn * std::sqrt(way * way - way_ * way_));
-  way_ = way;
+// base's position: it cancels on the way back.
+void LegInertialEstimator::add_turn_uncertainty() {
+  const double distance = (filter_.p_WB() - p_WB_planted_).head<2>().norm();
+  if (!(distance > farthest_)) return;
+  filter_.turn_feet(options_.stance_turn * std::sqrt(distance * distance - farthest_ * farthest_));
+  farthest_ = distance;
 }
 
 void LegInertialEstimator::advance(const SensorReading& reading, double dt, bool is_finite) {
@@ -152,7 +152,7 @@ void LegInertialEstimator::advance(const SensorReading& reading, double dt, bool
     recent_force_ +=
         std::min(1.0, dt / kAccelerationMemory) * (reading.accelerometer - recent_force_);
   }
-  see_feet(reading);
+  update_kinematics(reading);
 }
 
 // Corrected leg lengths or IMU mounting must not move the robot: its feet shift instead.
@@ -177,7 +177,7 @@ void LegInertialEstimator::take_over(const KinematicErrors& errors, const JointV
   }
 }
 
-void LegInertialEstimator::see_feet(const SensorReading& reading) {
+void LegInertialEstimator::update_kinematics(const SensorReading& reading) {
   for (const Leg leg : kLegs) {
     Foot& foot = feet_[index(leg)];
     const model::LegChain& chain = chains_[index(leg)];
@@ -200,7 +200,7 @@ void LegInertialEstimator::update_foot(Leg leg, const FootContact& contact, doub
   if (!filter_.stands(leg)) {
     foot.stands_for = 0.0;
     filter_.plant(leg, foot.p_BF, foot.J);
-    start_way();
+    reset_distance();
     return;
   }
   foot.stands_for += dt;

@@ -51,7 +51,7 @@ class LegInertialEstimator final : public StateEstimator {
 
   [[nodiscard]] const RobotState& update(const SensorReading& reading,
                                          const TickContext& context) noexcept override;
-  void begin_anew() noexcept override;
+  void restart() noexcept override;
 
   [[nodiscard]] const InvariantFilter& filter() const { return filter_; }
 
@@ -75,10 +75,10 @@ class LegInertialEstimator final : public StateEstimator {
   /// Mean height of the base above the ground at the feet [m].
   [[nodiscard]] double height_over_feet() const;
   void advance(const SensorReading& reading, double dt, bool is_finite);
-  void start_way();
-  void doubt_turn();
+  void reset_distance();
+  void add_turn_uncertainty();
   void take_over(const KinematicErrors& errors, const JointVector& q);
-  void see_feet(const SensorReading& reading);
+  void update_kinematics(const SensorReading& reading);
   void update_foot(Leg leg, const FootContact& contact, double dt);
   [[nodiscard]] double walk(const Foot& foot, const FootContact& contact) const;
   void write_joints(const SensorReading& reading, const TickContext& context);
@@ -97,7 +97,7 @@ class LegInertialEstimator final : public StateEstimator {
   Vec3 mean_gyro_ = Vec3::Zero(), mean_force_ = Vec3::Zero(), recent_force_ = Vec3::Zero();
   Mat3 R_WB_before_ = Mat3::Identity();
   Vec3 p_WB_planted_ = Vec3::Zero();  // at the last touchdown [m]
-  double way_ = 0.0;                  // the base's largest distance from there [m]
+  double farthest_ = 0.0;             // the base's largest distance from there [m]
   RobotState state_;
   bool started_ = false;
   StandingStart standing_start_;

@@ -24,7 +24,7 @@ void LiftDetector::update(double weight, const PerLeg<Vec3>& foot_force,
   if (!is_known) return;
   const double gain = begun_ ? period_ / (kFilterTime + period_) : 1.0;
   begun_ = true;
-  felt_ += gain * (accelerometer / kGravity - felt_);
+  specific_force_ += gain * (accelerometer / kGravity - specific_force_);
   for (const Leg leg : kLegs) {
     Vec3& share = share_[index(leg)];
     share += gain * (foot_force[index(leg)] / weight - share);
@@ -38,18 +38,18 @@ bool LiftDetector::is_lifted() const { return lifted_for_ > kLiftedTime; }
 bool LiftDetector::is_down() const { return down_for_ > kDownTime; }
 
 bool LiftDetector::is_held() const {
-  double borne = 0.0;
-  for (const Vec3& share : share_) borne += share.norm();
-  return borne < kMaxLiftedLoad && felt_.norm() > borne + kMinOtherSupport;
+  double load = 0.0;
+  for (const Vec3& share : share_) load += share.norm();
+  return load < kMaxLiftedLoad && specific_force_.norm() > load + kMinOtherSupport;
 }
 
 bool LiftDetector::bears(Leg leg) const { return share_[index(leg)].z() > kMinFootLoad; }
 
 bool LiftDetector::feet_bear() const {
-  double borne = 0.0;
-  for (const Vec3& share : share_) borne += share.z();
+  double load = 0.0;
+  for (const Vec3& share : share_) load += share.z();
   const auto bearing = std::ranges::count_if(kLegs, [this](Leg leg) { return bears(leg); });
-  return bearing >= kMinStanceFeet && borne > kMinStandingLoad;
+  return bearing >= kMinStanceFeet && load > kMinStandingLoad;
 }
 
 }  // namespace surefoot::estimation

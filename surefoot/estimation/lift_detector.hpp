@@ -40,7 +40,7 @@ class LiftDetector {
   double period_;
   bool begun_ = false;
   PerLeg<Vec3> share_{Vec3::Zero(), Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};  // of the weight
-  Vec3 felt_ = Vec3::Zero();                                                    // [g]
+  Vec3 specific_force_ = Vec3::Zero();                                          // [g]
   double lifted_for_ = 0.0;                                                     // [s]
   double down_for_ = 0.0;                                                       // [s]
 };

@@ -84,11 +84,11 @@ void LinkMassEstimator::learn(Leg leg, const Swing& swing) {
   const Eigen::Matrix<double, kNumUnknowns, kNumRows> PA = covariance_ * A.transpose();
   Eigen::Matrix<double, kNumRows, kNumRows> S = A * PA;
   S.diagonal().array() += options_.noise * options_.noise;
-  const Eigen::LLT<Eigen::Matrix<double, kNumRows, kNumRows>> spread(S);
-  const double surprise = missing.dot(spread.solve(missing)) / kNumRows;
-  if (!(surprise < options_.most_sigmas * options_.most_sigmas)) return;
-  state_ += PA * spread.solve(missing);
-  covariance_ -= PA * spread.solve(PA.transpose());
+  const Eigen::LLT<Eigen::Matrix<double, kNumRows, kNumRows>> S_factor(S);
+  const double misfit = missing.dot(S_factor.solve(missing)) / kNumRows;
+  if (!(misfit < options_.most_sigmas * options_.most_sigmas)) return;
+  state_ += PA * S_factor.solve(missing);
+  covariance_ -= PA * S_factor.solve(PA.transpose());
   covariance_ = 0.5 * (covariance_ + covariance_.transpose()).eval();
 }
 

@@ -7,8 +7,8 @@
 
 namespace surefoot::estimation {
 
-/// When a swing leg of the reference robot is measured, and how much is believed; others' go with
-/// their `Scale`.
+/// When a swing leg of the reference robot is measured, and the noise assumed; others scale with
+/// `Scale`.
 struct LinkMassOptions {
   bool enabled = true;
   double begin = 0.04;          ///< of the window, after lift-off: before, the foot may touch [s]

@@ -30,7 +30,7 @@ void report_delay(const SampleWatch& watch, GroupHealth& health) {
 }
 
 /// False for NaN.
-bool can_be(const Vec3& value, double range) { return (value.cwiseAbs().array() <= range).all(); }
+bool within(const Vec3& value, double range) { return (value.cwiseAbs().array() <= range).all(); }
 
 /// NaN equals NaN.
 bool are_same(const JointVector& a, const JointVector& b) {
@@ -57,7 +57,7 @@ ReadingGuard::ReadingGuard(const ReadingGuardOptions& options, const model::Robo
 
 void ReadingGuard::update(const SensorReading& reading, const JointVector& joint_velocity,
                           const SensorReading& given) noexcept {
-  clock_is_right_ = goes_on(reading.time);
+  clock_is_right_ = accepts_clock(reading.time);
   if (!clock_is_right_) {
     miss(reading, given.q);
     return;
@@ -78,7 +78,7 @@ void ReadingGuard::update(const SensorReading& reading, const JointVector& joint
 }
 
 // A dead driver repeats its last reading. One wrong time must not discredit all later ones.
-bool ReadingGuard::goes_on(double time) noexcept {
+bool ReadingGuard::accepts_clock(double time) noexcept {
   if (!std::isfinite(time)) return false;
   if (std::isnan(time_)) return true;
   const double dt = time - time_, since_leap = time - leapt_to_;
@@ -90,8 +90,8 @@ bool ReadingGuard::goes_on(double time) noexcept {
   return is_right;
 }
 
-// While the last good angles suffice nothing counts as measured; after that, angles that changed
-// lately are better than none.
+// Without a valid clock no angle counts as measured, until the last good ones are too old. Then
+// angles that changed recently are used.
 void ReadingGuard::miss(const SensorReading& reading, const JointVector& given_q) noexcept {
   const bool stays = are_same(given_q, given_q_);
   still_ = stays && missed_ > 0 ? still_ + 1 : 0;
@@ -123,7 +123,7 @@ bool ReadingGuard::is_shaken() const {
   return imu_is_shaken() || angles_.all_are_shaken_since(time_ - options_.patience);
 }
 
-bool ReadingGuard::is_hit() const {
+bool ReadingGuard::is_impact() const {
   const double lately = time_ - options_.patience;
   return gyro_.stepped >= lately && accelerometer_.stepped >= lately;
 }
@@ -135,8 +135,8 @@ GuardedValues<JointVector>::Limits ReadingGuard::angle_limits(const JointVector&
   return {.range = JointVector::Constant(unseen.size(), options_.max_angle),
           .tolerance = 2.0 * period_ * velocity_limit_ + options_.velocity_margin * unseen + margin,
           .sure = share * (period_ * velocity_limit_ + margin),
-          .together = share * options_.sure_angles,
-          .never = is_loose_ || is_hit() ? kUnlimited : options_.max_angles};
+          .group_step = share * options_.sure_angles,
+          .max_group_step = is_loose_ || is_impact() ? kUnlimited : options_.max_angles};
 }
 
 void ReadingGuard::take_joints(const SensorReading& reading, const JointVector& joint_velocity,
@@ -151,8 +151,8 @@ void ReadingGuard::take_joints(const SensorReading& reading, const JointVector& 
                 lost_);
 }
 
-// A step of this size shows in the legs before the decision is due.
-bool ReadingGuard::believes_imu_step() {
+// The legs show a step of this size before the decision is due.
+bool ReadingGuard::accepts_imu_step() {
   const ImuStep step = std::exchange(imu_step_, ImuStep::not_judged);
   const bool is_due = health_.imu.age + period_ >= options_.patience - kTimeRounding;
   return step == ImuStep::confirmed || step == ImuStep::no_witness ||
@@ -168,23 +168,23 @@ void ReadingGuard::take_imu(const SensorReading& reading, const SensorReading& g
     note_step(accelerometer_, reading.accelerometer, kOtherStep * force, options_.max_acceleration);
   }
   const double lately = imu_watch_.sample_time() - options_.patience;
-  const bool believes = believes_imu_step();
-  const auto most = [&](double step) { return Vec3::Constant(believes ? kUnlimited : step); };
+  const bool accepts_step = accepts_imu_step();
+  const auto most = [&](double step) { return Vec3::Constant(accepts_step ? kUnlimited : step); };
   take(gyro_, reading.gyro, given.gyro,
        {.range = Vec3::Constant(options_.max_gyro),
         .tolerance = most(options_.max_gyro_step),
         .sure = turn,
-        .sure_only = !believes && !(accelerometer_.stepped >= lately)});
+        .sure_only = !accepts_step && !(accelerometer_.stepped >= lately)});
   take(accelerometer_, reading.accelerometer, given.accelerometer,
        {.range = Vec3::Constant(options_.max_acceleration),
         .tolerance = most(options_.max_acceleration_step),
         .sure = force,
-        .sure_only = !believes && !(gyro_.stepped >= lately)});
+        .sure_only = !accepts_step && !(gyro_.stepped >= lately)});
 }
 
 void ReadingGuard::note_step(Instrument& instrument, const Vec3& value, const Vec3& large,
                              double range) const {
-  if (!can_be(value, range)) return;
+  if (!within(value, range)) return;
   const double now = imu_watch_.sample_time();
   const double periods = std::max(1.0, (now - instrument.last_time) / period_);  // not NaN
   const Vec3 step = value - instrument.last;
@@ -218,8 +218,8 @@ void ReadingGuard::describe(const SensorReading& reading) {
   repaired_.gyro = gyro_.values.repaired();
   repaired_.accelerometer = accelerometer_.values.repaired();
   offered_ = repaired_;
-  if (can_be(reading.gyro, options_.max_gyro)) offered_.gyro = reading.gyro;
-  if (can_be(reading.accelerometer, options_.max_acceleration))
+  if (within(reading.gyro, options_.max_gyro)) offered_.gyro = reading.gyro;
+  if (within(reading.accelerometer, options_.max_acceleration))
     offered_.accelerometer = reading.accelerometer;
   measured_ = repaired_;
   measured_.q = angles_.measured();

@@ -10,10 +10,10 @@ namespace surefoot::estimation {
 /// Finds impossible samples before anything reads them, and replaces them.
 ///
 /// A sample is faulty if it is not a number, out of range, too far from the value predicted from
-/// the last good one, overdue or too old, or, for the IMU, bit-identical again and again. Joints
+/// the last good one, overdue or too old, or, for the IMU, repeatedly bit-identical. Joints
 /// then continue with their velocity; torques, gyroscope and accelerometer hold the last good
-/// value. Nothing of a faulty sample is kept. Others decide how long that may last: the health has
-/// the age of the last good sample. Does not allocate.
+/// value. Nothing of a faulty sample is kept. The health reports the age of the last good
+/// sample, by which Safety decides on a stop. Does not allocate.
 class ReadingGuard {
  public:
   /// `period` of the control loop [s].
@@ -48,7 +48,7 @@ class ReadingGuard {
   [[nodiscard]] bool clock_is_right() const { return clock_is_right_; }
   /// The reading with replacements and accepted sample times (SampleWatch).
   [[nodiscard]] const SensorReading& repaired() const { return repaired_; }
-  /// The same with NaN for joint angles that are faulty, held (they say nothing of the motion
+  /// The same with NaN for joint angles that are faulty, held (without information on the motion
   /// since) or of an unusual age. With a wrong clock it has no time and no angles; if that lasts
   /// longer than `patience` and the angles change within 0.2 s, the reading's plausible ones.
   [[nodiscard]] const SensorReading& measured() const { return measured_; }
@@ -78,9 +78,9 @@ class ReadingGuard {
 
   [[nodiscard]] bool imu_is_shaken() const;
   /// Within `patience` both instruments stepped.
-  [[nodiscard]] bool is_hit() const;
-  [[nodiscard]] bool believes_imu_step();
-  [[nodiscard]] bool goes_on(double time) noexcept;
+  [[nodiscard]] bool is_impact() const;
+  [[nodiscard]] bool accepts_imu_step();
+  [[nodiscard]] bool accepts_clock(double time) noexcept;
   void miss(const SensorReading& reading, const JointVector& given_q) noexcept;
   [[nodiscard]] GuardedValues<JointVector>::Limits angle_limits(const JointVector& unseen) const;
   void take_joints(const SensorReading& reading, const JointVector& joint_velocity, double dt);

@@ -20,7 +20,7 @@ struct ReadingGuardOptions {
   /// Allowed distance of an encoder from its predicted value, plus what the velocity limit gives in
   /// a period (twice that if the next sample confirms it, as an impact can reverse a joint).
   double angle_margin = 0.01, velocity_margin = 2.0;
-  /// Boxes, stairs and pushes showed at most 8e-4; 8 rad/s more than they had give 0.02.
+  /// Boxes, stairs and pushes showed at most 8e-4 rad in a tick; a change by 8 rad/s gives 0.02.
   double sure_angles = 0.004, max_angles = 0.02;
 
   /// Shares of the joint's torque limit. Single bad samples have no effect, and an impact is

@@ -19,9 +19,9 @@ void RestCheck::update(const SensorReading& reading, const JointVector& joint_ve
   const bool stands = joint_velocity.cwiseAbs().maxCoeff() < scale_.rate() * kStandingSpeed &&
                       force.norm() > kMinLoad * weight;  // not if it is NaN
   if (!stands) return;
-  const double off = (mass * reading.accelerometer - force).norm();
-  const double unlike = wrong_for_ > 0.0 ? kLastingDifference : kFaultDifference;
-  const bool is_off = off > unlike * std::max(weight, force.norm());
+  const double error = (mass * reading.accelerometer - force).norm();
+  const double max_error = wrong_for_ > 0.0 ? kLastingDifference : kFaultDifference;
+  const bool is_off = error > max_error * std::max(weight, force.norm());
   const bool turns = reading.gyro.norm() > kMaxGyroBias;
   torques_pull_ = force.z() < 0.0;
   wrong_for_ = is_off || turns ? wrong_for_ + period_ : 0.0;

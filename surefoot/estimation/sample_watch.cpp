@@ -42,7 +42,7 @@ void SampleWatch::update(double time, double sample_time) noexcept {
   time_before_ = time;
 }
 
-// One late sample says nothing of the following ones.
+// A single late sample does not change the usual delay.
 void SampleWatch::follow_delay() noexcept {
   const bool is_as_before = std::abs(lag_ - other_delay_) < kMargin * period_;
   is_punctual_ = std::abs(lag_ - delay_) < kMargin * period_;

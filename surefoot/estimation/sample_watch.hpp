@@ -35,7 +35,7 @@ class SampleWatch {
   /// Age of this tick's values: of the newest sample, or, if the next is overdue and values are
   /// predicted from it, its age on arrival; at most `patience` [s].
   [[nodiscard]] double lag() const { return lag_; }
-  /// This tick repeats an old sample, which says nothing of the time since. False until the second
+  /// This tick repeats an old sample, without information on the time since. False until the second
   /// sample, as a robot begins at rest.
   [[nodiscard]] bool is_held() const { return !is_new_ && has_second_; }
   /// Usual age of new samples on arrival; at first that of the first one; at most `patience` [s].

@@ -9,7 +9,7 @@ constexpr double kSameForce = 12.0;        // of the IMU before and after an imp
 constexpr double kSameTurn = 0.3;          // of the IMU before and after an impact [rad/s]
 constexpr double kMaxWalkingForce = 25.0;  // sensed beyond g by a walking robot's base [m/s²]
 
-void blame(GroupHealth& group, SampleFault fault, double age, int joint = -1) {
+void report(GroupHealth& group, SampleFault fault, double age, int joint = -1) {
   group = {.fault = fault, .age = std::fmax(group.age, age), .joint = joint};
 }
 
@@ -34,10 +34,10 @@ void SensorConsistency::update(const SensorReading& reading, const SensorReading
   encoder_time_ = reading.encoder_time;
   // Replaced values are no evidence, except for one sample that waits for confirmation.
   const auto is_well = [](const GroupHealth& group) { return group.fault == SampleFault::none; };
-  const bool moves_well = is_well(health.encoders), loads_well = is_well(health.joint_torques),
+  const bool encoders_ok = is_well(health.encoders), torques_ok = is_well(health.joint_torques),
              jumps = health.imu.fault == SampleFault::jump,
-             turns_well = is_well(health.imu) || (jumps && !jumped_);
-  if (moves_well) {
+             imu_ok = is_well(health.imu) || (jumps && !jumped_);
+  if (encoders_ok) {
     imu_step_.update(offered, reading, jumps, known.state, known.dynamics, known.stands,
                      known.normal_W);
   } else {
@@ -51,7 +51,7 @@ void SensorConsistency::update(const SensorReading& reading, const SensorReading
   jumped_ = jumps;
   held_force_ = reading.accelerometer;
   held_turn_ = reading.gyro;
-  if (moves_well && turns_well) {
+  if (encoders_ok && imu_ok) {
     imu_.update(reading, known.state, known.dynamics, known.stands, known.normal_W);
   } else {
     imu_.forget();
@@ -59,23 +59,23 @@ void SensorConsistency::update(const SensorReading& reading, const SensorReading
   // The IMU determines the requested joint motion.
   const bool is_shaken =
       imu_.tumbles(reading) || std::abs(reading.accelerometer.norm() - kGravity) > kMaxWalkingForce;
-  if (moves_well && turns_well && !is_shaken) {
+  if (encoders_ok && imu_ok && !is_shaken) {
     frozen_.update(reading, known.dynamics, known.stands, known.v_WF, known.command);
   } else {
     frozen_.forget();
   }
-  if (moves_well && loads_well && turns_well && imu_.wrong_for() == 0.0) {
+  if (encoders_ok && torques_ok && imu_ok && imu_.wrong_for() == 0.0) {
     torques_.update(known.state, known.dynamics, known.stands, known.command, is_new);
   } else {
     torques_.forget();
   }
-  if (imu_.wrong_for() > 0.0) blame(health.imu, SampleFault::contradicts, imu_.wrong_for());
+  if (imu_.wrong_for() > 0.0) report(health.imu, SampleFault::contradicts, imu_.wrong_for());
   const FrozenJoints::Frozen &angles = frozen_.encoders(), &torques = frozen_.torques();
-  if (angles.count > 0) blame(health.encoders, SampleFault::repeats, angles.age, angles.joint);
-  if (torques.count > 0 && loads_well)
-    blame(health.joint_torques, SampleFault::repeats, torques.age, torques.joint);
+  if (angles.count > 0) report(health.encoders, SampleFault::repeats, angles.age, angles.joint);
+  if (torques.count > 0 && torques_ok)
+    report(health.joint_torques, SampleFault::repeats, torques.age, torques.joint);
   if (torques_.wrong_for() > 0.0)
-    blame(health.joint_torques, SampleFault::contradicts, torques_.wrong_for(), torques_.joint());
+    report(health.joint_torques, SampleFault::contradicts, torques_.wrong_for(), torques_.joint());
 }
 
 }  // namespace surefoot::estimation

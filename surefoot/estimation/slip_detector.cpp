@@ -53,16 +53,16 @@ void SlipDetector::update(const model::Dynamics& dynamics, const PerLeg<bool>& s
       judge(foot, v - normal_W.dot(v) * normal_W, normal_W.dot(state.foot_force[k]));
     }
   }
-  doubt_the_belief(stands);
+  reject_without_rest(stands);
   for (const Leg leg : kLegs) {
     state.slip_velocity[index(leg)] = feet_[index(leg)].velocity;
     state.slips[index(leg)] = feet_[index(leg)].slips;
   }
 }
 
-// With hardly a firm foot left, the estimated velocity is wrong instead. A filter without feet
-// would never recover.
-void SlipDetector::doubt_the_belief(const PerLeg<bool>& stands) {
+// If nearly all feet seem to slide, the base velocity is wrong instead. A filter without feet would
+// never recover.
+void SlipDetector::reject_without_rest(const PerLeg<bool>& stands) {
   const auto stays = [&](Leg leg) { return stands[index(leg)] && !feet_[index(leg)].slips; };
   if (std::ranges::count_if(kLegs, stays) >= kMinFeetAtRest) return;
   for (Foot& foot : feet_) {
@@ -76,11 +76,11 @@ void SlipDetector::judge(Foot& foot, const Vec3& velocity, double normal_force) 
   foot.stands_for += period_;
   const double speed = foot.velocity.norm();
   const bool judged = normal_force >= options_.force && foot.stands_for >= options_.settle;
-  const auto add_up = [&](double& duration, bool goes_on) {
+  const auto accumulate = [&](double& duration, bool goes_on) {
     duration = goes_on ? duration + period_ : 0.0;
   };
-  add_up(foot.fast_for, judged && speed > options_.begin_speed);
-  add_up(foot.slow_for, speed < options_.end_speed);
+  accumulate(foot.fast_for, judged && speed > options_.begin_speed);
+  accumulate(foot.slow_for, speed < options_.end_speed);
   if (foot.fast_for > options_.begin_duration - kTimeRounding) foot.slips = true;
   if (foot.slow_for > options_.end_duration - kTimeRounding) foot.slips = false;
 }

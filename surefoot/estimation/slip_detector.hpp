@@ -45,7 +45,7 @@ class SlipDetector {
     double slow_for = 0.0;         // [s]
     bool slips = false;
   };
-  void doubt_the_belief(const PerLeg<bool>& stands);
+  void reject_without_rest(const PerLeg<bool>& stands);
   void judge(Foot& foot, const Vec3& velocity, double normal_force) const;
 
   SlipOptions options_;

@@ -42,7 +42,7 @@ bool StandingStart::stands(const SensorReading& reading, const JointVector& join
   return agrees;
 }
 
-void StandingStart::begin_anew() noexcept {
+void StandingStart::restart() noexcept {
   window_ = {};
   has_waited_ = true;
 }

@@ -32,7 +32,7 @@ class StandingStart {
                             const PerLeg<Vec3>& p_BC, const PerLeg<Vec3>& v_BC) noexcept;
 
   /// Discards the readings so far: the robot must stand for 0.1 s.
-  void begin_anew() noexcept;
+  void restart() noexcept;
 
   /// Its state, once it stands.
   [[nodiscard]] State state() const noexcept;

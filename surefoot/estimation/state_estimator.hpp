@@ -20,7 +20,7 @@ class StateEstimator {
                                                  const TickContext& context) noexcept = 0;
 
   /// Before an update: discards all readings so far (FirstReadings).
-  virtual void begin_anew() noexcept = 0;
+  virtual void restart() noexcept = 0;
 };
 
 }  // namespace surefoot::estimation

@@ -34,7 +34,7 @@ SwingTare::SwingTare(const SwingTareOptions& options, double bandwidth, double p
       usual_(usual_sizes(scale)),
       period_(period),
       forgetting_(std::exp(-period / options_.memory)),
-      follows_(1.0 - std::exp(-bandwidth * period)),
+      low_pass_gain_(1.0 - std::exp(-bandwidth * period)),
       wait_(
           std::min(kMaxWaiting - 1, static_cast<std::size_t>(std::ceil(options_.wait / period)))) {
   stages_.fill(Signals::Constant(kNaN));
@@ -57,10 +57,10 @@ void SwingTare::update(const PerLeg<bool>& stands, const LegJointVector& missing
       if (leg.num_seen > 0)
         for (Joint& joint : leg.joints) fit(joint);
       leg.num_seen = 0;
-      leg.in_the_air = 0.0;
+      leg.air_time = 0.0;
       continue;
     }
-    leg.in_the_air += period_;
+    leg.air_time += period_;
     Sample sample;
     sample.missing = missing.segment<3>(first);
     for (int j = 0; j < kJointsPerLeg; ++j) {
@@ -69,8 +69,8 @@ void SwingTare::update(const PerLeg<bool>& stands, const LegJointVector& missing
       tare_[i] = leg.joints[static_cast<std::size_t>(j)].theta.dot(
           sample.features[static_cast<std::size_t>(j)]);
     }
-    if (leg.in_the_air > options_.begin && leg.in_the_air < options_.end + options_.wait) {
-      weigh(leg, sample);
+    if (leg.air_time > options_.begin && leg.air_time < options_.end + options_.wait) {
+      enqueue(leg, sample);
     }
   }
 }
@@ -80,20 +80,20 @@ const SwingTare::Signals& SwingTare::lagged(const Signals& now) noexcept {
   if (!stages_.back().allFinite()) stages_.fill(now);
   const Signals* input = &now;
   for (Signals& stage : stages_) {
-    stage += follows_ * (*input - stage);
+    stage += low_pass_gain_ * (*input - stage);
     input = &stage;
   }
   return stages_.back();
 }
 
 void SwingTare::fit(Joint& joint) const {
-  Moments pulled = joint.moments;
-  pulled.diagonal() += (options_.noise / usual_.array()).square().matrix();
-  joint.theta = pulled.llt().solve(joint.products);
+  Moments regularised = joint.moments;
+  regularised.diagonal() += (options_.noise / usual_.array()).square().matrix();
+  joint.theta = regularised.llt().solve(joint.products);
 }
 
 // A sample from `wait` ago was in the air, as no touchdown followed.
-void SwingTare::weigh(LegTare& leg, const Sample& sample) {
+void SwingTare::enqueue(LegTare& leg, const Sample& sample) {
   leg.waiting[leg.num_seen % kMaxWaiting] = sample;
   if (leg.num_seen >= wait_) learn(leg, leg.waiting[(leg.num_seen - wait_) % kMaxWaiting]);
   ++leg.num_seen;

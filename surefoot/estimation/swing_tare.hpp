@@ -9,7 +9,7 @@
 
 namespace surefoot::estimation {
 
-/// When a swing leg of the reference robot is measured; others' go with their `Scale`.
+/// When a swing leg of the reference robot is measured; others scale with `Scale`.
 struct SwingTareOptions {
   bool enabled = true;
   double begin = 0.04;  ///< after lift-off; the foot may touch before [s]
@@ -22,9 +22,8 @@ struct SwingTareOptions {
   double noise = 5.6;
 };
 
-/// Learns the torque error of a free swing leg, from link masses, drive gains and friction. Of
-/// joint
-/// j
+/// Learns the torque error of a free swing leg, due to link masses, drive gains and friction. For
+/// joint j
 ///
 ///     r_j ≈ θ_jᵀ (1, τ_j, q̇_j, q̈_j)
 ///
@@ -64,7 +63,7 @@ class SwingTare {
   struct LegTare {
     std::array<Sample, kMaxWaiting> waiting;
     std::size_t num_seen = 0;  // in this swing
-    double in_the_air = 0.0;   // [s]
+    double air_time = 0.0;     // [s]
     std::array<Joint, kJointsPerLeg> joints;
   };
 
@@ -74,14 +73,14 @@ class SwingTare {
   /// τ, q̇, q̈ of all joints as the observer has them.
   const Signals& lagged(const Signals& now) noexcept;
   void fit(Joint& joint) const;
-  void weigh(LegTare& leg, const Sample& sample);
+  void enqueue(LegTare& leg, const Sample& sample);
   void learn(LegTare& leg, const Sample& sample) const;
 
   SwingTareOptions options_;  // of this robot
   Eigen::Vector4d usual_;     // size of θ, as `kUsual`
   double period_;
   double forgetting_;
-  double follows_;                         // a low-pass's share of what is new, in a tick
+  double low_pass_gain_;
   std::array<Signals, kNumPoles> stages_;  // NaN until there are signals
   std::size_t wait_;                       // [ticks]
   PerLeg<LegTare> legs_{};

@@ -8,13 +8,13 @@ namespace surefoot::estimation {
 /// Checks the joint torques against the command, which drives follow with delay, lag and gain, and
 /// against plausible pushes and loads: a momentum observer on the whole body
 /// (`ExternalForceEstimator`) gives the force that they claim. If the commanded torques claim as
-/// much, it is no sensor fault, but an impact, or a robot lying on its belly. Does not allocate.
+/// much, it is no sensor fault, but an impact, or a robot lying on its torso. Does not allocate.
 class TorqueCheck {
  public:
   TorqueCheck(const TorqueCheckOptions& options, double period, int num_joints = kNumLegJoints);
 
   /// One tick. `command` is of the tick before; `state` has the torques and foot forces of this
-  /// one. `moves_exactly`: encoders have a new sample; coarser ones make claims meaningless.
+  /// one. `moves_exactly`: the encoders have a new sample; without it claims are not judged.
   void update(const RobotState& state, const model::Dynamics& dynamics, const PerLeg<bool>& stands,
               const JointVector& command, bool moves_exactly) noexcept;
   /// This tick gives no information.

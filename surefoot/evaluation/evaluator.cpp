@@ -11,6 +11,7 @@
 namespace surefoot::evaluation {
 namespace {
 
+constexpr double kReachTime = 6.0;       // after which a new reach is judged [s]
 constexpr double kMinBaseHeight = 0.12;  // above the mean stance foot; allows a crouch [m]
 constexpr double kMaxTilt = 60.0 * kPi / 180.0;
 constexpr double kMaxSitSpeed = 0.5;   // of a robot that sits down [m/s]
@@ -82,7 +83,20 @@ void Evaluator::judge_plan(const simulation::GroundTruth& truth, const TickRecor
   add_com(truth, tick);
   add_torso(truth, tick);
   add_frames(tick);
+  add_reach(truth, tick);
   for (const Leg leg : kLegs) add_foot(leg, truth, tick.plan.feet[index(leg)]);
+}
+
+void Evaluator::add_reach(const simulation::GroundTruth& truth, const TickRecord& tick) {
+  const ReachCommand& command = tick.user.reach;
+  if (command.arm != reach_.arm || command.position != reach_.position) reach_begin_ = truth.time;
+  reach_ = command;
+  const auto arm = static_cast<std::size_t>(tick.plan.arm.arm);
+  if (tick.plan.arm.arm < 0 || arm >= truth.p_WT.size()) return;
+  if (truth.time - reach_begin_ < options_.scale.time() * kReachTime) return;
+  const Vec3 is = truth.q_WB.conjugate() * (truth.p_WT[arm] - truth.p_WB);
+  const Vec3 wanted = tick.state.q_WB.conjugate() * (tick.plan.arm.p_WT - tick.state.p_WB);
+  raise(metrics_.reach_error_max_m, (is - wanted).norm());
 }
 
 void Evaluator::add(const TickTiming& timing) {

@@ -78,6 +78,7 @@ class Evaluator {
   void add_com(const simulation::GroundTruth& truth, const TickRecord& tick);
   void add_torso(const simulation::GroundTruth& truth, const TickRecord& tick);
   void add_frames(const TickRecord& tick);
+  void add_reach(const simulation::GroundTruth& truth, const TickRecord& tick);
   void add_torques(const simulation::GroundTruth& truth, const TickRecord& tick);
   void add_foot(Leg leg, const simulation::GroundTruth& truth, const FootPlan& plan);
   void add_stance(Foot& foot, const simulation::TrueContact& contact);
@@ -104,6 +105,8 @@ class Evaluator {
   double sway_min_ = 0.0, sway_max_ = 0.0;
   std::optional<MotionPlan> plan_before_;  // empty after a restart of the plan
   JointVector torque_before_ = JointVector::Zero(kNumLegJoints);
+  ReachCommand reach_;         // of the tick before
+  double reach_begin_ = kNaN;  // [s]
   PerLeg<Foot> feet_{};
   double footprint_height_ = kNaN;
   bool torso_touched_ = false;

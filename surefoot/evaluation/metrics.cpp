@@ -49,6 +49,7 @@ std::vector<std::pair<std::string_view, MetricValue>> values(const Metrics& metr
       {"torso_reference_step_max_rad", metrics.torso_reference_step_max_rad},
       {"torso_reference_step_max_m", metrics.torso_reference_step_max_m},
       {"control_frame_step_max_rad", metrics.control_frame_step_max_rad},
+      {"reach_error_max_m", metrics.reach_error_max_m},
       {"velocity_error_rms_mps", metrics.velocity_error_rms_mps},
       {"tilt_error_rms_rad", metrics.tilt_error_rms_rad},
       {"tilt_error_max_rad", metrics.tilt_error_max_rad},

@@ -57,6 +57,10 @@ struct Metrics {
   double torso_reference_step_max_m = 0.0;
   double control_frame_step_max_rad = 0.0;
 
+  /// Tip of an arm against its reference, both relative to the base, from 6 s after a new command
+  /// of the operator (ANYmal B's; in proportion to √(l/g)).
+  double reach_error_max_m = kNaN;
+
   double velocity_error_rms_mps = kNaN;  ///< estimated against true base velocity, in B
   double tilt_error_rms_rad = kNaN;      ///< angle between the estimated and the true vertical
   double tilt_error_max_rad = kNaN;

@@ -18,7 +18,7 @@ namespace surefoot::evaluation {
 class SlipJudge {
  public:
   /// `period` of the control loop [s], `scale` of the robot.
-  explicit SlipJudge(double period, const Scale& scale = {}) : period_(period), scale_(scale) {}
+  explicit SlipJudge(double period, Scale scale = {}) : period_(period), scale_(scale) {}
 
   void add(const simulation::GroundTruth& truth, const TickRecord& tick);
   void write(Metrics& metrics) const;

@@ -14,12 +14,13 @@
 namespace surefoot::logging {
 
 /// Version of the log's topics and fields: the major number changes if readers must change.
-inline constexpr std::string_view kLogVersion = "2.12";
+inline constexpr std::string_view kLogVersion = "2.13";
 
 /// Robot data for the report.
 struct LogRobot {
   std::string name;
-  std::vector<std::string> joint_names;  ///< of the URDF, in the order of a JointVector
+  /// Of the URDF, in the order of a JointVector.
+  std::vector<std::string> joint_names = std::vector<std::string>(kNumLegJoints);
   JointVector torque_limit = JointVector::Constant(kNumLegJoints, kNaN);  ///< [N·m]
   double mass = kNaN;                                                     ///< [kg]
   double foot_radius = kNaN;                                              ///< [m]

@@ -183,4 +183,17 @@ class Decoder {
   std::size_t first_, next_;  // after the opening brace, and after the last member read
 };
 
+/// Throws JsonError unless all of a signal's joint vectors have this size.
+template <typename Signal>
+void check_joints(const Signal& signal, std::size_t num_joints) {
+  const auto check = [num_joints](const JointVector& values) {
+    if (static_cast<std::size_t>(values.size()) != num_joints)
+      throw logging::JsonError{"expected a number for each of " + std::to_string(num_joints) +
+                               " joints"};
+  };
+  if constexpr (requires { signal.q; }) check(signal.q);
+  if constexpr (requires { signal.qd; }) check(signal.qd);
+  if constexpr (requires { signal.torque; }) check(signal.torque);
+}
+
 }  // namespace surefoot::logged

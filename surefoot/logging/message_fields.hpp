@@ -136,6 +136,16 @@ void fields(Archive& field, T& user) {
   field("yaw_rate", user.yaw_rate, "about the z axis of C, to the left [rad/s]");
   field("height", user.height, "offset to the nominal torso height [m]");
   field("calibrate", user.calibrate, "begin the estimate anew, once all feet stand");
+  field("reach", user.reach, "of an arm; since 2.13");
+}
+
+template <typename Archive, Is<ReachCommand> T>
+void fields(Archive& field, T& reach) {
+  field("arm", reach.arm, "whose tip is to be there, counted from 0; -1: none");
+  field("in_world", reach.in_world, "position and orientation are in W; else in B");
+  field("position", reach.position, "of the tip [m]");
+  field("orientation", reach.orientation,
+        "roll, pitch and yaw of the tip; null: as it was at first [rad]");
 }
 
 template <typename Archive, Is<RobotState> T>
@@ -199,12 +209,23 @@ void fields(Archive& field, T& event) {
         "force along the ground [N]");
 }
 
+template <typename Archive, Is<ArmPlan> T>
+void fields(Archive& field, T& plan) {
+  field("arm", plan.arm, "whose tip follows, counted from 0; -1: none");
+  field("p_WT", plan.p_WT, "of the tip in W [m]");
+  field("v_WT", plan.v_WT, "[m/s]");
+  field("a_WT", plan.a_WT, "[m/s²]");
+  field("q_WT", plan.q_WT, "orientation of the tip, w, x, y, z");
+  field("w_WT", plan.w_WT, "angular velocity in W [rad/s]");
+}
+
 template <typename Archive, Is<MotionPlan> T>
 void fields(Archive& field, T& plan) {
   field("time", plan.time, "that the plan is for [s]");
   field("feet", plan.feet, "reference of each foot");
   field("torso", plan.torso, "reference of the torso");
   field("com", plan.com, "reference of the centre of mass");
+  field("arm", plan.arm, "reference of an arm's tip; since 2.13");
   field("R_WC", plan.R_WC,
         "control frame C in W, row by row: z along the terrain normal, x the heading");
   field("terrain_point", plan.terrain_point,

@@ -46,6 +46,16 @@ struct TorsoPlan {
   double height_acceleration = 0.0;  ///< [m/s²]
 };
 
+/// Reference of the tip T of an arm, in W.
+struct ArmPlan {
+  int arm = -1;  ///< in the robot's order; −1: no tip follows anything
+  Vec3 p_WT = Vec3::Zero();
+  Vec3 v_WT = Vec3::Zero();
+  Vec3 a_WT = Vec3::Zero();
+  Quat q_WT = Quat::Identity();
+  Vec3 w_WT = Vec3::Zero();  ///< [rad/s]
+};
+
 /// Desired motion of the centre of mass, x and y in W.
 struct ComPlan {
   Vec2 p{0.0, 0.0};    ///< [m]
@@ -60,6 +70,7 @@ struct MotionPlan {
   PerLeg<FootPlan> feet{};
   TorsoPlan torso{};
   ComPlan com{};
+  ArmPlan arm{};
   /// Control frame C: z along the filtered terrain normal, x the heading.
   Mat3 R_WC = Mat3::Identity();
   /// A point of the fitted terrain plane, at sphere-centre height, in W [m].

@@ -1,8 +1,17 @@
 #pragma once
 
+#include "surefoot/math/numbers.hpp"
 #include "surefoot/math/types.hpp"
 
 namespace surefoot {
+
+/// Where the tip of an arm shall be.
+struct ReachCommand {
+  int arm = -1;                             ///< in the robot's order; −1: arms keep their posture
+  bool in_world = false;                    ///< position and orientation are in W, else in B
+  Vec3 position = Vec3::Zero();             ///< [m]
+  Vec3 orientation = Vec3::Constant(kNaN);  ///< roll, pitch, yaw [rad]; NaN: as it was at first
+};
 
 /// The operator's command. Velocities are in heading axes of the base: horizontal, x along the
 /// commanded heading of the torso.
@@ -17,6 +26,7 @@ struct UserCommand {
   double height = 0.0;      ///< offset from the nominal torso height [m]
   /// A change to true: stand, restart the estimate, calibrate on the spot, then continue.
   bool calibrate = false;
+  ReachCommand reach{};
 };
 
 }  // namespace surefoot

@@ -10,11 +10,13 @@ Actuators::Actuators(const ActuatorOptions& options, const JointVector& torque_l
     : options_(options),
       limit_(torque_limit),
       gain_(options.torque_gain * options.joint_torque_gain),
+      quantum_(JointVector::Constant(torque_limit.size(), options.quantisation)),
       lag_(-std::expm1(-2.0 * kPi * options.bandwidth_hz * timestep)),
       delayed_(static_cast<std::size_t>(options.delay_ticks),
                JointVector::Zero(torque_limit.size())),
       commanded_(JointVector::Zero(torque_limit.size())),
       motor_(commanded_) {
+  quantum_.tail(torque_limit.size() - kNumLegJoints).setZero();
   if (options.model == ActuatorModel::sea && options.level == 2) {
     for (Eigen::Index joint = 0; joint < torque_limit.size(); ++joint)
       drives_.emplace_back(options, timestep, joint);
@@ -53,7 +55,7 @@ JointVector Actuators::torque(const JointVector& q, const JointVector& qd) const
     }
     const double limited =
         limited_by_speed(motor_[i], qd[i], options_.stall_torque[i], options_.no_load_speed[i]);
-    result[i] = quantised(limited, options_.quantisation, limit_[i]);
+    result[i] = quantised(limited, quantum_[i], limit_[i]);
   }
   return result;
 }

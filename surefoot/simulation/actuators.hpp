@@ -33,7 +33,8 @@ class Actuators {
   ActuatorOptions options_;
   JointVector limit_;
   JointVector gain_;
-  double lag_;                        ///< share of the gap closed in one physics step
+  JointVector quantum_;  ///< of legs; a leg's is more than the light bodies of an arm need
+  double lag_;           ///< share of the gap closed in one physics step
   std::vector<JointVector> delayed_;  ///< ring of the last commands
   std::size_t oldest_ = 0;
   JointVector commanded_;                   ///< the command that has arrived

@@ -35,6 +35,7 @@ struct GroundTruth {
   Vec3 v_WCom = Vec3::Zero();
   PerLeg<Vec3> p_WF{Vec3::Zero(), Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};  ///< sphere centres
   PerLeg<Vec3> v_WF{Vec3::Zero(), Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
+  std::vector<Vec3> p_WT;  ///< tips of arms
   PerLeg<TrueContact> feet;
   double body_contact_force = 0.0;  ///< largest force on any part of the robot besides feet [N]
   bool torso_contact = false;       ///< the torso touches the ground

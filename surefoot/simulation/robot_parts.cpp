@@ -63,6 +63,9 @@ RobotParts find_parts(const mjModel& model, const model::RobotDescription& descr
     parts.foot_geom[index(leg)] = geom;
     parts.foot_body[index(leg)] = model.geom_bodyid[geom];
   }
+  for (const model::ArmDescription& arm : description.arms) {
+    parts.tip_body.push_back(id_of(model, mjOBJ_BODY, arm.tip_frame));
+  }
   find_joints(model, description, parts);
   find_owners(model, description, parts);
   return parts;

@@ -28,6 +28,7 @@ struct RobotParts {
   std::vector<int> actuator;        ///< index in ctrl
   PerLeg<int> foot_geom{};
   PerLeg<int> foot_body{};
+  std::vector<int> tip_body;     ///< of each arm
   std::vector<GeomOwner> owner;  ///< of each geom
 };
 

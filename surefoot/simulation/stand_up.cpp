@@ -55,6 +55,16 @@ Mat3 foot_jacobian(const mjModel& model, const mjData& data, const RobotParts& p
   return J;
 }
 
+/// Springs would make the light bodies of arms chatter: arms are carried, and stand still.
+void hold_arms(const JointVector& q, const RobotParts& parts, mjData& data, JointVector& torque) {
+  for (auto i = static_cast<std::size_t>(kNumLegJoints); i < parts.qpos.size(); ++i) {
+    const auto joint = static_cast<Eigen::Index>(i);
+    data.qpos[parts.qpos[i]] = q[joint];
+    data.qvel[parts.dof[i]] = 0.0;
+    torque[joint] = data.qfrc_bias[parts.dof[i]];
+  }
+}
+
 }  // namespace
 
 JointVector stand_up(const mjModel& model, mjData& data, const RobotParts& parts,
@@ -82,6 +92,7 @@ JointVector stand_up(const mjModel& model, mjData& data, const RobotParts& parts
     torque =
         stiffness * (held - joint_positions(data, parts)) - damping * joint_velocities(data, parts);
     torque = torque.cwiseMin(options.torque_limit).cwiseMax(-options.torque_limit);
+    hold_arms(options.q, parts, data, torque);
     for (std::size_t i = 0; i < parts.actuator.size(); ++i) {
       data.ctrl[parts.actuator[i]] = torque[static_cast<Eigen::Index>(i)];
     }

@@ -113,6 +113,8 @@ void extract_feet(const mjModel& model, const mjData& data, const RobotParts& pa
     truth.p_WF[leg] = vec3(data.geom_xpos + 3 * parts.foot_geom[leg]);
     truth.v_WF[leg] = point_velocity(model, data, parts.foot_body[leg], truth.p_WF[leg]);
   }
+  truth.p_WT.clear();
+  for (const int body : parts.tip_body) truth.p_WT.push_back(vec3(data.xpos + 3 * body));
 }
 
 }  // namespace

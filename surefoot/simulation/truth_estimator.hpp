@@ -15,7 +15,7 @@ class TruthEstimator final : public estimation::StateEstimator {
 
   [[nodiscard]] const RobotState& update(const SensorReading& reading,
                                          const TickContext& context) noexcept override;
-  void begin_anew() noexcept override {}  // the truth has no first reading
+  void restart() noexcept override {}  // the truth has no first reading
 
  private:
   const GroundTruth& truth_;

@@ -5,11 +5,14 @@
 #include "surefoot/tasks/com_xy.hpp"
 #include "surefoot/tasks/contact_force_minimisation.hpp"
 #include "surefoot/tasks/equations_of_motion.hpp"
+#include "surefoot/tasks/frame_orientation.hpp"
+#include "surefoot/tasks/frame_position.hpp"
 #include "surefoot/tasks/friction_cone.hpp"
 #include "surefoot/tasks/joint_position_limits.hpp"
 #include "surefoot/tasks/limb_extension_limits.hpp"
 #include "surefoot/tasks/manipulability.hpp"
 #include "surefoot/tasks/no_contact_motion.hpp"
+#include "surefoot/tasks/posture.hpp"
 #include "surefoot/tasks/swing_foot.hpp"
 #include "surefoot/tasks/torque_limits.hpp"
 #include "surefoot/tasks/torque_minimisation.hpp"
@@ -287,6 +290,26 @@ void add_efforts(Catalog& catalog) {
       .add_to(catalog);
 }
 
+void add_arms(Catalog& catalog) {
+  Entry<FramePosition>("frame_position", "tip of an arm follows its reference", "as (19)", "m/s²")
+      .number("kp", &FramePosition::Options::kp, "1/s²", "position gain")
+      .number("kd", &FramePosition::Options::kd, "1/s", "velocity gain")
+      .number("max_error", &FramePosition::Options::max_error, "m", kErrorHelp)
+      .add_to(catalog);
+  Entry<FrameOrientation>("frame_orientation", "tip of an arm follows its orientation", "as (18)",
+                          "rad/s²")
+      .number("kp", &FrameOrientation::Options::kp, "1/s²", "orientation gain")
+      .number("kd", &FrameOrientation::Options::kd, "1/s", "angular velocity gain")
+      .number("max_error", &FrameOrientation::Options::max_error, "rad", kErrorHelp)
+      .add_to(catalog);
+  Entry<Posture>("posture", "joints go to the nominal posture", kNoUnit, "rad/s²")
+      .choice("joints", &Posture::Options::joints, {"arms", "legs", "all"}, "which joints")
+      .number("kp", &Posture::Options::kp, "1/s²", "position gain")
+      .number("kd", &Posture::Options::kd, "1/s", "velocity gain")
+      .number("max_error", &Posture::Options::max_error, "rad", kErrorHelp)
+      .add_to(catalog);
+}
+
 const Catalog& catalog() {
   static const Catalog kCatalog = [] {
     Catalog all;
@@ -296,6 +319,7 @@ const Catalog& catalog() {
     add_torso(all);
     add_motion_bounds(all);
     add_efforts(all);
+    add_arms(all);
     return all;
   }();
   return kCatalog;

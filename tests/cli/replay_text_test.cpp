@@ -16,6 +16,7 @@ replay::StackComparison compared() {
   replay::StackComparison result;
   result.ticks = 400;
   result.last_time = 0.9975;
+  result.joints.resize(kNumLegJoints);
   for (std::size_t i = 0; i < result.joints.size(); ++i) {
     result.header.robot.joint_names[i] = "joint" + std::to_string(i);
     result.joints[i] = {.rms = 1.0, .largest = -2.0, .time = 0.25};

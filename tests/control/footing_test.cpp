@@ -27,7 +27,7 @@ JointVector stance(gaits::KneeConfiguration knees = gaits::KneeConfiguration::x)
 
 /// On its belly, knees where the nominal posture has them or on the other side.
 JointVector lying(double side = 1.0) {
-  JointVector q;
+  JointVector q(kNumLegJoints);
   for (const Leg leg : kLegs) {
     const double s = is_front(leg) ? side : -side;
     q.segment<3>(first_joint(leg)) << 0.0, 1.45 * s, -2.8 * s;

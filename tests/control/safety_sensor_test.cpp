@@ -315,7 +315,7 @@ TEST(SafetyOfSensors, OneThatNeverCameIsNamedAndSatDownFor) {
     if (missing == StopCause::joint_torques) stage.state.torque.setConstant(kNaN);
     SensorHealth health = failing(&SensorHealth::imu, kNaN);
     health.joint_torques = health.imu;
-    JointVector held;
+    JointVector held(kNumLegJoints);
     for (int i = 0; i < SafetyOptions{}.damp_after_failures; ++i) {
       stage.state.q = anymal_b().q_nominal + JointVector::Constant(kNumLegJoints, 2e-4 * i);
       const JointCommand& command = stage.refused_tick(health);

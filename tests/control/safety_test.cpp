@@ -301,7 +301,7 @@ TEST(Safety, ThatBeginsAnewForgetsItsPostureButNotItsTorques) {
   RobotState elsewhere = standing();
   elsewhere.q.setConstant(0.3);
   JointVector before = safety.command(elsewhere, &good).torque;
-  safety.begin_anew();
+  safety.restart();
   EXPECT_FALSE(safety.has_begun());
   for (int tick = 0; tick < 30; ++tick) {
     safety.bear(torques(5.0));
@@ -318,7 +318,7 @@ TEST(Safety, WhereItIsToBeCarefulTorquesChangeSlowlyUntilTheyHaveCaughtUp) {
   const solver::Solution one = solved(torques(10.0)), other = solved(torques(-10.0));
   Safety safety = make_safety();
   JointVector before = safety.command(standing(), &one).torque;
-  safety.be_careful();
+  safety.limit_next_change();
   int ticks = 0;
   for (; before != torques(-10.0) && ticks < 100; ++ticks) {
     const JointVector torque = safety.command(standing(), &other).torque;
@@ -333,7 +333,7 @@ TEST(Safety, ThatBeginsAnewAgainAndAgainDampsInTheEnd) {
   Safety safety = make_safety();
   int tick = 0;
   for (; !safety.has_stopped() && tick < 2000; ++tick) {
-    if (tick % 20 == 0) safety.begin_anew();
+    if (tick % 20 == 0) safety.restart();
     (void)safety.command(standing(tick * kPeriod), nullptr);
   }
   EXPECT_NEAR(tick * kPeriod, 2.0, 0.01);
@@ -357,7 +357,7 @@ TEST(Safety, DampingBrakesEveryJointAtLastAsSoftlyAsALegNeedsThatBearsNothing) {
   state.qd = JointVector::LinSpaced(kNumLegJoints, -3.0, 3.0);
   const solver::Solution good = solved(torques());
   (void)safety.command(standing(), &good);
-  JointVector torque;
+  JointVector torque(kNumLegJoints);
   for (int tick = 0; tick <= 1000; ++tick) {
     torque = safety.command(state, &good).torque;
     if (tick < 20) continue;  // torques change by so much a tick

@@ -24,7 +24,7 @@ class ScriptedEstimator final : public estimation::StateEstimator {
   const RobotState& update(const SensorReading&, const TickContext&) noexcept override {
     return state_;
   }
-  void begin_anew() noexcept override {}
+  void restart() noexcept override {}
 
  private:
   const RobotState& state_;

@@ -14,7 +14,7 @@ constexpr double kBandwidth = 2.0 * kPi * 40.0;
 
 TEST(JointObserver, GoesOnWithReadingsThatAreOlderFromNowOn) {
   JointObserver observer(kBandwidth, kPeriod);
-  const JointVector a = JointVector::LinSpaced(-30.0, 50.0);
+  const JointVector a = JointVector::LinSpaced(kNumLegJoints, -30.0, 50.0);
   const auto q_at = [&](int tick) { return JointVector(0.5 * std::pow(tick * kPeriod, 2) * a); };
   observer.start(q_at(0));
   observer.expect(a);
@@ -32,7 +32,7 @@ TEST(JointObserver, GoesOnWithReadingsThatAreOlderFromNowOn) {
 TEST(JointObserver, FindsAnAccelerationThatItsModelDoesNotKnow) {
   JointObserver observer(kBandwidth, kPeriod);
   JointVector q = JointVector::Zero(kNumLegJoints), v = JointVector::Zero(kNumLegJoints);
-  const JointVector unknown = JointVector::LinSpaced(-100.0, 100.0);
+  const JointVector unknown = JointVector::LinSpaced(kNumLegJoints, -100.0, 100.0);
   observer.start(q);
   double first = 0.0;
   for (int tick = 0; tick < 40; ++tick) {

@@ -348,7 +348,7 @@ TEST(LegInertialEstimator, OfReadingsThatAreWorthNothingNoTraceIsLeft) {
     reading.accelerometer = reading.accelerometer.reverse().eval();
     EXPECT_TRUE(spoilt.update(reading, wrong).p_WB.allFinite());
   }
-  for (LegInertialEstimator* estimator : {&spoilt, &other}) estimator->begin_anew();
+  for (LegInertialEstimator* estimator : {&spoilt, &other}) estimator->restart();
   while (robot.time() < 1.0) {
     robot.tick();
     const RobotState& state = spoilt.update(robot.reading(), standing());

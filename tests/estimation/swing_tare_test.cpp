@@ -60,7 +60,8 @@ struct Bench {
   std::array<JointVector, 3> stages{JointVector::Zero(kNumLegJoints),
                                     JointVector::Zero(kNumLegJoints),
                                     JointVector::Zero(kNumLegJoints)};
-  JointVector torque, velocity, acceleration, lacking;
+  JointVector torque = JointVector::Zero(kNumLegJoints);
+  JointVector velocity = torque, acceleration = torque, lacking = torque;
 };
 
 TEST(SwingTare, LearnsWhatASwingingLegLacks) {

@@ -43,7 +43,7 @@ struct Lump {
   TorqueCheck check{kOptions, kPeriod};
   model::Dynamics dynamics;
   RobotState state;
-  JointVector command = JointVector::LinSpaced(-30.0, 30.0),
+  JointVector command = JointVector::LinSpaced(kNumLegJoints, -30.0, 30.0),
               error = JointVector::Zero(kNumLegJoints);
   int encoder_ticks = 1;  // between two samples
   int ticks = 0;

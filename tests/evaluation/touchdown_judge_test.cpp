@@ -86,6 +86,19 @@ TEST(TouchdownJudge, ATouchThatWasOverBeforeTheTickIsOne) {
   EXPECT_EQ(steps.metrics().false_touchdowns, 0);
 }
 
+TEST(TouchdownJudge, ATouchThatWasOverForMoreThan20MillisecondsIsNone) {
+  Steps steps;
+  for (const int ticks : {5, 12}) {  // of 2.5 ms
+    steps.ticks(100, false, false);
+    steps.tick(true, false);
+    steps.ticks(ticks, false, false);
+    steps.ticks(1, false, true);
+    steps.ticks(40, true, true);
+  }
+  EXPECT_EQ(steps.metrics().touchdowns_noticed, 1);
+  EXPECT_EQ(steps.metrics().false_touchdowns, 1);
+}
+
 TEST(TouchdownJudge, ATouchEarlierInTheSwingDoesNotCount) {
   Steps steps;
   steps.ticks(40, true, true);

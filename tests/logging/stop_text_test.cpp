@@ -30,7 +30,7 @@ TEST(StopText, IsThatOfTheTableForEveryCauseAndFault) {
     const auto fault = value_of<SampleFault>(logged::kFaultNames, row[1]);
     EXPECT_EQ(text_of_stop(cause, fault, -1), row[2]) << row;
     EXPECT_EQ(text_of_stop(cause, fault, 2), row[3]) << row;
-    for (const int joint : {kNumLegJoints, 99})  // no joint of the robot
+    for (const int joint : {kMaxJoints, 99})  // no joint of the robot
       EXPECT_EQ(text_of_stop(cause, fault, joint), row[2]) << row;
   }
 }

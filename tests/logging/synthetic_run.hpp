@@ -44,13 +44,8 @@ class SyntheticRun {
                           "m/s²", "rad/s²", "m/s²", "rad/s²", "N"};
     header.event_names = {"none", "lift-off", "touchdown"};
     header.robot.name = "anymal_b";
-    for (const Leg leg : kLegs) {
-      for (int j = 0; j < kJointsPerLeg; ++j) {
-        header.robot.joint_names[static_cast<std::size_t>(first_joint(leg) + j)] =
-            std::string(kLegNames[index(leg)]) + "_" +
-            std::string(kJointNames[static_cast<std::size_t>(j)]);
-      }
-    }
+    for (int j = 0; j < kNumLegJoints; ++j)
+      header.robot.joint_names[static_cast<std::size_t>(j)] = leg_joint_name(j);
     header.robot.torque_limit.setConstant(40.0);
     header.robot.mass = 30.4;
     header.robot.foot_radius = 0.031;

@@ -73,10 +73,10 @@ struct MujocoReference::Implementation {
     return mj_name2id(model, mjOBJ_BODY, name.c_str());
   }
   [[nodiscard]] GeneralizedVector velocity() const {
-    return Eigen::Map<const GeneralizedVector>(data->qvel);
+    return Eigen::Map<const GeneralizedVector>(data->qvel, kNumVelocities);
   }
   [[nodiscard]] model::Jacobian3 in_our_order(const RowMajor3& J) const {
-    model::Jacobian3 result;
+    model::Jacobian3 result(3, kNumVelocities);
     for (int i = 0; i < kNumVelocities; ++i) result.col(i) = J.col(columns[i]);
     return result;
   }
@@ -103,7 +103,7 @@ MujocoReference::~MujocoReference() = default;
 void MujocoReference::set_state(const RobotState& state) {
   mjData* data = implementation_->data;
   Eigen::Map<Eigen::Matrix<double, 7 + kNumLegJoints, 1>> q(data->qpos);
-  Eigen::Map<GeneralizedVector> v(data->qvel);
+  Eigen::Map<GeneralizedVector> v(data->qvel, kNumVelocities);
   q.head<7>() << state.p_WB, state.q_WB.w(), state.q_WB.vec();
   v.head<6>() << state.v_WB, state.w_WB_B;
   for (const Leg leg : kLegs) {
@@ -123,7 +123,7 @@ model::MassMatrix MujocoReference::mass_matrix() const {
 }
 
 GeneralizedVector MujocoReference::bias() const {
-  const Eigen::Map<const GeneralizedVector> h(implementation_->data->qfrc_bias);
+  const Eigen::Map<const GeneralizedVector> h(implementation_->data->qfrc_bias, kNumVelocities);
   return h(implementation_->columns);
 }
 

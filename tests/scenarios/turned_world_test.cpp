@@ -34,7 +34,7 @@ class TurnedEstimator final : public estimation::StateEstimator {
     state_.q_WB = (Quat(turn_) * state_.q_WB).normalized();
     return state_;
   }
-  void begin_anew() noexcept override { estimator_->begin_anew(); }
+  void restart() noexcept override { estimator_->restart(); }
 
  private:
   std::unique_ptr<estimation::StateEstimator> estimator_;

@@ -69,6 +69,7 @@ TEST(ViewChannels, the_floats_of_a_signal_stand_where_its_channels_say) {
   plan.torso.q_WB = Quat(0.5, -0.5, 0.25, 0.75);
   plan.R_WC(1, 2) = 7.0;
   plan.com_zmp_slack = kNaN;
+  plan.arm.arm = 2;
   std::vector<float> floats(table.floats, -1.0F);
   logged::ChannelWriter(table, floats).add(plan);
   const auto at = [&](const std::string& name, std::size_t place) {

@@ -158,7 +158,7 @@ TEST(SeaActuators, MultiplyEachJointByItsOwnGainAtBothLevels) {
   for (const int level : {1, 2}) {
     options.level = level;
     Actuators actuators(options, kLimit, kTimestep);
-    actuators.rest_at(kStill);
+    actuators.rest_at(kStill, kStill);
     hold(actuators, 20.0, 400);
     EXPECT_NEAR(actuators.torque(kStill, kStill)[3], 19.8, 1e-3) << level;
     EXPECT_NEAR(actuators.torque(kStill, kStill)[4], 18.0, 1e-3) << level;
@@ -171,7 +171,7 @@ TEST(SeaActuators, OfLevelTwoStartWithoutTorqueAndWaitForTheDelay) {
   options.delay_ticks = 2;
   Actuators actuators(options, kLimit, kTimestep);
   const JointVector q = JointVector::Constant(kNumLegJoints, 0.7);
-  actuators.rest_at(q);
+  actuators.rest_at(q, kStill);
   EXPECT_EQ(actuators.torque(q, kStill), kStill);
   for (int tick = 0; tick < 2; ++tick) {
     actuators.command(constant(20.0));

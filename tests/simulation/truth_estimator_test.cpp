@@ -34,7 +34,7 @@ TEST(TruthEstimator, SensesJointPositionsAndTorquesAndTakesTheRestFromTheTruth) 
 TEST(TruthEstimator, TakesJointsThatComeLateOnToNow) {
   GroundTruth truth;
   TruthEstimator estimator(truth);
-  truth.qd = JointVector::LinSpaced(-2.0, 3.0);
+  truth.qd = JointVector::LinSpaced(kNumLegJoints, -2.0, 3.0);
   SensorReading reading;
   reading.q.setConstant(0.8);
   TickContext context;

@@ -35,4 +35,23 @@ model::RobotDescription anymal_b() {
   return robot;
 }
 
+model::RobotDescription anymal_b_with_arm() {
+  model::RobotDescription robot = anymal_b();
+  robot.urdf_path = robot.urdf_path.replace(robot.urdf_path.find("anymal.urdf"), std::string::npos,
+                                            "anymal-kinova.urdf");
+  model::ArmDescription arm{.name = "kinova", .joints = {}, .tip_frame = "j2s6s200_end_effector"};
+  for (int j = 1; j <= 6; ++j) arm.joints.push_back("j2s6s200_joint_" + std::to_string(j));
+  robot.arms.push_back(arm);
+  const auto extend = [](JointVector& values, double value) {
+    values.conservativeResize(kNumLegJoints + 6);
+    values.tail(6).setConstant(value);
+  };
+  extend(robot.q_nominal, 1.0);
+  extend(robot.q_min, -6.0);
+  extend(robot.q_max, 6.0);
+  extend(robot.torque_limit, 20.0);
+  extend(robot.velocity_limit, 1.0);
+  return robot;
+}
+
 }  // namespace surefoot::test

@@ -26,7 +26,7 @@ VecX with_torque(const VecX& acceleration, const JointVector& torque) {
 }  // namespace
 
 JointVector random_torque(Random& random) {
-  JointVector torque;
+  JointVector torque(kNumLegJoints);
   for (double& value : torque) value = random.uniform(-40.0, 40.0);
   return torque;
 }

@@ -55,7 +55,7 @@ RobotState moved(const RobotState& state, const GeneralizedVector& u, double tim
   RobotState result = state;
   result.p_WB += time * u.head<3>();
   result.q_WB = state.q_WB * exp_rotation(time * u.segment<3>(3));
-  result.q += time * u.tail<kNumLegJoints>();
+  result.q += time * u.tail(state.q.size());
   return result;
 }
 

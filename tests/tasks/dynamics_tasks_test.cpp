@@ -194,7 +194,8 @@ TEST(FrictionCone, is_about_the_normal_where_a_foot_can_stand_on_it) {
   EXPECT_GT((there.A - almost.A).norm(), 0.0);
   const Vec3 normal = scene.plan.R_WC.col(2);
   const auto along = [&](const WrittenRows& rows) {  // n̂ᵀΛ of the first foot
-    return (rows.A.row(4) - normal.transpose() * scene.support.Lambda().topRows<3>()).norm();
+    const MatX along_normal = normal.transpose() * scene.support.Lambda().topRows<3>();
+    return (rows.A.row(4) - along_normal).norm();
   };
   EXPECT_LT(along(there), 1e-9);
   EXPECT_GT(along(almost), 1e-3);

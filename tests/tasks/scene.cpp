@@ -45,7 +45,7 @@ RobotState Motion::at(double time) const {
 }
 
 Motion random_motion(Random& random, const JointVector& posture) {
-  Motion motion{random.standing_state(posture), {}};
+  Motion motion{random.standing_state(posture), GeneralizedVector(kNumVelocities)};
   for (double& value : motion.acceleration) value = random.uniform(-5.0, 5.0);
   return motion;
 }

@@ -1,0 +1,105 @@
+#include "surefoot/math/rotation.hpp"
+#include "surefoot/tasks/frame_orientation.hpp"
+#include "surefoot/tasks/frame_position.hpp"
+#include "surefoot/tasks/posture.hpp"
+#include "tests/tasks/scene.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <tuple>
+
+namespace surefoot::tasks {
+namespace {
+
+using test::written;
+using test::WrittenRows;
+
+constexpr int kArmJoints = 6;
+
+/// ANYmal B with an arm, in motion.
+struct Bench {
+  Bench() {
+    for (JointVector* values : {&state.q, &state.qd}) {
+      values->conservativeResize(kNumLegJoints + kArmJoints);
+      for (double& value : values->tail(kArmJoints)) value = random.uniform(-1.0, 1.0);
+    }
+  }
+  WrittenRows rows(Task&& task) {
+    const model::Dynamics& dynamics = model.update(state, Vec3::UnitZ());
+    support.update(dynamics, plan);
+    task.prepare(model.description());
+    return written(task, {dynamics, plan, support, model.description()});
+  }
+  [[nodiscard]] const model::FrameKinematics& tip() const { return model.dynamics().arm_tips[0]; }
+
+  test::Random random{7};
+  model::RobotModel model{test::anymal_b_with_arm()};
+  RobotState state = random.state();
+  MotionPlan plan = test::plan_with_contacts({true, true, true, true});
+  model::SupportDynamics support;
+};
+
+/// The only acceleration of the tip that the rows allow.
+Vec3 asked(const WrittenRows& rows, const Vec3& drift) { return rows.lower + drift; }
+
+TEST(FramePosition, PullsTheTipToThePlan) {
+  Bench bench;
+  ArmPlan& plan = bench.plan.arm;
+  const FramePosition::Options options{.kp = 80.0, .kd = 12.0, .max_error = 0.05};
+  EXPECT_EQ(bench.rows(FramePosition(options)).count(), 0) << "nobody asks for anything";
+  plan.arm = 0;
+  plan.p_WT = bench.tip().point.p + Vec3(0.01, -0.02, 0.03);
+  plan.v_WT = Vec3(0.1, 0.2, 0.3);
+  plan.a_WT = Vec3(1.0, 2.0, 3.0);
+  WrittenRows rows = bench.rows(FramePosition(options));
+  const model::PointKinematics& tip = bench.tip().point;
+  EXPECT_TRUE(rows.A.leftCols(tip.J.cols()) == tip.J);
+  EXPECT_TRUE(rows.upper == rows.lower);
+  const Vec3 wanted = plan.a_WT + 12.0 * (plan.v_WT - tip.v) + 80.0 * (plan.p_WT - tip.p);
+  EXPECT_LT((asked(rows, tip.Jdot_u) - wanted).norm(), 1e-9);
+  plan.p_WT = tip.p + Vec3(5.0, 0.0, 0.0);  // far: its error counts as 5 cm
+  rows = bench.rows(FramePosition(options));
+  const Vec3 limited = plan.a_WT + 12.0 * (plan.v_WT - tip.v) + 80.0 * Vec3(0.05, 0.0, 0.0);
+  EXPECT_LT((asked(rows, tip.Jdot_u) - limited).norm(), 1e-9);
+}
+
+TEST(FrameOrientation, TurnsTheTipToThePlan) {
+  Bench bench;
+  ArmPlan& plan = bench.plan.arm;
+  const FrameOrientation::Options options{.kp = 80.0, .kd = 12.0, .max_error = 0.5};
+  EXPECT_EQ(bench.rows(FrameOrientation(options)).count(), 0);
+  plan.arm = 0;
+  const Vec3 turn(0.1, -0.2, 0.05);
+  plan.q_WT = exp_rotation(turn) * Quat(bench.tip().rotation.R);
+  plan.w_WT = Vec3(0.1, 0.2, 0.3);
+  const WrittenRows rows = bench.rows(FrameOrientation(options));
+  const model::RotationKinematics& tip = bench.tip().rotation;
+  EXPECT_TRUE(rows.A.leftCols(tip.J.cols()) == tip.J);
+  const Vec3 wanted = 12.0 * (plan.w_WT - tip.w) + 80.0 * turn;
+  EXPECT_LT((asked(rows, tip.Jdot_u) - wanted).norm(), 1e-9);
+}
+
+TEST(Posture, PullsTheJointsItIsForToTheNominalPosture) {
+  Bench bench;
+  const int all = kNumLegJoints + kArmJoints;
+  for (const auto& [joints, first, count] : {std::tuple{Posture::Joints::arms, 12, 6},
+                                             {Posture::Joints::legs, 0, 12},
+                                             {Posture::Joints::all, 0, all}}) {
+    const WrittenRows rows =
+        bench.rows(Posture({.joints = joints, .kp = 9.0, .kd = 4.0, .max_error = 0.3}));
+    ASSERT_EQ(rows.count(), count);
+    for (int i = 0; i < count; ++i) {
+      const int j = first + i;
+      const double error = bench.model.description().q_nominal[j] - bench.state.q[j];
+      EXPECT_EQ(rows.A(i, 6 + j), 1.0);
+      EXPECT_EQ(rows.A.row(i).cwiseAbs().sum(), 1.0);
+      EXPECT_NEAR(rows.lower[i], 9.0 * std::clamp(error, -0.3, 0.3) - 4.0 * bench.state.qd[j],
+                  1e-12);
+      EXPECT_EQ(rows.ids[static_cast<std::size_t>(i)], j);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace surefoot::tasks
