@@ -18,9 +18,11 @@ void fit_scenario(ConfigNode& tree, const model::RobotDescription& robot);
 void scale_ranges(ConfigNode& ranges, const Scale& scale);
 /// The same of a scenario's defaults, which `options` are those of; drives are the robot's.
 void fit_defaults(Group& options, const model::RobotDescription& robot, Scenario& scenario);
-/// The same of the parameters of a level's tasks: of all, or of those alone that keep their
-/// defaults. With all of them weights go along, so that rows of several units in one level weigh as
-/// much against each other as they did.
+/// Weights against the units of the tasks' rows, so that rows of several units weigh as much
+/// against each other as for a robot of scale 1.
+void scale_weights(control::LevelSpec& level, const Scale& scale);
+/// The numbers of a level's tasks: of all, with the weights where there are several, or of those
+/// alone that keep their defaults.
 void scale_level(control::LevelSpec& level, const Scale& scale, bool only_defaults);
 
 }  // namespace surefoot::config

@@ -9,7 +9,7 @@
 namespace surefoot::control {
 namespace {
 
-constexpr double kLow = 0.6;       // of the stance's height: a robot that is lower lies
+constexpr double kLow = 0.6;       // of the hips' height in the stance: a robot that is lower lies
 constexpr double kFolded = 0.2;    // of it: how far the feet are drawn in
 constexpr double kBentHip = 1.0;   // where the inverse kinematics starts …
 constexpr double kBentKnee = 1.8;  // … well bent [rad]
@@ -33,8 +33,9 @@ void Footing::look_at_start(const model::RobotModel& model, const JointVector& q
     knees_[index(leg)] = std::copysign(1.0, q_leg.z());
     height -= model.foot_in_base(leg, q_leg).z() / kNumLegs;
   }
-  if (!(height < kLow * stance_.height)) return;
-  go(State::folds, q, posture_at(model, std::max(height, kFolded * stance_.height)));
+  if (!is_low(height)) return;
+  const double folded = kFolded * gaits::hip_height(stance_, scale_) - scale_.hip_height;
+  go(State::folds, q, posture_at(model, std::max(height, folded)));
 }
 
 PlanEvent Footing::update(const model::RobotModel& model, const RobotState& state,
@@ -79,6 +80,10 @@ PlanEvent Footing::update_rise(const model::RobotModel& model, const RobotState&
   return PlanEvent::none;
 }
 
+bool Footing::is_low(double height) const {
+  return height + scale_.hip_height < kLow * gaits::hip_height(stance_, scale_);
+}
+
 bool Footing::lies(const model::RobotModel& model, const RobotState& state) const {
   const Mat3 R_WB = state.R_WB();
   double lowest = 0.0;
@@ -86,7 +91,7 @@ bool Footing::lies(const model::RobotModel& model, const RobotState& state) cons
     const Vec3 p_BF = model.foot_in_base(leg, state.q.segment<3>(first_joint(leg)));
     lowest = std::min(lowest, R_WB.row(2).dot(p_BF));
   }
-  return R_WB(2, 2) < std::cos(kTips) || -lowest < kLow * stance_.height;
+  return R_WB(2, 2) < std::cos(kTips) || is_low(-lowest);
 }
 
 PlanEvent Footing::hang(const model::RobotModel& model, const JointVector& q) {

@@ -54,6 +54,8 @@ class Footing {
   PlanEvent update_rise(const model::RobotModel& model, const RobotState& state,
                         const estimation::LiftDetector& lift);
   PlanEvent hang(const model::RobotModel& model, const JointVector& q);
+  /// With the base at this height over the feet [m].
+  [[nodiscard]] bool is_low(double height) const;
   /// Of a robot that something else than its feet holds: is that the ground?
   [[nodiscard]] bool lies(const model::RobotModel& model, const RobotState& state) const;
   /// Feet at their places of the stance but for the height of the base over them [m].

@@ -24,7 +24,7 @@ CommandLimits::CommandLimits(const PlannerOptions& options, double period, const
       most_change_(kMostChange.cwiseProduct(Vec3(scale.speed(), scale.speed(), scale.rate()))),
       height_rate_(scale.speed() * kHeightRate),
       lowest_(scale.length * kLowest),
-      stance_height_(options.stance.height),
+      hip_height_(hip_height(options.stance, scale)),
       period_(period) {}
 
 // The COM's way to the next lift-off is planned when a foot comes down, and with it the foothold
@@ -67,7 +67,7 @@ void CommandLimits::take_up(const CommandRoom& room) {
 
 double CommandLimits::feasible_share(const UserCommand& command, const CommandRoom& room,
                                      double cycle_duration) const {
-  const double height = stance_height_ + std::fmin(0.0, height_);
+  const double height = hip_height_ + std::fmin(0.0, height_);
   return strides_.feasible_share(command, room.hips, height, cycle_duration);
 }
 
@@ -98,7 +98,7 @@ UserCommand CommandLimits::within_height(const UserCommand& command, const Comma
   }
   const UserCommand strides = command.walk ? command : UserCommand{};
   const double tallest = strides_.tallest(strides, room.hips, room.cycle_duration);
-  const double most = room.calibrates ? 0.0 : std::max(0.0, tallest - stance_height_);
+  const double most = room.calibrates ? 0.0 : std::max(0.0, tallest - hip_height_);
   if (command.height <= most || !room.calibrates) lowers_.holds = command.height > most;
   result.height = std::min(command.height, most);
   return result;

@@ -47,7 +47,7 @@ class CommandLimits {
   Strides strides_;
   Vec3 most_change_;                  // from step to step, as `kMostChange`
   double height_rate_, lowest_;       // as `kHeightRate`, `kLowest`
-  double stance_height_, period_;     // [m], [s]
+  double hip_height_, period_;        // in the stance [m], [s]
   UserCommand commanded_, walked_;    // as asked for, and with strides that legs can make
   Vec2 velocity_{0.0, 0.0};           // that this step is planned with [m/s]
   double turn_ = 0.0;                 // the same, of the yaw rate [rad/s]

@@ -145,6 +145,56 @@ TEST_F(Scaling, TasksGoWithTheRobot) {
   EXPECT_EQ(mixed.levels[0].tasks[1].weight, 1.0);
 }
 
+TEST_F(Scaling, HeightsOfTheBaseAreThoseOfTheHipsLessTheirsOverTheBase) {
+  test::write_file(folder_ / "high.yaml",
+                   "name: high\nscaled: true\nbase: terrain_adaptation\nlevels:\n"
+                   "  [equations_of_motion, {task: body_height_limits, max: 0.5}]\n");
+  const Scenario scenario =
+      load("scaled: true\ninitial: {z: 0.5}\ncriteria: {base_height_end_m: {max: 0.48}}\n",
+           {"robot=hyq", "stack=high.yaml"});
+  const Scale& hyq = scenario.robot.scale;
+  EXPECT_NEAR(hyq.hip_height, -0.08, 1e-9);
+  const auto height = [&](double number) { return hyq.length * number + 0.08; };
+  EXPECT_NEAR(scenario.controller.planner.stance.height, height(0.46), 1e-9);
+  EXPECT_NEAR(scenario.plant.initial.position.z(), height(0.5), 1e-9);
+  EXPECT_NEAR(*scenario.criteria.back().max, height(0.48), 1e-9);
+  const control::TaskSpec& limits = scenario.controller.stack.levels.back().tasks.front();
+  EXPECT_NEAR(limits.numbers.at("max"), height(0.5), 1e-9);
+  EXPECT_NEAR(limits.numbers.at("min"), height(0.25), 1e-9);
+}
+
+TEST_F(Scaling, RunsLastAsLongAsTheSameWayTakesAtTheRobotsSpeed) {
+  const auto way = [](const Scenario& scenario) {
+    const TimedCommand& walk = scenario.commands.back();
+    return walk.user.velocity.x() * scenario.duration;
+  };
+  const Scenario one = load_scenario({"walk_flat", 0, {}});
+  for (const char* robot : {"go1", "laikago", "hyq", "solo12"}) {
+    const Scenario other = load_scenario({"walk_flat", 0, {std::string("robot=") + robot}});
+    EXPECT_NEAR(way(other), other.robot.scale.length * way(one), 1e-9) << robot;
+    EXPECT_DOUBLE_EQ(other.commands.back().time, 0.5 * other.robot.scale.time()) << robot;
+  }
+}
+
+TEST_F(Scaling, WeightsGoWithUnitsWhereAScaledStackMakesOneLevelOfMany) {
+  const auto weights = [&](const std::string& scaled) {
+    return parse_stack("name: w\n" + scaled +
+                           "levels: [{task: torso_yaw}, {task: swing_foot}, {name: both, tasks: "
+                           "[{task: torso_height}, {task: torso_roll_pitch}]}]\n"
+                           "weights: {torso_yaw: 3}\nweighted_from: torso_yaw\n",
+                       "w", go1_)
+        .levels.back()
+        .tasks;
+  };
+  const std::vector<control::TaskSpec> fitted = weights("scaled: true\n"), own = weights("");
+  EXPECT_DOUBLE_EQ(fitted[0].weight, 3.0 * go1_.length);
+  EXPECT_DOUBLE_EQ(fitted[1].weight, 1.0);
+  EXPECT_DOUBLE_EQ(fitted[2].weight, 1.0);
+  EXPECT_DOUBLE_EQ(fitted[3].weight, go1_.length);
+  EXPECT_EQ(own[0].weight, 3.0);
+  EXPECT_EQ(own[3].weight, 1.0);
+}
+
 TEST_F(Scaling, StandsInAFileAlone) {
   EXPECT_TRUE(test::holds(test::message_of([&] { (void)load("", {"scaled=true"}); }),
                           "scaled: stands in a file alone"));
