@@ -70,6 +70,7 @@ Safety::Safety(const SafetyOptions& options, const model::RobotDescription& robo
       hold_kp_(robot.hold_kp),
       hold_kd_(robot.hold_kd),
       damping_kd_(robot.damping_kd),
+      scale_(robot.scale),
       period_(period),
       first_free_level_(first_free_level),
       lying_q_(lying) {
@@ -83,7 +84,7 @@ const JointCommand& Safety::command(const RobotState& state, const solver::Solut
   command_.time = std::isfinite(state.time) ? state.time : command_.time + period_;
   const bool good = is_good(state, solution);
   if (!has_begun_ && failures_ > 0) {
-    unsteady_ticks_ = static_cast<int>(std::lround(kUnsteady / period_));
+    unsteady_ticks_ = static_cast<int>(std::lround(scale_.time() * kUnsteady / period_));
   }
   failures_ = good ? 0 : failures_ + 1;
   if (posed_) failures_ = std::min(failures_, 1 + static_cast<int>(kUnsureTilt / period_));
@@ -114,7 +115,7 @@ const JointCommand& Safety::command(const RobotState& state, const solver::Solut
 
 void Safety::begin_anew() noexcept {
   has_begun_ = false;
-  unsteady_ticks_ = static_cast<int>(std::lround(kUnsteady / period_));
+  unsteady_ticks_ = static_cast<int>(std::lround(scale_.time() * kUnsteady / period_));
   good_q_.setConstant(kNaN);
   bearing_torque_.setConstant(kNaN);
   stands_.fill(true);
@@ -126,7 +127,7 @@ bool Safety::is_tilted(const RobotState& state) const {
 
 bool Safety::tips(const RobotState& state) const {
   if (!is_rotation(state.q_WB) || !state.w_WB_B.allFinite()) return false;
-  const Quat soon = state.q_WB * exp_rotation(kTipTime * state.w_WB_B);
+  const Quat soon = state.q_WB * exp_rotation(scale_.time() * kTipTime * state.w_WB_B);
   return soon.toRotationMatrix()(2, 2) < std::cos(options_.max_tilt);
 }
 
@@ -162,7 +163,7 @@ void Safety::look_for_a_stop(const RobotState& state, const SensorHealth& health
     stop_after_failures(state, health);
   } else if (sitting_ && command_.time - stopped_at_ >= options_.sit_duration) {
     damping_ = true;
-    damped_ticks_ = static_cast<int>(std::lround(kDampFade / period_));
+    damped_ticks_ = static_cast<int>(std::lround(scale_.time() * kDampFade / period_));
   }
 }
 
@@ -176,7 +177,7 @@ double Safety::patience(const RobotState& state, const SensorHealth& health) con
   const bool has_torques = is_well(health.joint_torques) || state.torque.allFinite();
   const bool has_all = is_there(health.encoders) && is_there(health.joint_torques) &&
                        is_there(health.imu) && state.q.allFinite() && has_torques;
-  return has_all && !has_begun_ ? kToStand / period_ : options_.damp_after_failures;
+  return has_all && !has_begun_ ? scale_.time() * kToStand / period_ : options_.damp_after_failures;
 }
 
 // Of several joints at fault the health does not say which: those whose angles are unknown are.
@@ -267,7 +268,8 @@ void Safety::sit(const RobotState& state) {
   const JointVector q = stopped_q_ + ease(arrived) * way;
   const JointVector qd = ease_slope(arrived) / (kArrived * duration) * way;
   const double light = ease(progress(share, kLightFrom, 1.0));
-  if (bearing_torque_.allFinite()) borne_ = std::min(1.0, borne_ + period_ / kBearingTime);
+  if (bearing_torque_.allFinite())
+    borne_ = std::min(1.0, borne_ + period_ / (scale_.time() * kBearingTime));
   const double bears = ease(borne_);
   JointVector carried = (1.0 - bears) * good_torque_ + bears * finite_or_zero(bearing_torque_);
   JointVector pulled = pull(state, q, qd, ease(progress(share, kSoftFrom, kSoft)),
@@ -290,13 +292,13 @@ void Safety::take_posture(const RobotState& state) {
 
 void Safety::damp(const RobotState& state) {
   command_.mode = CommandMode::damping;
-  const double gone = std::min(1.0, damped_ticks_ * period_ / kDampFade);
+  const double gone = std::min(1.0, damped_ticks_ * period_ / (scale_.time() * kDampFade));
   const double last = std::min(damping_kd_, kSoftDamping * hold_kd_);
   const double kd = damping_kd_ + gone * (last - damping_kd_);
   if (gone < 1.0) ++damped_ticks_;
   command_.torque = -kd * finite_or_zero(state.qd);
   if (!std::isfinite(damped_at_)) return;
-  const double share = (command_.time - damped_at_) / kFadeTime;
+  const double share = (command_.time - damped_at_) / (scale_.time() * kFadeTime);
   command_.torque += std::clamp(1.0 - share, 0.0, 1.0) * fading_torque_;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "surefoot/base/scale.hpp"
 #include "surefoot/control/leg_posture.hpp"
 #include "surefoot/control/safety_options.hpp"
 #include "surefoot/model/description.hpp"
@@ -46,7 +47,7 @@ namespace surefoot::control {
 /// While the robot is not on its feet or a sensor is at fault, or where its samples may be wrong
 /// (`be_careful`), and after that until they are back where they should be, after every stop, and
 /// where the first tick was not good until 0.5 s after the first that was, torques change by no
-/// more than `max_torque_change` a tick.
+/// more than `max_torque_change` a tick. Times are those of a robot of scale 1, but for the 30 ms.
 class Safety {
  public:
   /// `first_free_level`: a solve that ended at or after this level is still usable. `lying`: where
@@ -125,6 +126,7 @@ class Safety {
   SafetyOptions options_;
   JointVector torque_limit_;
   double hold_kp_, hold_kd_, damping_kd_;
+  Scale scale_;  // of the robot
   double period_;
   int first_free_level_;
   JointVector lying_q_;

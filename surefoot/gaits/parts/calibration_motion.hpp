@@ -1,5 +1,6 @@
 #pragma once
 
+#include "surefoot/base/scale.hpp"
 #include "surefoot/gaits/planner_options.hpp"
 #include "surefoot/math/quintic.hpp"
 #include "surefoot/signals/motion_plan.hpp"
@@ -17,10 +18,12 @@ namespace surefoot::gaits {
 /// (ComCalibration).
 class CalibrationMotion {
  public:
-  /// From the end of the turning until the legs are believed to be as they were found [s].
+  /// From the end of the turning until the legs are believed to be as they were found, of a robot
+  /// of scale 1 [s].
   static constexpr double kTakeOver = 0.7;
 
-  explicit CalibrationMotion(const CalibrationOptions& options) : options_(options) {}
+  /// `scale` of the robot.
+  explicit CalibrationMotion(const CalibrationOptions& options, const Scale& scale = {});
 
   /// In which the torso can turn by the amplitudes of the options [s]: accelerations, (2π n / T)² A
   /// or somewhat more, within what legs and ground can give.
@@ -35,6 +38,7 @@ class CalibrationMotion {
 
  private:
   CalibrationOptions options_;
+  double take_over_, weighing_, following_;  // [s]
 };
 
 }  // namespace surefoot::gaits

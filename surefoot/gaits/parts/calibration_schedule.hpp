@@ -12,7 +12,9 @@ namespace surefoot::gaits {
 /// when one may begin.
 class CalibrationSchedule {
  public:
-  explicit CalibrationSchedule(const CalibrationOptions& options) : motion_(options) {}
+  /// `scale` of the robot.
+  explicit CalibrationSchedule(const CalibrationOptions& options, const Scale& scale = {})
+      : motion_(options, scale) {}
 
   /// The user's switch stands like that before the first tick, which asks for nothing.
   void expect_switch(bool asked) { asked_before_ = asked; }
@@ -66,7 +68,7 @@ class RestWatch {
 
   /// One tick. `stands`: the gait lets all feet stand, and they do.
   void update(const RobotState& state, bool stands);
-  /// For 1 s, and it does not turn.
+  /// For 1 s, at scale 1, and it does not turn.
   [[nodiscard]] bool is_at_rest(const RobotState& state) const;
 
  private:
