@@ -202,6 +202,10 @@ void fit_defaults(Group& options, const model::RobotDescription& robot, Scenario
   scenario.plant.actuators.no_load_speed = robot.no_load_speed;
 }
 
+double default_of(const tasks::TaskParameter& parameter, const Scale& scale) {
+  return rule_of(parameter, scale).of(parameter.default_value);
+}
+
 void scale_weights(control::LevelSpec& level, const Scale& scale) {
   for (control::TaskSpec& task : level.tasks) {
     const std::string_view unit = tasks::task_info(task.task).unit;
@@ -215,12 +219,11 @@ void scale_level(control::LevelSpec& level, const Scale& scale, bool only_defaul
     for (const tasks::TaskParameter& parameter : tasks::task_info(task.task).parameters) {
       const std::string name(parameter.name);
       const auto given = task.numbers.find(name);
-      const Rule rule = rule_of(parameter, scale);
       if (given == task.numbers.end()) {
-        const double value = rule.of(parameter.default_value);
+        const double value = default_of(parameter, scale);
         if (value != parameter.default_value) task.numbers[name] = value;
       } else if (!only_defaults) {
-        given->second = rule.of(given->second);
+        given->second = rule_of(parameter, scale).of(given->second);
       }
     }
   }

@@ -2,6 +2,7 @@
 
 #include "surefoot/config/config_tree.hpp"
 #include "surefoot/config/scenario.hpp"
+#include "surefoot/tasks/catalog.hpp"
 
 namespace surefoot::config {
 
@@ -18,6 +19,8 @@ void fit_scenario(ConfigNode& tree, const model::RobotDescription& robot);
 void scale_ranges(ConfigNode& ranges, const Scale& scale);
 /// The same of a scenario's defaults, which `options` are those of; drives are the robot's.
 void fit_defaults(Group& options, const model::RobotDescription& robot, Scenario& scenario);
+/// The default of a task's number for a robot of this scale.
+[[nodiscard]] double default_of(const tasks::TaskParameter& parameter, const Scale& scale);
 /// Weights against the units of the tasks' rows, so that rows of several units weigh as much
 /// against each other as for a robot of scale 1.
 void scale_weights(control::LevelSpec& level, const Scale& scale);
