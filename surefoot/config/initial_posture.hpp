@@ -19,6 +19,9 @@ inline constexpr std::array<std::pair<const char*, gaits::KneeConfiguration>, 3>
 [[nodiscard]] Vec3 knee_side(const model::RobotDescription& robot, Leg leg,
                              gaits::KneeConfiguration knees);
 
+/// Do the limits let a leg's knee bend to the side of this angle's sign?
+[[nodiscard]] bool can_bend(const model::RobotDescription& robot, Leg leg, double knee);
+
 /// The knees that are asked for where the robot's limits allow it, else others that they allow: x,
 /// all backward or all forward.
 [[nodiscard]] gaits::KneeConfiguration knees_that_fit(const model::RobotDescription& robot,

@@ -1,13 +1,13 @@
 #include "surefoot/config/scaling.hpp"
 
 #include "surefoot/config/initial_posture.hpp"
+#include "surefoot/config/joint_fitting.hpp"
 #include "surefoot/config/scenario_fields.hpp"
 #include "surefoot/config/section.hpp"
 #include "surefoot/tasks/catalog.hpp"
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <optional>
 #include <string_view>
 #include <utility>
@@ -53,9 +53,7 @@ void apply(const Rule& rule, ConfigNode& node) {
   for (auto& [key, member] : node.members) apply(rule, member);
   const std::optional<double> number = number_in(node.text);
   if (node.kind != ConfigNode::Kind::scalar || !number) return;
-  std::array<char, 32> text{};
-  const auto written = std::to_chars(text.data(), text.data() + text.size(), rule.of(*number));
-  node.text.assign(text.data(), written.ptr);
+  node.text = shortest_text(rule.of(*number));
 }
 
 const tasks::TaskParameter* find_parameter(const std::string& task, const std::string& name) {
@@ -136,19 +134,6 @@ void scale_defaults(Group& group, const Scale& scale) {
   }
 }
 
-/// Knees that the robot can't bend to the side that is asked for point to one that it can.
-void fit_knees(ConfigNode& planner, const model::RobotDescription& robot) {
-  ConfigNode* stance = planner.find("stance");
-  ConfigNode* knees = stance == nullptr ? nullptr : stance->find("knees");
-  if (knees == nullptr) return;
-  const auto wanted =
-      std::ranges::find_if(kKnees, [&](const auto& one) { return one.first == knees->text; });
-  if (wanted == kKnees.end()) return;
-  const auto fitting = std::ranges::find(kKnees, knees_that_fit(robot, wanted->second),
-                                         [](const auto& one) { return one.second; });
-  knees->text = fitting->first;
-}
-
 }  // namespace
 
 bool take_scaled(ConfigNode& file) {
@@ -180,7 +165,7 @@ void scale_ranges(ConfigNode& ranges, const Scale& scale) {
 
 void fit_scenario(ConfigNode& tree, const model::RobotDescription& robot) {
   const Scale& scale = robot.scale;
-  if (ConfigNode* planner = tree.find("planner")) fit_knees(*planner, robot);
+  fit_joints(tree, robot);
   for (auto& [key, node] : tree.members) {
     if (key == "tasks") {
       scale_tasks(node, scale);

@@ -13,7 +13,8 @@ inline constexpr const char* kScaled = "scaled";
 [[nodiscard]] bool take_scaled(ConfigNode& file);
 
 /// Numbers of a scenario for a robot of scale 1 become those for this robot: of every option that
-/// has a unit, of tasks, ranges and criteria; and knees point where this robot can bend them.
+/// has a unit, of tasks, ranges and criteria; and joints are fitted to this robot's
+/// (joint_fitting).
 void fit_scenario(ConfigNode& tree, const model::RobotDescription& robot);
 /// The same of `randomise:`, a map from options to ranges.
 void scale_ranges(ConfigNode& ranges, const Scale& scale);

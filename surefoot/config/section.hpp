@@ -76,6 +76,8 @@ class Section final : public Given {
 
 /// The number that a text is, with or without a sign.
 [[nodiscard]] std::optional<double> number_in(const std::string& text);
+/// As short a text as gives the same number again.
+[[nodiscard]] std::string shortest_text(double number);
 /// A finite number in the range. Throws Error that names `path` and the node's place.
 [[nodiscard]] double read_number(const ConfigNode& node, const std::string& path,
                                  NumberRange range = kAnyNumber);

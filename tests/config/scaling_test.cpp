@@ -195,6 +195,28 @@ TEST_F(Scaling, WeightsGoWithUnitsWhereAScaledStackMakesOneLevelOfMany) {
   EXPECT_EQ(own[3].weight, 1.0);
 }
 
+TEST_F(Scaling, JointsAtTheStartTurnWithTheKneesAndEndAtTheLimits) {
+  for (const char* robot : {"a1", "go1", "hyq", "solo12"}) {
+    for (const std::uint64_t seed : {0U, 1U, 2U}) {
+      const Scenario scenario =
+          load_scenario({"lying_start", seed, {std::string("robot=") + robot}});
+      const model::RobotDescription& limits = scenario.robot;
+      const JointVector& q = scenario.plant.initial.q;
+      EXPECT_TRUE((q.array() >= limits.q_min.array()).all()) << robot;
+      EXPECT_TRUE((q.array() <= limits.q_max.array()).all()) << robot;
+      for (const Leg leg : kLegs) {
+        const Eigen::Index hip = first_joint(leg) + 1, knee = hip + 1;
+        EXPECT_LT(q[hip] * q[knee], 0.0) << robot;  // folded
+        EXPECT_GT(std::abs(q[knee]), 2.4) << robot;
+        EXPECT_GT(q[knee] * limits.q_nominal[knee], 0.0) << robot;
+      }
+    }
+  }
+  EXPECT_TRUE(test::holds(
+      test::message_of([&] { (void)load("initial: {joints: {LH: {HFE: -1.45, KFE: 2.8}}}\n"); }),
+      "initial.joints.LH: HFE is -1.45 rad; valid is -0.686 to 4.501 rad"));
+}
+
 TEST_F(Scaling, StandsInAFileAlone) {
   EXPECT_TRUE(test::holds(test::message_of([&] { (void)load("", {"scaled=true"}); }),
                           "scaled: stands in a file alone"));
