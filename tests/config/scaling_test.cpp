@@ -6,6 +6,7 @@
 #include "tests/support/messages.hpp"
 
 #include <array>
+#include <cmath>
 
 namespace surefoot::config {
 namespace {
@@ -215,6 +216,15 @@ TEST_F(Scaling, JointsAtTheStartTurnWithTheKneesAndEndAtTheLimits) {
   EXPECT_TRUE(test::holds(
       test::message_of([&] { (void)load("initial: {joints: {LH: {HFE: -1.45, KFE: 2.8}}}\n"); }),
       "initial.joints.LH: HFE is -1.45 rad; valid is -0.686 to 4.501 rad"));
+}
+
+TEST_F(Scaling, DampingOfASmallRobotActsNoFasterThanANYmalBs) {
+  for (const char* name : {"a1", "go1", "laikago", "solo12", "hyq"}) {
+    const model::RobotDescription robot = load_robot(name);
+    const double inertia = robot.scale.mass * std::pow(robot.scale.length, 2.0);
+    EXPECT_LT(robot.hold_kd / inertia, 4.0 + 1e-9) << name;
+    EXPECT_LT(robot.damping_kd / inertia, 6.0 + 1e-9) << name;
+  }
 }
 
 TEST_F(Scaling, StandsInAFileAlone) {

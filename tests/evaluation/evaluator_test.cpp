@@ -366,7 +366,9 @@ TEST(Evaluator, ALowBaseIsAFallAndACrouchIsNot) {
 
 TEST(Evaluator, AFallIsToldByTheHipsWhereverTheBasesOriginIs) {
   for (const double hips : {-0.08, 0.05}) {
-    HandMadeRun run(EvaluatorOptions{.scale = {.hip_height = hips}});
+    EvaluatorOptions options;
+    options.scale.hip_height = hips;
+    HandMadeRun run(options);
     run.truth.p_WB.z() = run.truth.p_WF[0].z() + 0.125 - hips;
     run.step();
     EXPECT_FALSE(run.evaluator.fell()) << hips;
