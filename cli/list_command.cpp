@@ -12,6 +12,7 @@
 #include "surefoot/config/nearest_name.hpp"
 #include "surefoot/config/option_list.hpp"
 #include "surefoot/config/robot_file.hpp"
+#include "surefoot/config/scaling.hpp"
 #include "surefoot/config/stack_file.hpp"
 #include "surefoot/logging/json_text.hpp"
 #include "surefoot/tasks/catalog.hpp"
@@ -58,13 +59,14 @@ Table scenarios() {
   return table;
 }
 
-Table tasks() {
+Table tasks(const Scale& scale) {
   Table table;
   for (const tasks::TaskInfo& task : tasks::task_catalog()) {
     table.push_back(
         {std::string(task.name), std::string(task.equation), std::string(task.summary)});
     for (const tasks::TaskParameter& parameter : task.parameters) {
-      table.push_back({"  " + std::string(parameter.name), number(parameter.default_value),
+      table.push_back({"  " + std::string(parameter.name),
+                       number(config::default_of(parameter, scale)),
                        std::string(parameter.unit) + "  " + std::string(parameter.help)});
     }
     for (const tasks::TaskChoice& choice : task.choices) {
@@ -112,10 +114,22 @@ std::string options_json(const std::vector<config::OptionRow>& rows) {
   return text + "\n";
 }
 
+std::string whose_defaults(const model::RobotDescription& robot) {
+  return "Defaults of " + robot.name + "; --robot NAME lists those of another robot.\n\n";
+}
+
 int list_options_command(const ListFilter& filter) {
-  const std::vector<config::OptionRow> rows = config::list_options(filter.about);
+  const model::RobotDescription robot = config::load_robot(filter.robot);
+  const std::vector<config::OptionRow> rows = config::list_options(filter.about, robot);
   if (rows.empty()) throw Error("no option begins with \"" + filter.about + "\"");
-  std::cout << (filter.json ? options_json(rows) : printable(aligned(options(rows)), "\n"));
+  std::cout << (filter.json ? options_json(rows)
+                            : printable(whose_defaults(robot) + aligned(options(rows)), "\n"));
+  return kPassed;
+}
+
+int list_tasks_command(const ListFilter& filter) {
+  const model::RobotDescription robot = config::load_robot(filter.robot);
+  std::cout << printable(whose_defaults(robot) + aligned(tasks(robot.scale)), "\n");
   return kPassed;
 }
 
@@ -139,12 +153,12 @@ int list_command(const std::string& what, const ListFilter& filter) {
   if (what == "options") return list_options_command(filter);
   if (what == "schema") return list_schema_command(filter.about);
   if (!filter.about.empty()) throw Error("only of options and schemas there is a part to list");
+  if (what == "tasks") return list_tasks_command(filter);
   Table table;
   if (what == "robots") table = robots();
   if (what == "stacks") table = stacks();
   if (what == "scenarios") table = scenarios();
   if (what == "randomisations") table = randomisations();
-  if (what == "tasks") table = tasks();
   std::cout << printable(aligned(table), "\n");
   return kPassed;
 }

@@ -129,6 +129,7 @@ constexpr const char* kListFooter = R"(
 Examples:
   surefoot list scenarios
   surefoot list tasks                                    with parameters, defaults and units
+  surefoot list tasks --robot go1                        the same with the defaults of another robot
   surefoot list randomisations                           what randomise.include=NAME draws
   surefoot list options planner.swing                    keys of a scenario with default, range and help
   surefoot list schema scenario > scenario.schema.json   for editors: scenario, randomisation, robot or stack
@@ -213,6 +214,8 @@ void add_list(CLI::App& app, Command& chosen) {
   list->add_option("about", filter->about,
                    "How keys of options begin; or the kind of file that a schema is of");
   list->add_flag("--json", filter->json, "Print options as JSON");
+  list->add_option("--robot", filter->robot, "Whose defaults options and tasks have")
+      ->capture_default_str();
   list->callback([&chosen, what, filter] {
     chosen = [what, filter] { return list_command(*what, *filter); };
   });

@@ -23,10 +23,11 @@ constexpr std::array<std::string_view, 5> kMoreIsBetter{"distance_m", "speed_mps
 /// Metrics that depend on the machine's clock, so they differ between any two runs.
 constexpr std::array<std::string_view, 3> kByClock{"tick_us", "solve_us", "realtime_factor"};
 
-/// What a result depends on; says so if the estimate is the truth, or uses sensors that the robot
-/// lacks.
+/// What a result depends on, of which robot it is; says so if the estimate is the truth, or uses
+/// sensors that the robot lacks.
 Json heading(const config::Scenario& scenario) {
   return {{"scenario", scenario.name},
+          {"robot", scenario.robot.name},
           {"stack", scenario.controller.stack.name},
           {"estimation", name(scenario.estimation)},
           {"foot_force_sensor", scenario.controller.contact_force.use_foot_sensor}};

@@ -72,8 +72,9 @@ std::string paper_of(const config::Scenario& scenario, const std::string& metric
 }
 
 std::string title(const config::Scenario& scenario, const Json& json) {
-  return json.at("scenario").get<std::string>() + ", stack " + json.at("stack").get<std::string>() +
-         ", estimation " + json.at("estimation").get<std::string>() +
+  return json.at("scenario").get<std::string>() + ", robot " + json.at("robot").get<std::string>() +
+         ", stack " + json.at("stack").get<std::string>() + ", estimation " +
+         json.at("estimation").get<std::string>() +
          (json.at("foot_force_sensor").get<bool>() ? ", foot force sensors" : "") +
          (scenario.description.empty() ? "" : ": " + scenario.description) + "\n";
 }

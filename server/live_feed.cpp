@@ -50,7 +50,9 @@ LiveFeed::LiveFeed(const config::Scenario& scenario, LiveOperator& wishes, std::
       robot_(text_of_file(scenario.robot.urdf_path), model::mesh_folders(scenario.robot)),
       history_(ticks_of(kHistory, scenario.controller.period)),
       recording_(std::move(recording)),
-      calibration_(gaits::CalibrationMotion(scenario.controller.planner.calibration).duration()) {
+      calibration_(
+          gaits::CalibrationMotion(scenario.controller.planner.calibration, scenario.robot.scale)
+              .duration()) {
   session_.start = random_token();
   session_.mode = "live";
   session_.version = build_info().version;

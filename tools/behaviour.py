@@ -21,7 +21,7 @@ ROOT = pathlib.Path(__file__).parent.parent
 SEEDS = range(4)
 VARIANTS = {"as modelled": [], "mismatch": ["--set", "randomise.include=mismatch"]}
 BY_CLOCK = {"tick_us", "solve_us", "realtime_factor"}
-NOT_BEHAVIOUR = {"version", "commit", "sources_hash", "notes"}
+NOT_BEHAVIOUR = {"robot", "version", "commit", "sources_hash", "notes"}
 
 
 def output(program, *arguments):

@@ -17,7 +17,7 @@ from surefoot_campaign.statistics import Rate, summary_of
 from surefoot_campaign.text import aligned, asked, in_words, pretty, printable, rate_text
 
 PASSED, FAILED, SAFETY_STOP = 0, 1, 3
-HEADING = ["scenario", "stack", "estimation", "foot_force_sensor", "version"]
+HEADING = ["scenario", "robot", "stack", "estimation", "foot_force_sensor", "version"]
 RATES = ["succeeded", "fell", "goal_reached", "safety_stop", "crashed"]
 BY_CLOCK = {"tick_us", "solve_us", "realtime_factor"}
 REMARKS = {
@@ -94,7 +94,7 @@ def seeds_table(about, seeds):
     """A line for each run that did not succeed, the rates, median and worst of the metrics, and how often notable events happened."""
     sensors = ", foot force sensors" if about["foot_force_sensor"] else ""
     described = f": {about['description']}" if about["description"] else ""
-    title = f"{about['scenario']}, stack {about['stack']}, estimation {about['estimation']}{sensors}{described}\n"
+    title = f"{about['scenario']}, robot {about['robot']}, stack {about['stack']}, estimation {about['estimation']}{sensors}{described}\n"
     failures = [[f"seed {row['seed']}", failure(row)] for row in seeds["runs"] if not row["succeeded"]]
     rates = [[name, rate_text(rate)] for name, rate in seeds["rates"].items()]
     metrics = [[metric, pretty(metric, summary["median"]), pretty(metric, summary["worst"]), about["paper"].get(metric, ""), REMARKS.get(metric, "")]

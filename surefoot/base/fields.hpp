@@ -124,6 +124,7 @@ enum class Sizing {
   half_width,   ///< with the distance of left and right feet
   base_height,  ///< with the legs' length, less the hips' height over the base
   stride,       ///< with speed, less where the hips are close to each other
+  walk,         ///< with time, more there: the same way at the speed of these strides
 };
 
 /// An option, as files have it: where it is kept (with its default) and what is to be said of it.

@@ -30,15 +30,17 @@ Vec3 knee_side(const model::RobotDescription& robot, Leg leg, gaits::KneeConfigu
           std::copysign(kBentKnee, side * nominal.z())};
 }
 
+bool can_bend(const model::RobotDescription& robot, Leg leg, double knee) {
+  constexpr double kLeastBend = 0.5;  // [rad]
+  const Eigen::Index i = first_joint(leg) + 2;
+  return knee < 0.0 ? robot.q_min[i] < -kLeastBend : robot.q_max[i] > kLeastBend;
+}
+
 gaits::KneeConfiguration knees_that_fit(const model::RobotDescription& robot,
                                         gaits::KneeConfiguration wanted) {
-  constexpr double kMinBend = 0.5;  // of a knee that can bend to this side [rad]
   const auto fit = [&](gaits::KneeConfiguration knees) {
-    return std::ranges::all_of(kLegs, [&](Leg leg) {
-      const double side = knee_side(robot, leg, knees).z();
-      const Eigen::Index knee = first_joint(leg) + 2;
-      return side < 0.0 ? robot.q_min[knee] < -kMinBend : robot.q_max[knee] > kMinBend;
-    });
+    return std::ranges::all_of(
+        kLegs, [&](Leg leg) { return can_bend(robot, leg, knee_side(robot, leg, knees).z()); });
   };
   if (fit(wanted)) return wanted;
   for (const gaits::KneeConfiguration other :

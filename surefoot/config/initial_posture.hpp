@@ -19,6 +19,9 @@ inline constexpr std::array<std::pair<const char*, gaits::KneeConfiguration>, 3>
 [[nodiscard]] Vec3 knee_side(const model::RobotDescription& robot, Leg leg,
                              gaits::KneeConfiguration knees);
 
+/// Do the limits let a leg's knee bend to the side of this angle's sign?
+[[nodiscard]] bool can_bend(const model::RobotDescription& robot, Leg leg, double knee);
+
 /// The wanted configuration if the joint limits allow it, else x, backward or forward.
 [[nodiscard]] gaits::KneeConfiguration knees_that_fit(const model::RobotDescription& robot,
                                                       gaits::KneeConfiguration wanted);

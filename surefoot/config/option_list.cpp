@@ -1,6 +1,7 @@
 #include "surefoot/config/option_list.hpp"
 
 #include "surefoot/base/formatted.hpp"
+#include "surefoot/config/scaling.hpp"
 #include "surefoot/config/scenario_fields.hpp"
 #include "surefoot/tasks/catalog.hpp"
 
@@ -57,11 +58,11 @@ std::string range_of(const Field& field) {
   return text_of(field.range);
 }
 
-void add_tasks(std::vector<OptionRow>& rows) {
+void add_tasks(std::vector<OptionRow>& rows, const Scale& scale) {
   for (const tasks::TaskInfo& task : tasks::task_catalog()) {
     const std::string path = "tasks." + std::string(task.name) + ".";
     for (const tasks::TaskParameter& one : task.parameters) {
-      rows.push_back({path + std::string(one.name), number(one.default_value),
+      rows.push_back({path + std::string(one.name), number(default_of(one, scale)),
                       std::string(one.unit == kNone ? "" : one.unit),
                       formatted("≥ %g", one.minimum), std::string(one.help)});
     }
@@ -98,11 +99,14 @@ bool has_default(const Field& field) {
   return !field.is_required && (number == nullptr || field.range.holds(**number));
 }
 
-std::vector<OptionRow> list_options(const std::string& prefix) {
+std::vector<OptionRow> list_options(const std::string& prefix,
+                                    const model::RobotDescription& robot) {
   Scenario scenario;
+  Group options = scenario_fields(scenario);
+  fit_defaults(options, robot, scenario);
   std::vector<OptionRow> rows;
-  for_each_option(scenario_fields(scenario), [&](const std::string& path, const Field& field) {
-    if (path == "tasks") return add_tasks(rows);
+  for_each_option(options, [&](const std::string& path, const Field& field) {
+    if (path == "tasks") return add_tasks(rows, robot.scale);
     const std::string value = field.is_required    ? "required"
                               : has_default(field) ? std::visit(DefaultText{}, field.value)
                                                    : kNone;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "surefoot/base/fields.hpp"
+#include "surefoot/model/description.hpp"
 
 #include <functional>
 #include <string>
@@ -22,7 +23,9 @@ void for_each_option(const Group& group,
                      const std::function<void(const std::string&, const Field&)>& visit,
                      const std::string& prefix = "");
 
-/// The options of a scenario whose keys begin with `prefix`; for `tasks` those of the catalog.
-[[nodiscard]] std::vector<OptionRow> list_options(const std::string& prefix);
+/// The options of a scenario whose keys begin with `prefix`, with the defaults for this robot; for
+/// `tasks` those of the catalog.
+[[nodiscard]] std::vector<OptionRow> list_options(const std::string& prefix,
+                                                  const model::RobotDescription& robot);
 
 }  // namespace surefoot::config

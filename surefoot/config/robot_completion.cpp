@@ -229,8 +229,11 @@ void complete_posture(const Section& top, const Vec3& front, const model::RobotM
   }
 }
 
+/// Delays of drives don't go with size: the damping of a smaller robot does not act faster than the
+/// reference's, as kd / (m l²).
 void complete_gains(model::RobotDescription& robot) {
-  const double stiffness = robot.scale.torque(), damping = stiffness * robot.scale.time();
+  const double stiffness = robot.scale.torque();
+  const double damping = stiffness * std::min(robot.scale.time(), robot.scale.length);
   if (std::isnan(robot.hold_kp)) robot.hold_kp = 80.0 * stiffness;
   if (std::isnan(robot.hold_kd)) robot.hold_kd = 4.0 * damping;
   if (std::isnan(robot.damping_kd)) robot.damping_kd = 6.0 * damping;

@@ -1,13 +1,13 @@
 #include "surefoot/config/scaling.hpp"
 
 #include "surefoot/config/initial_posture.hpp"
+#include "surefoot/config/joint_fitting.hpp"
 #include "surefoot/config/scenario_fields.hpp"
 #include "surefoot/config/section.hpp"
 #include "surefoot/tasks/catalog.hpp"
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <optional>
 #include <string_view>
 #include <utility>
@@ -18,10 +18,12 @@ namespace {
 /// Scales a number for a robot of scale 1 to this robot: factor × number + offset.
 struct Rule {
   double factor = 1.0, offset = 0.0;
+
+  [[nodiscard]] double of(double number) const { return factor * number + offset; }
 };
 
-Rule rule_of(const Field& field, const Scale& scale) {
-  switch (field.sizing) {
+Rule rule_of(Sizing sizing, std::string_view unit, const Scale& scale) {
+  switch (sizing) {
     case Sizing::none:
       return {};
     case Sizing::half_length:
@@ -32,10 +34,17 @@ Rule rule_of(const Field& field, const Scale& scale) {
       return {.factor = scale.length, .offset = -scale.hip_height};
     case Sizing::stride:
       return {.factor = scale.speed() * scale.stride};
+    case Sizing::walk:
+      return {.factor = scale.time() / scale.stride};
     case Sizing::by_unit:
       break;
   }
-  return {.factor = scale.of(field.unit)};
+  return {.factor = scale.of(unit)};
+}
+/// Of a Field or a TaskParameter.
+template <typename Option>
+Rule rule_of(const Option& option, const Scale& scale) {
+  return rule_of(option.sizing, option.unit, scale);
 }
 
 /// Scales all numbers at and below a node; other text stays.
@@ -44,10 +53,7 @@ void apply(const Rule& rule, ConfigNode& node) {
   for (auto& [key, member] : node.members) apply(rule, member);
   const std::optional<double> number = number_in(node.text);
   if (node.kind != ConfigNode::Kind::scalar || !number) return;
-  std::array<char, 32> text{};
-  const auto written =
-      std::to_chars(text.data(), text.data() + text.size(), rule.factor * *number + rule.offset);
-  node.text.assign(text.data(), written.ptr);
+  node.text = shortest_text(rule.of(*number));
 }
 
 const tasks::TaskParameter* find_parameter(const std::string& task, const std::string& name) {
@@ -62,9 +68,15 @@ void scale_tasks(ConfigNode& tasks, const Scale& scale) {
   for (auto& [task, parameters] : tasks.members) {
     for (auto& [name, value] : parameters.members) {
       const tasks::TaskParameter* parameter = find_parameter(task, name);
-      if (parameter != nullptr) apply({.factor = scale.of(parameter->unit)}, value);
+      if (parameter != nullptr) apply(rule_of(*parameter, scale), value);
     }
   }
+}
+
+Sizing sizing_of_metric(std::string_view metric) {
+  if (metric == "speed_mps") return Sizing::stride;
+  if (metric == "duration_s") return Sizing::walk;
+  return metric == "base_height_end_m" ? Sizing::base_height : Sizing::by_unit;
 }
 
 /// A metric's name ends in its unit.
@@ -73,9 +85,8 @@ void scale_criteria(ConfigNode& criteria, const Scale& scale) {
       {{"_m", "m"}, {"_s", "s"}, {"_mps", "m/s"}, {"_nm", "N·m"}}};
   for (auto& [metric, limits] : criteria.members) {
     for (const auto& [suffix, unit] : kUnits) {
-      if (metric.ends_with(suffix)) apply({.factor = scale.of(unit)}, limits);
+      if (metric.ends_with(suffix)) apply(rule_of(sizing_of_metric(metric), unit, scale), limits);
     }
-    if (metric == "speed_mps") apply({.factor = scale.stride}, limits);
   }
 }
 
@@ -104,7 +115,7 @@ void scale_option(const std::string& path, ConfigNode& node, const Scale& scale)
 
 void scale_defaults(Group& group, const Scale& scale) {
   for (Field& field : group.fields) {
-    const auto [factor, offset] = rule_of(field, scale);
+    const Rule rule = rule_of(field, scale);
     if (auto* below = std::get_if<Group>(&field.value)) scale_defaults(*below, scale);
     if (auto* entries = std::get_if<Entries>(&field.value)) {
       for (Entries::Shape& shape : entries->shapes) {
@@ -115,25 +126,12 @@ void scale_defaults(Group& group, const Scale& scale) {
         };
       }
     }
-    if (const auto* value = std::get_if<double*>(&field.value)) **value = factor * **value + offset;
+    if (const auto* value = std::get_if<double*>(&field.value)) **value = rule.of(**value);
     if (const auto* numbers = std::get_if<Numbers>(&field.value)) {
       for (std::size_t i = 0; i < numbers->names.size(); ++i)
-        numbers->data[i] = factor * numbers->data[i] + offset;
+        numbers->data[i] = rule.of(numbers->data[i]);
     }
   }
-}
-
-/// Replaces a knee configuration that the robot's joints don't allow.
-void fit_knees(ConfigNode& planner, const model::RobotDescription& robot) {
-  ConfigNode* stance = planner.find("stance");
-  ConfigNode* knees = stance == nullptr ? nullptr : stance->find("knees");
-  if (knees == nullptr) return;
-  const auto wanted =
-      std::ranges::find_if(kKnees, [&](const auto& one) { return one.first == knees->text; });
-  if (wanted == kKnees.end()) return;
-  const auto fitting = std::ranges::find(kKnees, knees_that_fit(robot, wanted->second),
-                                         [](const auto& one) { return one.second; });
-  knees->text = fitting->first;
 }
 
 }  // namespace
@@ -158,7 +156,7 @@ void scale_ranges(ConfigNode& ranges, const Scale& scale) {
             ? find_parameter(path.substr(kTasks.size(), dot - kTasks.size()), path.substr(dot + 1))
             : nullptr;
     if (parameter != nullptr) {
-      apply({.factor = scale.of(parameter->unit)}, range);
+      apply(rule_of(*parameter, scale), range);
     } else {
       scale_option(path, range, scale);
     }
@@ -167,7 +165,7 @@ void scale_ranges(ConfigNode& ranges, const Scale& scale) {
 
 void fit_scenario(ConfigNode& tree, const model::RobotDescription& robot) {
   const Scale& scale = robot.scale;
-  if (ConfigNode* planner = tree.find("planner")) fit_knees(*planner, robot);
+  fit_joints(tree, robot);
   for (auto& [key, node] : tree.members) {
     if (key == "tasks") {
       scale_tasks(node, scale);
@@ -189,19 +187,28 @@ void fit_defaults(Group& options, const model::RobotDescription& robot, Scenario
   scenario.plant.actuators.no_load_speed = robot.no_load_speed;
 }
 
-void scale_level(control::LevelSpec& level, const Scale& scale, bool only_defaults) {
+double default_of(const tasks::TaskParameter& parameter, const Scale& scale) {
+  return rule_of(parameter, scale).of(parameter.default_value);
+}
+
+void scale_weights(control::LevelSpec& level, const Scale& scale) {
   for (control::TaskSpec& task : level.tasks) {
-    const tasks::TaskInfo& info = tasks::task_info(task.task);
-    if (!only_defaults && level.tasks.size() > 1)
-      task.weight /= scale.of(info.unit.substr(0, info.unit.find(' ')));
-    for (const tasks::TaskParameter& parameter : info.parameters) {
+    const std::string_view unit = tasks::task_info(task.task).unit;
+    task.weight /= scale.of(unit.substr(0, unit.find(' ')));
+  }
+}
+
+void scale_level(control::LevelSpec& level, const Scale& scale, bool only_defaults) {
+  if (!only_defaults && level.tasks.size() > 1) scale_weights(level, scale);
+  for (control::TaskSpec& task : level.tasks) {
+    for (const tasks::TaskParameter& parameter : tasks::task_info(task.task).parameters) {
       const std::string name(parameter.name);
       const auto given = task.numbers.find(name);
-      const double factor = scale.of(parameter.unit);
       if (given == task.numbers.end()) {
-        if (factor != 1.0) task.numbers[name] = factor * parameter.default_value;
+        const double value = default_of(parameter, scale);
+        if (value != parameter.default_value) task.numbers[name] = value;
       } else if (!only_defaults) {
-        given->second *= factor;
+        given->second = rule_of(parameter, scale).of(given->second);
       }
     }
   }

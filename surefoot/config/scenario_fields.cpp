@@ -108,7 +108,8 @@ Group initial_joints(simulation::InitialState& o) {
 Group initial_fields(simulation::InitialState& o) {
   return Group{{"x", &o.position.x(), kAnyNumber, "m", "of the base"},
                {"y", &o.position.y(), kAnyNumber, "m", "of the base"},
-               {"z", &o.position.z(), kAnyNumber, "m", "without it the feet are on the ground"},
+               {"z", &o.position.z(), kAnyNumber, "m", "without it the feet are on the ground",
+                Sizing::base_height},
                {"yaw", &o.yaw, kAnyNumber, "rad", "of the base"},
                {"joints", initial_joints(o), "a posture of its own"},
                {"limp", &o.limp, "nothing holds the joints while it settles"},
@@ -202,7 +203,7 @@ Group run_fields(Scenario& scenario) {
   return {
       {"name", &scenario.name, "for lists and tables"},
       {"description", &scenario.description, "for lists and tables"},
-      {"duration", &scenario.duration, kDuration, "s", "longest run"},
+      {"duration", &scenario.duration, kDuration, "s", "longest run", Sizing::walk},
       {"estimation", choice(scenario.estimation, names_of(estimation::kEstimations)),
        "truth: the simulator's state"},
       {"estimator", fields(scenario.estimator), "of estimation: sensors"},

@@ -186,11 +186,13 @@ void read_stack_changes(Section& top, control::ControllerOptions& controller) {
   }
 }
 
-void read_robot_and_stack(Section& top, const fs::path& file, Scenario& scenario) {
+/// `robot`: as loaded before; null where that failed, so that it fails here.
+void read_robot_and_stack(Section& top, const fs::path& file, const model::RobotDescription* robot,
+                          Scenario& scenario) {
   const fs::path folder = file.parent_path();
   scenario.robot = load_named(top, "robot", [&](const std::string& name) {
     keep_source(scenario, "robot.yaml", find_data_file("robots", name, folder));
-    return load_robot(name, folder);
+    return robot == nullptr ? load_robot(name, folder) : *robot;
   });
   scenario.controller.stack = load_named(top, "stack", [&](const std::string& name) {
     control::StackOptions stack = load_stack(name, folder, scenario.robot.scale);
@@ -385,7 +387,7 @@ Scenario load_scenario(const ScenarioRequest& request) {
   }
   Section top(tree, "");
   read_body(top, robot, scenario);
-  read_robot_and_stack(top, file, scenario);
+  read_robot_and_stack(top, file, robot, scenario);
   scenario.sources_hash = hash_of_sources(scenario);
 
   scenario.plant.seed = request.seed;

@@ -4,6 +4,7 @@
 #include "surefoot/config/nearest_name.hpp"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 
@@ -38,6 +39,12 @@ bool parse(const std::string& text, Number& value) {
 std::optional<double> number_in(const std::string& text) {
   double value = 0.0;
   return parse(text, value) ? std::optional(value) : std::nullopt;
+}
+
+std::string shortest_text(double number) {
+  std::array<char, 32> text{};
+  const auto written = std::to_chars(text.data(), text.data() + text.size(), number);
+  return {text.data(), written.ptr};
 }
 
 void fail_at(const ConfigNode& node, const std::string& path, const std::string& message) {

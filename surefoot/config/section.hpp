@@ -74,6 +74,8 @@ class Section final : public Given {
 
 /// The number in a text, with or without a sign; none if it is no number.
 [[nodiscard]] std::optional<double> number_in(const std::string& text);
+/// As short a text as gives the same number again.
+[[nodiscard]] std::string shortest_text(double number);
 /// A finite number in the range. Throws Error, naming `path` and the node's place.
 [[nodiscard]] double read_number(const ConfigNode& node, const std::string& path,
                                  NumberRange range = kAnyNumber);

@@ -187,16 +187,23 @@ void weigh(Section& weights, control::StackOptions& stack) {
   }
 }
 
-/// Merges all levels from the named one on into one weighted level.
-control::StackOptions merge(const ConfigNode& name, const control::StackOptions& stack) {
+/// Merges all levels from the named one on into one weighted level. Weights of levels that had
+/// several tasks are scaled already.
+control::StackOptions merge(const ConfigNode& name, control::StackOptions stack, const Fit& fit) {
   const std::vector<std::string> names = names_of(stack.levels);
   const auto found = std::ranges::find(names, read_text(name, "weighted_from"));
   if (found == names.end()) {
     fail_at(name, "weighted_from",
             "unknown level \"" + name.text + "\"; " + valid_names(name.text, names));
   }
+  if (fit.is_scaled) {
+    for (control::LevelSpec& level : stack.levels) {
+      if (level.tasks.size() == 1) scale_weights(level, fit.scale);
+    }
+  }
   try {
-    return control::weighted_from(stack, static_cast<std::size_t>(found - names.begin()));
+    return control::weighted_from(std::move(stack),
+                                  static_cast<std::size_t>(found - names.begin()));
   } catch (const Error& error) {
     fail_at(name, "weighted_from", error.what());
   }
@@ -215,7 +222,7 @@ std::vector<control::LevelSpec> read_base(const Section& top, const ConfigNode& 
 /// `folder`: searched for the base.
 control::StackOptions read_stack(ConfigNode tree, const std::filesystem::path& folder,
                                  const Scale& scale) {
-  const bool is_scaled = take_scaled(tree);
+  const Fit fit{scale, take_scaled(tree)};
   Section top(tree, "");
   control::StackOptions stack;
   std::string description;
@@ -236,13 +243,13 @@ control::StackOptions read_stack(ConfigNode tree, const std::filesystem::path& f
   std::vector<control::LevelSpec> below;
   if (base != nullptr) below = read_base(top, *base, folder, scale);
   if (levels != nullptr) {
-    read_levels(*levels, below, {scale, is_scaled}, stack);
+    read_levels(*levels, below, fit, stack);
   } else {
     stack.levels = std::move(below);
   }
   if (without != nullptr) leave_out(*without, stack);
   if (weights != nullptr) top.section("weights", [&](Section& map) { weigh(map, stack); });
-  return weighted == nullptr ? stack : merge(*weighted, stack);
+  return weighted == nullptr ? stack : merge(*weighted, std::move(stack), fit);
 }
 
 }  // namespace

@@ -32,7 +32,7 @@ Group fields(SafetyOptions& o) {
            "without a good sample of a sensor before the robot sits down; at most guard.patience",
            Sizing::none},
           {"sit_duration", &o.sit_duration, kPositive, "s",
-           "of the way down; torques fade in the last 0.4 s"},
+           "of the way down; torques fade in its last two fifths"},
           {"sit_height", &o.sit_height, kPositive, "m", "of the hips above the feet when down"},
           {"max_torque_change", &o.max_torque_change, kPositive, "N·m",
            "from tick to tick after a fault or stop, and while a robot begins late"}};

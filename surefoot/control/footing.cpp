@@ -9,8 +9,8 @@
 namespace surefoot::control {
 namespace {
 
-constexpr double kMaxLyingHeight = 0.6;   // share of the stance height
-constexpr double kMinFoldedHeight = 0.2;  // share of the stance height
+constexpr double kMaxLyingHeight = 0.6;   // share of the hips' height in the stance
+constexpr double kMinFoldedHeight = 0.2;  // share of it
 constexpr double kGuessHip = 1.0;         // initial guess of the inverse kinematics [rad]
 constexpr double kGuessKnee = 1.8;        // initial guess of the inverse kinematics [rad]
 constexpr double kMeanSpeed = 0.6;        // of the joints during a motion [rad/s]
@@ -33,8 +33,9 @@ void Footing::look_at_start(const model::RobotModel& model, const JointVector& q
     knees_[index(leg)] = std::copysign(1.0, q_leg.z());
     height -= model.foot_in_base(leg, q_leg).z() / kNumLegs;
   }
-  if (!(height < kMaxLyingHeight * stance_.height)) return;
-  go(State::folds, q, posture_at(model, std::max(height, kMinFoldedHeight * stance_.height)));
+  if (!is_low(height)) return;
+  const double folded = kMinFoldedHeight * gaits::hip_height(stance_, scale_) - scale_.hip_height;
+  go(State::folds, q, posture_at(model, std::max(height, folded)));
 }
 
 PlanEvent Footing::update(const model::RobotModel& model, const RobotState& state,
@@ -79,6 +80,10 @@ PlanEvent Footing::update_rise(const model::RobotModel& model, const RobotState&
   return PlanEvent::none;
 }
 
+bool Footing::is_low(double height) const {
+  return height + scale_.hip_height < kMaxLyingHeight * gaits::hip_height(stance_, scale_);
+}
+
 bool Footing::lies(const model::RobotModel& model, const RobotState& state) const {
   const Mat3 R_WB = state.R_WB();
   double lowest = 0.0;
@@ -86,7 +91,7 @@ bool Footing::lies(const model::RobotModel& model, const RobotState& state) cons
     const Vec3 p_BF = model.foot_in_base(leg, state.q.segment<3>(first_joint(leg)));
     lowest = std::min(lowest, R_WB.row(2).dot(p_BF));
   }
-  return R_WB(2, 2) < std::cos(kMaxTilt) || -lowest < kMaxLyingHeight * stance_.height;
+  return R_WB(2, 2) < std::cos(kMaxTilt) || is_low(-lowest);
 }
 
 PlanEvent Footing::hang(const model::RobotModel& model, const JointVector& q) {

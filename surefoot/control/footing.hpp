@@ -54,6 +54,8 @@ class Footing {
   PlanEvent update_rise(const model::RobotModel& model, const RobotState& state,
                         const estimation::LiftDetector& lift);
   PlanEvent hang(const model::RobotModel& model, const JointVector& q);
+  /// With the base at this height over the feet [m].
+  [[nodiscard]] bool is_low(double height) const;
   /// Does the ground carry the robot's body, instead of somebody who lifts it?
   [[nodiscard]] bool lies(const model::RobotModel& model, const RobotState& state) const;
   /// Stance posture with another height of the base above the feet [m].

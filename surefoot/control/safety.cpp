@@ -70,6 +70,7 @@ Safety::Safety(const SafetyOptions& options, const model::RobotDescription& robo
       hold_kp_(robot.hold_kp),
       hold_kd_(robot.hold_kd),
       damping_kd_(robot.damping_kd),
+      scale_(robot.scale),
       period_(period),
       first_free_level_(first_free_level),
       lying_q_(lying) {
@@ -91,7 +92,7 @@ const JointCommand& Safety::command(const RobotState& state, const solver::Solut
   command_.time = std::isfinite(state.time) ? state.time : command_.time + period_;
   const bool good = is_good(state, solution);
   if (!has_begun_ && failures_ > 0) {
-    late_start_ticks_ = static_cast<int>(std::lround(kLateStartTime / period_));
+    late_start_ticks_ = static_cast<int>(std::lround(scale_.time() * kLateStartTime / period_));
   }
   failures_ = good ? 0 : failures_ + 1;
   if (pose_mode_) failures_ = std::min(failures_, 1 + static_cast<int>(kTiltConfirmTime / period_));
@@ -122,7 +123,7 @@ const JointCommand& Safety::command(const RobotState& state, const solver::Solut
 
 void Safety::restart() noexcept {
   has_begun_ = false;
-  late_start_ticks_ = static_cast<int>(std::lround(kLateStartTime / period_));
+  late_start_ticks_ = static_cast<int>(std::lround(scale_.time() * kLateStartTime / period_));
   good_q_.setConstant(kNaN);
   bearing_torque_.setConstant(kNaN);
   stands_.fill(true);
@@ -134,7 +135,7 @@ bool Safety::is_tilted(const RobotState& state) const {
 
 bool Safety::will_tilt(const RobotState& state) const {
   if (!is_rotation(state.q_WB) || !state.w_WB_B.allFinite()) return false;
-  const Quat soon = state.q_WB * exp_rotation(kTiltHorizon * state.w_WB_B);
+  const Quat soon = state.q_WB * exp_rotation(scale_.time() * kTiltHorizon * state.w_WB_B);
   return soon.toRotationMatrix()(2, 2) < std::cos(options_.max_tilt);
 }
 
@@ -170,7 +171,7 @@ void Safety::check_for_stop(const RobotState& state, const SensorHealth& health)
     stop_after_failures(state, health);
   } else if (sitting_ && command_.time - stopped_at_ >= options_.sit_duration) {
     damping_ = true;
-    damped_ticks_ = static_cast<int>(std::lround(kDampFadeTime / period_));
+    damped_ticks_ = static_cast<int>(std::lround(scale_.time() * kDampFadeTime / period_));
   }
 }
 
@@ -184,7 +185,8 @@ double Safety::max_failures(const RobotState& state, const SensorHealth& health)
   const bool has_torques = is_well(health.joint_torques) || state.torque.allFinite();
   const bool has_all = is_there(health.encoders) && is_there(health.joint_torques) &&
                        is_there(health.imu) && state.q.allFinite() && has_torques;
-  return has_all && !has_begun_ ? kSettleTime / period_ : options_.damp_after_failures;
+  return has_all && !has_begun_ ? scale_.time() * kSettleTime / period_
+                                : options_.damp_after_failures;
 }
 
 // The health names a single faulty joint only; of several, the angles are NaN. Angles that are only
@@ -275,7 +277,8 @@ void Safety::sit(const RobotState& state) {
   const JointVector q = stopped_q_ + ease(arrived) * way;
   const JointVector qd = ease_slope(arrived) / (kArrived * duration) * way;
   const double unloaded = ease(progress(share, kUnloadBegin, 1.0));
-  if (bearing_torque_.allFinite()) borne_ = std::min(1.0, borne_ + period_ / kBearingTime);
+  if (bearing_torque_.allFinite())
+    borne_ = std::min(1.0, borne_ + period_ / (scale_.time() * kBearingTime));
   const double bears = ease(borne_);
   JointVector carried = (1.0 - bears) * good_torque_ + bears * finite_or_zero(bearing_torque_);
   JointVector pulled = pull(state, q, qd, ease(progress(share, kSoftFrom, kSoft)),
@@ -298,13 +301,13 @@ void Safety::take_posture(const RobotState& state) {
 
 void Safety::damp(const RobotState& state) {
   command_.mode = CommandMode::damping;
-  const double faded = std::min(1.0, damped_ticks_ * period_ / kDampFadeTime);
+  const double faded = std::min(1.0, damped_ticks_ * period_ / (scale_.time() * kDampFadeTime));
   const double soft_kd = std::min(damping_kd_, kSoftDamping * hold_kd_);
   const double kd = damping_kd_ + faded * (soft_kd - damping_kd_);
   if (faded < 1.0) ++damped_ticks_;
   command_.torque = -kd * finite_or_zero(stiffness_.cwiseProduct(state.qd));
   if (!std::isfinite(fade_begin_)) return;
-  const double share = (command_.time - fade_begin_) / kFadeTime;
+  const double share = (command_.time - fade_begin_) / (scale_.time() * kFadeTime);
   command_.torque += std::clamp(1.0 - share, 0.0, 1.0) * fading_torque_;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "surefoot/base/scale.hpp"
 #include "surefoot/control/leg_posture.hpp"
 #include "surefoot/control/safety_options.hpp"
 #include "surefoot/model/description.hpp"
@@ -43,6 +44,7 @@ namespace surefoot::control {
 /// Torques change by at most `max_torque_change` a tick while the robot is off its feet, a sensor
 /// is at fault or in doubt (`limit_next_change`), after every stop, and, if the first tick was not
 /// good, until 0.5 s after the first good one. The limit stays until the torques have caught up.
+/// Times are those of a robot of scale 1, but for the 30 ms.
 class Safety {
  public:
   /// `first_free_level`: a solve that ended at or after this level is still usable. `lying`: final
@@ -122,6 +124,7 @@ class Safety {
   JointVector torque_limit_;
   double hold_kp_, hold_kd_, damping_kd_;
   JointVector stiffness_;  // of each joint, as a share of a leg's
+  Scale scale_;            // of the robot
   double period_;
   int first_free_level_;
   JointVector lying_q_;

@@ -56,7 +56,7 @@ StateEstimation::StateEstimation(const ControllerOptions& options,
       external_force_(options.external_force),
       consistency_(options.consistency, options.period,
                    {.min = model.description().q_min, .max = model.description().q_max}),
-      lift_(options.period),
+      lift_(options.period, model.description().scale),
       joint_velocity_(JointVector::Zero(model.description().num_joints())) {}
 
 bool StateEstimation::has_begun() const { return std::isfinite(time_); }

@@ -48,8 +48,9 @@ void ComCalibration::update(const model::Dynamics& dynamics, const PerLeg<Vec3>&
     return;
   }
   if (weighing_) end_weighing(dynamics);
-  share_ = std::min(1.0, share_ + period_ / kFadeInTime);
-  heavier_in_use_ += period_ / kFollowTime * (heavier_ - heavier_in_use_);
+  const double time = dynamics.scale.time();
+  share_ = std::min(1.0, share_ + period_ / (time * kFadeInTime));
+  heavier_in_use_ += period_ / (time * kFollowTime) * (heavier_ - heavier_in_use_);
   if (turns && is_loaded) height_.add(dynamics, reaction);
 }
 
@@ -58,7 +59,8 @@ void ComCalibration::weigh(const model::Dynamics& dynamics, const GroundReaction
   error.head<2>() = reaction.line_of_action(reaction.ground) - dynamics.com.p.head<2>();
   const Vec3 in_base = dynamics.base_rotation.R.transpose() * error;
   if (!in_base.allFinite()) return;
-  const double share = std::max(1.0 / ++samples_, period_ / kVerticalTime);
+  const double share =
+      std::max(1.0 / ++samples_, period_ / (dynamics.scale.time() * kVerticalTime));
   mean_offset_ += share * (in_base - mean_offset_);
   mean_mass_ += share * (reaction.force.z() / kGravity - dynamics.mass - mean_mass_);
   F_ = reaction.force;
@@ -68,7 +70,8 @@ void ComCalibration::weigh(const model::Dynamics& dynamics, const GroundReaction
 // The weighing ignores heavier links; the load in use during it includes them.
 void ComCalibration::end_weighing(const model::Dynamics& dynamics) {
   const std::optional<double> o_z = height_.found();
-  const bool is_long_enough = samples_ >= std::lround(kMinWeighingTime / period_);
+  const double least = dynamics.scale.time() * kMinWeighingTime;
+  const bool is_long_enough = samples_ >= std::lround(least / period_);
   knows_load_ = is_long_enough && o_z.has_value();
   if (is_long_enough) {
     const BaseLoad now = load();

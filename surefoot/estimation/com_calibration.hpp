@@ -13,8 +13,8 @@ namespace surefoot::estimation {
 ///
 /// At rest the COM is above the centre of pressure of the ground forces (GroundReaction), and F_z
 /// is m g. The weighing averages m − m_model and the offset from the model's COM to that line, with
-/// a memory of a second. The turn before it gives the COM's height on the line (ComHeight). The
-/// result fades in as a load of the base:
+/// a memory of a second (at scale 1). The turn before it gives the COM's height on the line
+/// (ComHeight). The result fades in as a load of the base:
 ///
 ///     m_load = m − m_bare,   first moment in B = m c − m_bare c_bare
 ///

@@ -31,9 +31,10 @@ constexpr double kMaxAngle = 0.02;            // limit of an angle error [rad]
 
 KinematicCalibration::KinematicCalibration(const model::RobotDescription& robot, double period)
     : period_(period),
-      ticks_per_sample_(std::max(1, static_cast<int>(std::lround(kSampleInterval / period)))),
+      ticks_per_sample_(std::max(
+          1, static_cast<int>(std::lround(robot.scale.time() * kSampleInterval / period)))),
       foot_radius_(robot.foot_radius),
-      length_(robot.scale.length) {
+      scale_(robot.scale) {
   const model::BodyTree tree = model::make_body_tree(robot, model::read_urdf(robot.urdf_path));
   for (const Leg leg : kLegs) chains_[index(leg)] = tree.legs[index(leg)].chain;
 }
@@ -124,7 +125,7 @@ void KinematicCalibration::add_sample(const model::Dynamics& dynamics) noexcept 
 }
 
 KinematicCalibration::Weights KinematicCalibration::weights(const Coordinates& y) const {
-  const double creep = length_ * kCreep, sinking = length_ * kSinking;
+  const double creep = scale_.length * kCreep, sinking = scale_.length * kSinking;
   Eigen::Matrix<double, kNumCoordinates, 3> B;
   Coordinates variance;
   for (int k = 0; k < kNumLegs; ++k) {
@@ -137,7 +138,7 @@ KinematicCalibration::Weights KinematicCalibration::weights(const Coordinates& y
 double KinematicCalibration::prior(int error) const {
   if (error == kDelay) return kDelayPrior;
   if (error >= kBias) return kBiasPrior;
-  return is_length(error) ? length_ * kLengthPrior : kZeroPrior;
+  return is_length(error) ? scale_.length * kLengthPrior : kZeroPrior;
 }
 
 void KinematicCalibration::finish() noexcept {
@@ -149,14 +150,14 @@ void KinematicCalibration::finish() noexcept {
   before_ = after_;
   share_ = 0.0;
   for (int i = 0; i < kBias; ++i) {
-    const double most = is_length(i) ? length_ * kMaxLength : kMaxAngle;
+    const double most = is_length(i) ? scale_.length * kMaxLength : kMaxAngle;
     after_[i] = std::clamp(before_[i] + found[i], -most, most);
   }
 }
 
 void KinematicCalibration::fade() noexcept {
   if (share_ >= 1.0) return;
-  share_ = std::min(1.0, share_ + period_ / kFadeIn);
+  share_ = std::min(1.0, share_ + period_ / (scale_.time() * kFadeIn));
   const Errors now = before_ + smoothstep(share_) * (after_ - before_);
   for (const Leg leg : kLegs) {
     const Eigen::Index first = kErrorsPerLeg * static_cast<Eigen::Index>(index(leg));

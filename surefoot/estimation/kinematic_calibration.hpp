@@ -30,7 +30,7 @@ namespace surefoot::estimation {
 /// Does not allocate.
 class KinematicCalibration {
  public:
-  static constexpr double kFadeIn = 0.6;  ///< of a new result [s]
+  static constexpr double kFadeIn = 0.6;  ///< of a new result, of a robot of scale 1 [s]
 
   /// `period` of the control loop [s].
   KinematicCalibration(const model::RobotDescription& robot, double period);
@@ -79,7 +79,7 @@ class KinematicCalibration {
   double time_ = kNaN;  // of the last update [s]
   int ticks_per_sample_;
   double foot_radius_;
-  double length_;  // of the robot's `Scale`
+  Scale scale_;  // of the robot
   PerLeg<model::LegChain> chains_;
   PerLeg<Vec3> rolled_ = per_leg<Vec3>(Vec3::Zero());
   Mat3 R_start_ = Mat3::Identity();

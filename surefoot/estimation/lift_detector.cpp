@@ -33,9 +33,9 @@ void LiftDetector::update(double weight, const PerLeg<Vec3>& foot_force,
   down_for_ = feet_bear() ? down_for_ + period_ : 0.0;
 }
 
-bool LiftDetector::is_lifted() const { return lifted_for_ > kLiftedTime; }
+bool LiftDetector::is_lifted() const { return lifted_for_ > scale_.time() * kLiftedTime; }
 
-bool LiftDetector::is_down() const { return down_for_ > kDownTime; }
+bool LiftDetector::is_down() const { return down_for_ > scale_.time() * kDownTime; }
 
 bool LiftDetector::is_held() const {
   double load = 0.0;

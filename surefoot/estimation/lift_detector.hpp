@@ -1,5 +1,6 @@
 #pragma once
 
+#include "surefoot/base/scale.hpp"
 #include "surefoot/signals/leg.hpp"
 
 namespace surefoot::estimation {
@@ -17,8 +18,8 @@ namespace surefoot::estimation {
 /// acceleration pass the same filter (20 ms), so that neither leads. Does not allocate.
 class LiftDetector {
  public:
-  /// `period` of the control loop [s].
-  explicit LiftDetector(double period) : period_(period) {}
+  /// `period` of the control loop [s], `scale` of the robot; times below are of scale 1.
+  explicit LiftDetector(double period, const Scale& scale = {}) : period_(period), scale_(scale) {}
 
   /// One tick: the robot's weight and the estimated ground forces on its feet, in W [N]; the
   /// accelerometer's reading [m/s²]. With a missing number nothing changes.
@@ -38,6 +39,7 @@ class LiftDetector {
   [[nodiscard]] bool feet_bear() const;
 
   double period_;
+  Scale scale_;
   bool begun_ = false;
   PerLeg<Vec3> share_{Vec3::Zero(), Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};  // of the weight
   Vec3 specific_force_ = Vec3::Zero();                                          // [g]

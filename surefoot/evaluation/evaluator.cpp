@@ -11,8 +11,8 @@
 namespace surefoot::evaluation {
 namespace {
 
-constexpr double kReachTime = 6.0;       // after which a new reach is judged [s]
-constexpr double kMinBaseHeight = 0.12;  // above the mean stance foot; allows a crouch [m]
+constexpr double kReachTime = 6.0;      // after which a new reach is judged [s]
+constexpr double kMinHipHeight = 0.12;  // above the mean stance foot; allows a crouch [m]
 constexpr double kMaxTilt = 60.0 * kPi / 180.0;
 constexpr double kMaxSitSpeed = 0.5;   // of a robot that sits down [m/s]
 constexpr double kLandingForce = 5.0;  // normal force of a landed foot [N]
@@ -235,11 +235,13 @@ void Evaluator::check_fall(const simulation::GroundTruth& truth, bool may_lie, b
   metrics_.base_height_end_m = height;
   if (metrics_.fell) return;
   std::array<char, 96> text{};
+  const bool is_too_low =
+      height + options_.scale.hip_height < options_.scale.length * kMinHipHeight;
   const bool lands_softly = may_lie && truth.v_WB.z() > -(options_.scale.speed() * kMaxSitSpeed);
   if (truth.torso_contact && !lands_softly) {
     std::snprintf(text.data(), text.size(), "fell at %.4f s: the torso touched the ground",
                   truth.time);
-  } else if (height < options_.scale.length * kMinBaseHeight && !may_lie && !hangs) {
+  } else if (is_too_low && !may_lie && !hangs) {
     std::snprintf(text.data(), text.size(),
                   "fell at %.4f s: the base came down to %.2f m above the feet", truth.time,
                   height);

@@ -25,7 +25,7 @@ struct Metrics {
   bool succeeded = false;            ///< all criteria hold
   std::string reason;                ///< why the run ended
   std::optional<bool> goal_reached;  ///< was the scenario's goal reached? Empty without a goal
-  /// Torso on the ground, base < 0.12 m (ANYmal B; 0.21 of the leg) above the mean stance foot, or
+  /// Torso on the ground, hips < 0.12 m (ANYmal B; 0.21 of the leg) above the mean stance foot, or
   /// tilt > 60°.
   bool fell = false;
   double duration_s = 0.0;

@@ -23,7 +23,7 @@ CommandLimits::CommandLimits(const PlannerOptions& options, double period, const
       max_change_(kMaxChange.cwiseProduct(Vec3(scale.speed(), scale.speed(), scale.rate()))),
       height_rate_(scale.speed() * kHeightRate),
       min_height_(scale.length * kMinHeight),
-      stance_height_(options.stance.height),
+      hip_height_(hip_height(options.stance, scale)),
       period_(period) {}
 
 // COM and next foothold are planned at touchdown. A later change of velocity would make foot and
@@ -65,7 +65,7 @@ void CommandLimits::begin_step(const CommandContext& context) {
 
 double CommandLimits::feasible_share(const UserCommand& command, const CommandContext& context,
                                      double cycle_duration) const {
-  const double height = stance_height_ + std::fmin(0.0, height_);
+  const double height = hip_height_ + std::fmin(0.0, height_);
   return strides_.feasible_share(command, context.hips, height, cycle_duration);
 }
 
@@ -98,7 +98,7 @@ UserCommand CommandLimits::within_height(const UserCommand& command,
   }
   const UserCommand strides = command.walk ? command : UserCommand{};
   const double tallest = strides_.tallest(strides, context.hips, context.cycle_duration);
-  const double most = context.calibrates ? 0.0 : std::max(0.0, tallest - stance_height_);
+  const double most = context.calibrates ? 0.0 : std::max(0.0, tallest - hip_height_);
   if (command.height <= most || !context.calibrates) lowers_.active = command.height > most;
   result.height = std::min(command.height, most);
   return result;

@@ -49,7 +49,7 @@ class CommandLimits {
   Strides strides_;
   Vec3 max_change_;                   // per step, as `kMaxChange`
   double height_rate_, min_height_;   // as `kHeightRate`, `kMinHeight`
-  double stance_height_, period_;     // [m], [s]
+  double hip_height_, period_;        // in the stance [m], [s]
   UserCommand commanded_, walked_;    // as given, and with feasible strides
   Vec2 velocity_{0.0, 0.0};           // of this step [m/s]
   double turn_ = 0.0;                 // yaw rate of this step [rad/s]

@@ -16,7 +16,7 @@ Planner::Planner(const PlannerOptions& options, double period, const Scale& scal
       limits_(options, period, scale),
       torso_(options.torso, period),
       friction_frame_(options.friction_frame, period),
-      calibration_(options.calibration),
+      calibration_(options.calibration, scale),
       rest_(scale) {}
 
 void Planner::begin_anew(const Planner& fresh) {

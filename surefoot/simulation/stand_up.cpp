@@ -3,6 +3,7 @@
 #include "surefoot/model/leg_jacobian.hpp"
 #include "surefoot/simulation/truth.hpp"
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 
 #include <cmath>
@@ -19,6 +20,9 @@ constexpr double kMaxLowering = 0.15;   // of a foot [m]
 constexpr double kMaxDuration = 5.0;    // [s]
 constexpr double kRestSpeed = 0.005;    // of the base [m/s]
 constexpr double kRestRate = 0.02;      // of the joints [rad/s]
+// Damping that acts in steps throws joints to and fro where it would stop them twice as fast as a
+// step is long; stops and friction bear a little more.
+constexpr double kUnstable = 2.5;
 
 struct Foot {
   double in_the_air = 0.0;  // [s]
@@ -65,13 +69,30 @@ void hold_arms(const JointVector& q, const RobotParts& parts, mjData& data, Join
   }
 }
 
+/// As much of the damping as is stable for legs that nothing else holds: (M⁻¹)_jj d Δt < 2.
+double stable_damping(const mjModel& model, mjData& data, const RobotParts& parts, double damping,
+                      double timestep) {
+  const auto nv = static_cast<Eigen::Index>(model.nv);
+  Eigen::Matrix<double, kNumLegJoints, kNumLegJoints> mobility;
+  for (std::size_t j = 0; j < kNumLegJoints; ++j) {
+    Eigen::VectorXd unit = Eigen::VectorXd::Unit(nv, parts.dof[j]), column(nv);
+    mj_solveM(&model, &data, column.data(), unit.data(), 1);
+    for (std::size_t i = 0; i < kNumLegJoints; ++i)
+      mobility(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) = column[parts.dof[i]];
+  }
+  const Eigen::SelfAdjointEigenSolver<decltype(mobility)> modes(mobility, Eigen::EigenvaluesOnly);
+  const double fastest = damping * timestep * modes.eigenvalues().maxCoeff();
+  return fastest < kUnstable ? damping : damping / fastest;
+}
+
 }  // namespace
 
 JointVector stand_up(const mjModel& model, mjData& data, const RobotParts& parts,
                      const StandUpOptions& options) {
   const Scale& scale = options.scale;
   const double stiffness = options.limp ? 0.0 : scale.torque() * kStiffness;
-  const double damping = scale.torque() * scale.time() * kDamping;
+  double damping = scale.torque() * scale.time() * kDamping;
+  if (options.limp) damping = stable_damping(model, data, parts, damping, options.timestep);
   JointVector held = options.q, torque = JointVector::Zero(held.size());
   PerLeg<Foot> feet{};
   const auto least = std::lround(options.at_least / options.timestep);

@@ -73,6 +73,12 @@ class Entry {
         minimum);
   }
 
+  /// The last number does not go with the robot's size as its unit says.
+  Entry&& sized(Sizing sizing) && {
+    info_.parameters.back().sizing = sizing;
+    return std::move(*this);
+  }
+
   Entry&& number_per_leg(std::string_view first_name, PerLeg<double> Options::* member,
                          const PerLeg<std::string_view>& names, std::string_view unit) && {
     for (std::size_t i = 0; i < names.size(); ++i) {
@@ -259,7 +265,9 @@ void add_motion_bounds(Catalog& catalog) {
                                     "height of the base above its feet stays in bounds",
                                     "(32)–(34)", "m/s²")
                 .number("min", &BodyHeightLimits::Options::min, "m", "lowest height")
-                .number("max", &BodyHeightLimits::Options::max, "m", "greatest height"),
+                .sized(Sizing::base_height)
+                .number("max", &BodyHeightLimits::Options::max, "m", "greatest height")
+                .sized(Sizing::base_height),
             catalog);
   add_bound(Entry<JointPositionLimits>("joint_position_limits", "joints stay in their ranges",
                                        "by (27)", "rad/s²")

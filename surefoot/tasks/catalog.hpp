@@ -1,5 +1,6 @@
 #pragma once
 
+#include "surefoot/base/fields.hpp"
 #include "surefoot/tasks/task.hpp"
 
 #include <map>
@@ -18,6 +19,7 @@ struct TaskParameter {
   double minimum = 0.0;  ///< smallest legal value
   std::string_view unit;
   std::string_view help;
+  Sizing sizing = Sizing::by_unit;
 };
 
 /// A parameter of a task with a few allowed words.

@@ -2,6 +2,7 @@
 
 #include "surefoot/config/json_schema.hpp"
 #include "surefoot/config/option_list.hpp"
+#include "surefoot/config/robot_file.hpp"
 #include "surefoot/config/scenario_fields.hpp"
 #include "surefoot/control/controller.hpp"
 #include "surefoot/simulation/check_options.hpp"
@@ -55,12 +56,12 @@ TEST(Fields, that_contradict_each_other_are_refused_in_a_file_and_in_cpp) {
 
 TEST(Fields, have_a_unit_or_help_and_keys_that_differ) {
   std::set<std::string> keys;
-  for (const OptionRow& row : list_options("")) {
+  for (const OptionRow& row : list_options("", load_robot("anymal_b"))) {
     EXPECT_FALSE(row.help.empty() && row.unit.empty()) << row.key;
     EXPECT_TRUE(keys.insert(row.key).second) << row.key;
   }
   EXPECT_GT(keys.size(), 300U);
-  EXPECT_EQ(list_options("planner.swing.apex").size(), 2U);
+  EXPECT_EQ(list_options("planner.swing.apex", load_robot("anymal_b")).size(), 2U);
 }
 
 TEST(Fields, rules_of_groups_that_are_put_together_all_hold_in_order) {
@@ -103,7 +104,7 @@ const nlohmann::json* below(const nlohmann::json& schema, const std::string& key
 
 TEST(Fields, stand_in_the_schema_of_scenarios_as_in_the_list) {
   const nlohmann::json schema = nlohmann::json::parse(json_schema("scenario"));
-  for (const OptionRow& row : list_options("")) {
+  for (const OptionRow& row : list_options("", load_robot("anymal_b"))) {
     const nlohmann::json* at = &schema;
     std::istringstream path(row.key);
     for (std::string key; at != nullptr && std::getline(path, key, '.');) {

@@ -6,6 +6,7 @@
 #include "tests/support/messages.hpp"
 
 #include <array>
+#include <cmath>
 
 namespace surefoot::config {
 namespace {
@@ -143,6 +144,87 @@ TEST_F(Scaling, TasksGoWithTheRobot) {
       "m", go1_);
   EXPECT_DOUBLE_EQ(mixed.levels[0].tasks[0].weight, go1_.length);
   EXPECT_EQ(mixed.levels[0].tasks[1].weight, 1.0);
+}
+
+TEST_F(Scaling, HeightsOfTheBaseAreThoseOfTheHipsLessTheirsOverTheBase) {
+  test::write_file(folder_ / "high.yaml",
+                   "name: high\nscaled: true\nbase: terrain_adaptation\nlevels:\n"
+                   "  [equations_of_motion, {task: body_height_limits, max: 0.5}]\n");
+  const Scenario scenario =
+      load("scaled: true\ninitial: {z: 0.5}\ncriteria: {base_height_end_m: {max: 0.48}}\n",
+           {"robot=hyq", "stack=high.yaml"});
+  const Scale& hyq = scenario.robot.scale;
+  EXPECT_NEAR(hyq.hip_height, -0.08, 1e-9);
+  const auto height = [&](double number) { return hyq.length * number + 0.08; };
+  EXPECT_NEAR(scenario.controller.planner.stance.height, height(0.46), 1e-9);
+  EXPECT_NEAR(scenario.plant.initial.position.z(), height(0.5), 1e-9);
+  EXPECT_NEAR(*scenario.criteria.back().max, height(0.48), 1e-9);
+  const control::TaskSpec& limits = scenario.controller.stack.levels.back().tasks.front();
+  EXPECT_NEAR(limits.numbers.at("max"), height(0.5), 1e-9);
+  EXPECT_NEAR(limits.numbers.at("min"), height(0.25), 1e-9);
+}
+
+TEST_F(Scaling, RunsLastAsLongAsTheSameWayTakesAtTheRobotsSpeed) {
+  const auto way = [](const Scenario& scenario) {
+    const TimedCommand& walk = scenario.commands.back();
+    return walk.user.velocity.x() * scenario.duration;
+  };
+  const Scenario one = load_scenario({"walk_flat", 0, {}});
+  for (const char* robot : {"go1", "laikago", "hyq", "solo12"}) {
+    const Scenario other = load_scenario({"walk_flat", 0, {std::string("robot=") + robot}});
+    EXPECT_NEAR(way(other), other.robot.scale.length * way(one), 1e-9) << robot;
+    EXPECT_DOUBLE_EQ(other.commands.back().time, 0.5 * other.robot.scale.time()) << robot;
+  }
+}
+
+TEST_F(Scaling, WeightsGoWithUnitsWhereAScaledStackMakesOneLevelOfMany) {
+  const auto weights = [&](const std::string& scaled) {
+    return parse_stack("name: w\n" + scaled +
+                           "levels: [{task: torso_yaw}, {task: swing_foot}, {name: both, tasks: "
+                           "[{task: torso_height}, {task: torso_roll_pitch}]}]\n"
+                           "weights: {torso_yaw: 3}\nweighted_from: torso_yaw\n",
+                       "w", go1_)
+        .levels.back()
+        .tasks;
+  };
+  const std::vector<control::TaskSpec> fitted = weights("scaled: true\n"), own = weights("");
+  EXPECT_DOUBLE_EQ(fitted[0].weight, 3.0 * go1_.length);
+  EXPECT_DOUBLE_EQ(fitted[1].weight, 1.0);
+  EXPECT_DOUBLE_EQ(fitted[2].weight, 1.0);
+  EXPECT_DOUBLE_EQ(fitted[3].weight, go1_.length);
+  EXPECT_EQ(own[0].weight, 3.0);
+  EXPECT_EQ(own[3].weight, 1.0);
+}
+
+TEST_F(Scaling, JointsAtTheStartTurnWithTheKneesAndEndAtTheLimits) {
+  for (const char* robot : {"a1", "go1", "hyq", "solo12"}) {
+    for (const std::uint64_t seed : {0U, 1U, 2U}) {
+      const Scenario scenario =
+          load_scenario({"lying_start", seed, {std::string("robot=") + robot}});
+      const model::RobotDescription& limits = scenario.robot;
+      const JointVector& q = scenario.plant.initial.q;
+      EXPECT_TRUE((q.array() >= limits.q_min.array()).all()) << robot;
+      EXPECT_TRUE((q.array() <= limits.q_max.array()).all()) << robot;
+      for (const Leg leg : kLegs) {
+        const Eigen::Index hip = first_joint(leg) + 1, knee = hip + 1;
+        EXPECT_LT(q[hip] * q[knee], 0.0) << robot;  // folded
+        EXPECT_GT(std::abs(q[knee]), 2.4) << robot;
+        EXPECT_GT(q[knee] * limits.q_nominal[knee], 0.0) << robot;
+      }
+    }
+  }
+  EXPECT_TRUE(test::holds(
+      test::message_of([&] { (void)load("initial: {joints: {LH: {HFE: -1.45, KFE: 2.8}}}\n"); }),
+      "initial.joints.LH: HFE is -1.45 rad; valid is -0.686 to 4.501 rad"));
+}
+
+TEST_F(Scaling, DampingOfASmallRobotActsNoFasterThanANYmalBs) {
+  for (const char* name : {"a1", "go1", "laikago", "solo12", "hyq"}) {
+    const model::RobotDescription robot = load_robot(name);
+    const double inertia = robot.scale.mass * std::pow(robot.scale.length, 2.0);
+    EXPECT_LT(robot.hold_kd / inertia, 4.0 + 1e-9) << name;
+    EXPECT_LT(robot.damping_kd / inertia, 6.0 + 1e-9) << name;
+  }
 }
 
 TEST_F(Scaling, StandsInAFileAlone) {

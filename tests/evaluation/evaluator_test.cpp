@@ -364,6 +364,20 @@ TEST(Evaluator, ALowBaseIsAFallAndACrouchIsNot) {
   EXPECT_TRUE(run.evaluator.fell());
 }
 
+TEST(Evaluator, AFallIsToldByTheHipsWhereverTheBasesOriginIs) {
+  for (const double hips : {-0.08, 0.05}) {
+    EvaluatorOptions options;
+    options.scale.hip_height = hips;
+    HandMadeRun run(options);
+    run.truth.p_WB.z() = run.truth.p_WF[0].z() + 0.125 - hips;
+    run.step();
+    EXPECT_FALSE(run.evaluator.fell()) << hips;
+    run.truth.p_WB.z() -= 0.01;
+    run.step();
+    EXPECT_TRUE(run.evaluator.fell()) << hips;
+  }
+}
+
 TEST(Evaluator, ATiltBeyondSixtyDegreesIsAFallAndYawIsNoTilt) {
   HandMadeRun run;
   const auto turn = [&](double angle, const Vec3& axis) {

@@ -32,6 +32,16 @@ TEST(CalibrationMotion, RatesAndAccelerationsAreTheDerivatives) {
   }
 }
 
+TEST(CalibrationMotion, OfALargerRobotTakesLongerByTheRootOfItsLength) {
+  CalibrationOptions longer = kOptions;
+  longer.duration *= 2.0;
+  longer.settle *= 2.0;
+  const CalibrationMotion one(kOptions), four(longer, Scale{.length = 4.0});
+  EXPECT_DOUBLE_EQ(four.duration(), 2.0 * one.duration());
+  for (double t = 0.05; t < one.duration() + 0.3; t += 0.1)
+    EXPECT_EQ(four.stage(2.0 * t), one.stage(t)) << t;
+}
+
 TEST(CalibrationMotion, TurnsAboutEveryAxisUpToItsAmplitude) {
   const CalibrationMotion motion(kOptions);
   Vec3 most = Vec3::Zero();

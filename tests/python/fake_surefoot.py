@@ -49,7 +49,7 @@ def main(words):
         if float(parameters.get("mass", 0)) < 0:
             refuse(f"--set mass={parameters['mass']}: mass: \"{parameters['mass']}\" is not a number of at least 0")
         print(json.dumps({"version": "1", "commit": "abc", "sources_hash": sources_hash, "metrics": METRICS, "notes": ["a note"] if "noted" in parameters else [],
-                          "scenario": "fake", "stack": "walk", "estimation": "truth", "foot_force_sensor": False, "description": "a fake",
+                          "scenario": "fake", "robot": "fake", "stack": "walk", "estimation": "truth", "foot_force_sensor": False, "description": "a fake",
                           "has_goal": False, "success_rate": 1.0, "paper": {"com_error_max_m": "≤ 3.4 mm"}}))  # fmt: skip
         return 0
     if log := os.environ.get("FAKE_LOG"):

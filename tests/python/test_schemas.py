@@ -78,3 +78,10 @@ def test_options_are_listed_by_the_beginning_of_their_keys():
     assert (row["default"], row["range"]) == ("0.76", "0.34 … 1")
     assert "begins with" in complaint("list", "options", "plannr")
     assert "scenario" in complaint("list", "schema", "scenarios")
+
+
+def test_defaults_are_listed_with_the_robot_whose_they_are():
+    assert surefoot("list", "tasks").stdout.startswith("Defaults of anymal_b;")
+    of = {robot: json.loads(surefoot("list", "options", "planner.swing.reach_max", "--json", "--robot", robot).stdout)[0]["default"] for robot in ("anymal_b", "hyq")}
+    assert float(of["hyq"]) > 1.2 * float(of["anymal_b"])
+    assert "anymal_b" in complaint("list", "tasks", "--robot", "anymal_x")

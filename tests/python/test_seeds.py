@@ -13,7 +13,7 @@ from surefoot_campaign.seeds import all_the_same, enough_succeeded, seeds_json, 
 from surefoot_campaign.text import aligned, asked_of, pretty, printable
 
 ABOUT = {
-    "scenario": "trial", "stack": "walk", "estimation": "sensors", "foot_force_sensor": False, "version": "1", "description": "",
+    "scenario": "trial", "robot": "fake", "stack": "walk", "estimation": "sensors", "foot_force_sensor": False, "version": "1", "description": "",
     "has_goal": False, "success_rate": 1.0, "paper": {"com_error_max_m": "≤ 3.4 mm"},
     "metrics": {"com_error_max_m": {"worst": "greatest"}, "speed_mps": {"worst": "least"}, "tick_us.p99": {"worst": "greatest"}},
 }  # fmt: skip
@@ -74,7 +74,7 @@ def test_the_table_tells_why_runs_failed_and_what_the_metrics_come_to_also_one_t
     about = ABOUT | {"foot_force_sensor": True, "description": "a walk"}
     rows = [row(False, 0.0006, criteria=missed), CRASH]
     assert seeds_table(about, seeds_json(about, rows)).splitlines() == [
-        "trial, stack walk, estimation sensors, foot force sensors: a walk",
+        "trial, robot fake, stack walk, estimation sensors, foot force sensors: a walk",
         "",
         "seed 1   why; com_error_max_m 0.6 mm, must be ≤ 0.5 mm ✗; fell must be no ✗; tick_us.p99 –, must be ≤ 300 µs ✗",
         "seed 7   killed by SIGSEGV",

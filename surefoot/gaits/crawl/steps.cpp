@@ -27,11 +27,13 @@ const GaitOptions& checked(const GaitOptions& gait) {
 /// The goal, limited to the leg's reach from the hip at landing: a nearly straight leg can't detect
 /// contact. Over lower ground the hip comes down with the torso.
 Vec2 within_reach(Leg k, const Vec3& goal, double duration, const Situation& now) {
-  const Vec2 shift = now.body.com.at(now.time + duration).p - now.dynamics.com.p.head<2>();
+  const Body& body = now.body;
+  const Vec2 shift = body.com.at(now.time + duration).p - now.dynamics.com.p.head<2>();
   const Vec3& hip = now.dynamics.hip[index(k)].p;
-  const double height = std::min(hip.z() - goal.z(), now.body.options.stance.height);
+  const double stance = hip_height(body.options.stance, body.scale);
+  const double height = std::min(hip.z() - goal.z(), stance);
   return nearest_within(goal.head<2>(), hip.head<2>() + shift,
-                        horizontal_reach(now.body.options.swing, height));
+                        horizontal_reach(body.options.swing, height));
 }
 
 }  // namespace

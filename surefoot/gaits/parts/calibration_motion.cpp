@@ -29,6 +29,12 @@ Motion<double> window(double frequency, double t) {
 
 }  // namespace
 
+CalibrationMotion::CalibrationMotion(const CalibrationOptions& options, const Scale& scale)
+    : options_(options),
+      take_over_(scale.time() * kTakeOver),
+      weighing_(scale.time() * kWeighing),
+      following_(scale.time() * kFollowing) {}
+
 double CalibrationMotion::shortest_duration(const CalibrationOptions& options) {
   const double most = amplitudes_of(options).cwiseProduct(kPeriods.cwiseAbs2()).maxCoeff();
   return std::max(kMinTurnDuration, 2.0 * kPi * std::sqrt(most / kMaxAcceleration));
@@ -36,7 +42,7 @@ double CalibrationMotion::shortest_duration(const CalibrationOptions& options) {
 
 double CalibrationMotion::duration() const {
   if (!(options_.duration > 0.0)) return 0.0;
-  return options_.settle + options_.duration + kTakeOver + kWeighingDuration + kFollowDuration;
+  return options_.settle + options_.duration + take_over_ + weighing_ + following_;
 }
 
 CalibrationStage CalibrationMotion::stage(double t) const {
@@ -44,9 +50,9 @@ CalibrationStage CalibrationMotion::stage(double t) const {
   const double since_turning = t - options_.settle - options_.duration;
   if (t < options_.settle) return CalibrationStage::settling;
   if (since_turning < 0.0) return CalibrationStage::turning;
-  if (since_turning < kTakeOver) return CalibrationStage::settling;
-  if (since_turning < kTakeOver + kWeighingDuration) return CalibrationStage::weighing;
-  const bool follows = since_turning < kTakeOver + kWeighingDuration + kFollowDuration;
+  if (since_turning < take_over_) return CalibrationStage::settling;
+  if (since_turning < take_over_ + weighing_) return CalibrationStage::weighing;
+  const bool follows = since_turning < take_over_ + weighing_ + following_;
   return follows ? CalibrationStage::settling : CalibrationStage::none;
 }
 

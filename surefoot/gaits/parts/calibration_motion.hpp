@@ -1,5 +1,6 @@
 #pragma once
 
+#include "surefoot/base/scale.hpp"
 #include "surefoot/gaits/planner_options.hpp"
 #include "surefoot/math/quintic.hpp"
 #include "surefoot/signals/motion_plan.hpp"
@@ -16,10 +17,12 @@ namespace surefoot::gaits {
 /// use (KinematicCalibration), then payload and centre of mass are estimated (ComCalibration).
 class CalibrationMotion {
  public:
-  /// From the end of the turning until the estimated leg lengths and zeros are in use [s].
+  /// From the end of the turning until the estimated leg lengths and zeros are in use, of a robot
+  /// of scale 1 [s].
   static constexpr double kTakeOver = 0.7;
 
-  explicit CalibrationMotion(const CalibrationOptions& options) : options_(options) {}
+  /// `scale` of the robot.
+  explicit CalibrationMotion(const CalibrationOptions& options, const Scale& scale = {});
 
   /// Shortest duration in which legs and ground can turn the torso by the options' amplitudes [s]:
   /// accelerations are about (2π n / T)² A.
@@ -34,6 +37,7 @@ class CalibrationMotion {
 
  private:
   CalibrationOptions options_;
+  double take_over_, weighing_, following_;  // [s]
 };
 
 }  // namespace surefoot::gaits

@@ -77,7 +77,7 @@ void RestWatch::update(const RobotState& state, bool stands) {
 }
 
 bool RestWatch::is_at_rest(const RobotState& state) const {
-  return state.time > std::max(stands_from_, rests_from_) + kRestDuration &&
+  return state.time > std::max(stands_from_, rests_from_) + scale_.time() * kRestDuration &&
          state.w_WB_B.norm() < scale_.rate() * kRestSpeed;
 }
 

@@ -11,7 +11,9 @@ namespace surefoot::gaits {
 /// after a disturbed calibration that did not find legs and load.
 class CalibrationSchedule {
  public:
-  explicit CalibrationSchedule(const CalibrationOptions& options) : motion_(options) {}
+  /// `scale` of the robot.
+  explicit CalibrationSchedule(const CalibrationOptions& options, const Scale& scale = {})
+      : motion_(options, scale) {}
 
   /// State of the user's switch before the first tick: not a request.
   void expect_switch(bool requested) { requested_before_ = requested; }
@@ -65,7 +67,7 @@ class RestWatch {
 
   /// One tick. `stands`: the gait is standing, with all feet down.
   void update(const RobotState& state, bool stands);
-  /// Has it stood still for 1 s, without turning?
+  /// Has it stood still for 1 s, at scale 1, without turning?
   [[nodiscard]] bool is_at_rest(const RobotState& state) const;
 
  private:

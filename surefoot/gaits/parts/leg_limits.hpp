@@ -1,5 +1,6 @@
 #pragma once
 
+#include "surefoot/base/scale.hpp"
 #include "surefoot/gaits/planner_options.hpp"
 #include "surefoot/math/numbers.hpp"
 #include "surefoot/math/smoothstep.hpp"
@@ -17,6 +18,11 @@ inline constexpr double kNever = kInfinity;
 [[nodiscard]] inline Vec2 nominal_offset(const StanceOptions& stance, Leg leg) {
   return {is_front(leg) ? stance.half_length : -stance.half_length,
           is_left(leg) ? stance.half_width : -stance.half_width};
+}
+
+/// Height of the hips over the feet in the nominal stance [m].
+[[nodiscard]] inline double hip_height(const StanceOptions& stance, const Scale& scale) {
+  return stance.height + scale.hip_height;
 }
 
 /// Horizontal reach of a foot with the hip at this height over it [m].

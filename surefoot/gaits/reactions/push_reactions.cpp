@@ -39,7 +39,7 @@ CaptureStep capture_step(const Situation& now, Leg k, double duration) {
     problem.feet[index(k)] += 0.5 * duration * now.before.feet[index(k)].v_WF.head<2>();
   problem.capture_point = body.balance.capture_point_after(region_of_feet(now, k), duration);
   problem.hip = (now.dynamics.hip[index(k)].p + duration * now.dynamics.com.v).head<2>();
-  problem.reach = horizontal_reach(body.options.swing, body.options.stance.height);
+  problem.reach = horizontal_reach(body.options.swing, hip_height(body.options.stance, body.scale));
   return find_capture_step(problem, k, body.options.push);
 }
 
