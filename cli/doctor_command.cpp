@@ -5,7 +5,6 @@
 #include "surefoot/base/printable.hpp"
 #include "surefoot/doctor/report.hpp"
 #include "surefoot/doctor/robot_file_text.hpp"
-#include "surefoot/logging/scratch_folder.hpp"
 #include "surefoot/runtime/interrupt.hpp"
 
 #include <algorithm>
@@ -18,9 +17,6 @@ namespace {
 
 /// Guesses stand in for what the robot file lacks.
 std::vector<doctor::Trial> walk(const doctor::Diagnosis& robot) {
-  const logging::ScratchFolder scratch;
-  const std::string file = scratch.write(
-      "robot.yaml", robot_file_text(robot, scratch.path(), doctor::Guesses::as_numbers));
   std::unique_ptr<Progress> progress;
   std::string shown;
   doctor::TrialOptions options;
@@ -33,7 +29,7 @@ std::vector<doctor::Trial> walk(const doctor::Diagnosis& robot) {
     }
     progress->update(time);
   };
-  return doctor::try_walking(file, options);
+  return doctor::try_walking(robot, options);
 }
 
 /// Without legs the findings say more than a file could.

@@ -32,12 +32,11 @@ Vec3 knee_side(const model::RobotDescription& robot, Leg leg, gaits::KneeConfigu
 
 gaits::KneeConfiguration knees_that_fit(const model::RobotDescription& robot,
                                         gaits::KneeConfiguration wanted) {
-  constexpr double kLeastBend = 0.5;  // of a knee that is said to bend to this side [rad]
   const auto fit = [&](gaits::KneeConfiguration knees) {
     return std::ranges::all_of(kLegs, [&](Leg leg) {
       const double side = knee_side(robot, leg, knees).z();
       const Eigen::Index knee = first_joint(leg) + 2;
-      return side < 0.0 ? robot.q_min[knee] < -kLeastBend : robot.q_max[knee] > kLeastBend;
+      return side < 0.0 ? robot.q_min[knee] < -kSideBend : robot.q_max[knee] > kSideBend;
     });
   };
   if (fit(wanted)) return wanted;

@@ -14,6 +14,9 @@ inline constexpr std::array<std::pair<const char*, gaits::KneeConfiguration>, 3>
      {"forward", gaits::KneeConfiguration::forward},
      {"backward", gaits::KneeConfiguration::backward}}};
 
+/// A knee whose limits let it bend so far to a side is said to bend to it [rad].
+inline constexpr double kSideBend = 0.5;
+
 /// Joint angles from which the inverse kinematics of a leg starts: HAA, HFE, KFE [rad], on the side
 /// that the configuration asks for, as the robot's nominal posture has its knees in X.
 [[nodiscard]] Vec3 knee_side(const model::RobotDescription& robot, Leg leg,

@@ -20,7 +20,8 @@ void check_symmetry(Diagnosis& robot);
 void check_signs(Diagnosis& robot);
 /// Joints whose names say another leg than the one at whose place they are.
 void check_names(Diagnosis& robot);
-/// The start of a walk as the program checks it: stance, overlaps, shapes below the feet.
+/// The start of a walk as the program checks it: stance, overlaps, shapes below the feet. Also
+/// which knees are chosen where the limits don't leave those that a scenario asks for.
 void check_stance(Diagnosis& robot);
 
 /// Which of a joint's limits have to be filled in.

@@ -111,6 +111,8 @@ std::string report_text(const Diagnosis& robot, const std::vector<Trial>& trials
   if (robot.anatomy.legs) text += "\n" + legs_table(*robot.anatomy.legs);
   text += limbs_text(robot.anatomy) + proportions_text(robot);
   text += "\n" + count_text(robot.findings) + "\n";
+  if (has_cause(robot.findings))
+    text += "mend the first: signs, symmetry and stance are checked when sizes are right\n";
   const std::size_t slash = robot.urdf.path.find_last_of('/') + 1;
   for (const Finding& finding : robot.findings)
     text += finding_text(finding, robot.urdf.path.substr(slash));

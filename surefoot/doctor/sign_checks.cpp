@@ -68,11 +68,10 @@ void tell_knees(Diagnosis& robot, const char* side, const std::string& legs) {
   if (legs.empty()) return;
   const model::UrdfJoint& knee = robot.anatomy.legs->front().joints[2];
   const bool never = std::string_view(side) == name(KneeSides{});
-  robot.findings.push_back({never ? Severity::error : Severity::note, Confidence::certain, "knees",
-                            knee.line,
-                            "by their limits the knees of" + legs + " bend " + side +
-                                (never ? "" : " only; scenarios choose their stance by that"),
-                            never ? "correct <limit> lower and upper of KFE, rad" : ""});
+  robot.findings.push_back(
+      {never ? Severity::error : Severity::note, Confidence::certain, "knees", knee.line,
+       "by their limits the knees of" + legs + " bend " + side + (never ? "" : " only"),
+       never ? "correct <limit> lower and upper of KFE, rad" : ""});
 }
 
 }  // namespace
