@@ -10,6 +10,9 @@
 namespace surefoot::config {
 namespace {
 
+/// What stands in front of the keys of one leg.
+std::string key_of(Leg leg) { return "legs." + std::string(kLegNames[index(leg)]) + "."; }
+
 /// Is a leg's posture within the limits? `bad` gets the joint that is not.
 bool is_within_limits(const model::RobotDescription& robot, Leg leg, const Vec3& q,
                       Eigen::Index& bad) {
@@ -20,23 +23,26 @@ bool is_within_limits(const model::RobotDescription& robot, Leg leg, const Vec3&
   return true;
 }
 
+/// Fails where the posture lies outside the limits; `key` told it.
+void set_leg(const Section& top, const std::string& key, Leg leg, const Vec3& q,
+             model::RobotDescription& robot) {
+  Eigen::Index bad = 0;
+  robot.q_nominal.segment<3>(first_joint(leg)) = q;
+  if (is_within_limits(robot, leg, q, bad)) return;
+  const Eigen::Index joint = first_joint(leg) + bad;
+  top.fail(key, std::string(kJointNames[static_cast<std::size_t>(bad)]) +
+                    formatted(" at %g rad lies outside limits.position_min and position_max, "
+                              "%g to %g rad",
+                              q[bad], robot.q_min[joint], robot.q_max[joint]));
+}
+
 /// Hind legs mirror HFE and KFE of a front leg (X-configuration), but where their limits leave that
 /// out, they stand like the front ones.
-void set_posture(const Section& top, const Vec3& front, model::RobotDescription& robot) {
-  for (const Leg leg : kLegs) {
-    const Vec3 mirrored(front.x(), -front.y(), -front.z());
-    Eigen::Index bad = 0;
-    const bool mirror = !is_front(leg) && is_within_limits(robot, leg, mirrored, bad);
-    const Vec3 q = mirror ? mirrored : front;
-    robot.q_nominal.segment<3>(first_joint(leg)) = q;
-    if (is_within_limits(robot, leg, q, bad)) continue;
-    const Eigen::Index joint = first_joint(leg) + bad;
-    top.fail("posture.nominal",
-             std::string(kJointNames[static_cast<std::size_t>(bad)]) +
-                 formatted(" at %g rad lies outside limits.position_min and position_max, "
-                           "%g to %g rad",
-                           q[bad], robot.q_min[joint], robot.q_max[joint]));
-  }
+void set_posture(const Section& top, const Vec3& front, Leg leg, model::RobotDescription& robot) {
+  const Vec3 mirrored(front.x(), -front.y(), -front.z());
+  Eigen::Index bad = 0;
+  const bool mirror = !is_front(leg) && is_within_limits(robot, leg, mirrored, bad);
+  set_leg(top, "posture.nominal", leg, mirror ? mirrored : front, robot);
 }
 
 /// The nominal posture of legs whose limits leave one side of the knee, or both: X-configuration
@@ -74,26 +80,29 @@ void choose_posture(const Section& top, const model::RobotModel& model,
            "0.8 to 2 rad under the hips");
 }
 
-/// A number of each joint: the file's, else the URDF's.
+/// A number of each joint: that of its leg in the file, else of all legs, else the URDF's.
 class JointNumbers {
  public:
-  JointNumbers(const Section& top, const model::Urdf& urdf, const model::RobotDescription& robot)
-      : top_(top), urdf_(urdf), robot_(robot) {}
+  JointNumbers(const Section& top, const model::Urdf& urdf, const RobotInFile& given)
+      : top_(top), urdf_(urdf), given_(given) {}
 
-  [[nodiscard]] JointVector of(const char* key, const LegJoints& given,
+  [[nodiscard]] JointVector of(const char* key, LegJoints LimitsInFile::* limit,
                                double model::UrdfJoint::* described, bool is_positive) const {
     JointVector numbers = JointVector::Zero();
     for (const Leg leg : kLegs) {
-      for (std::size_t i = 0; i < kJointsPerLeg; ++i) {
-        const Eigen::Index joint = first_joint(leg) + static_cast<Eigen::Index>(i);
-        numbers[joint] = given[static_cast<Eigen::Index>(i)];
-        if (!std::isnan(numbers[joint])) continue;
+      const LegJoints& own = given_.legs[index(leg)].limits.*limit;
+      for (Eigen::Index i = 0; i < kJointsPerLeg; ++i) {
+        double& number = numbers[first_joint(leg) + i];
+        number = std::isnan(own[i]) ? (given_.limits.*limit)[i] : own[i];
+        if (!std::isnan(number)) continue;
         const model::UrdfJoint& from = *std::ranges::find(
-            urdf_.joints, robot_.legs[index(leg)].joints[i], &model::UrdfJoint::name);
-        numbers[joint] = from.*described;
-        if (std::isnan(numbers[joint]) || (is_positive && numbers[joint] <= 0.0)) {
-          top_.fail(key, "this key is missing, and the URDF does not limit joint \"" + from.name +
-                             "\" (" + urdf_.path + ":" + std::to_string(from.line) + ")");
+            urdf_.joints, given_.robot.legs[index(leg)].joints[static_cast<std::size_t>(i)],
+            &model::UrdfJoint::name);
+        number = from.*described;
+        if (std::isnan(number) || (is_positive && number <= 0.0)) {
+          top_.fail("limits." + std::string(key),
+                    "this key is missing, and the URDF does not limit joint \"" + from.name +
+                        "\" (" + urdf_.path + ":" + std::to_string(from.line) + ")");
         }
       }
     }
@@ -103,7 +112,7 @@ class JointNumbers {
  private:
   const Section& top_;
   const model::Urdf& urdf_;
-  const model::RobotDescription& robot_;
+  const RobotInFile& given_;
 };
 
 JointVector or_else(const LegJoints& given, const JointVector& others) {
@@ -142,12 +151,13 @@ void complete_leg(const Section& top, const model::Urdf& urdf, const std::string
 
 void complete_limits(const Section& top, const model::Urdf& urdf, const RobotInFile& given,
                      model::RobotDescription& robot) {
-  const JointNumbers numbers(top, urdf, robot);
+  const JointNumbers numbers(top, urdf, given);
   using model::UrdfJoint;
-  robot.torque_limit = numbers.of("limits.torque", given.torque, &UrdfJoint::effort, true);
-  robot.velocity_limit = numbers.of("limits.velocity", given.velocity, &UrdfJoint::velocity, true);
-  robot.q_min = numbers.of("limits.position_min", given.position_min, &UrdfJoint::lower, false);
-  robot.q_max = numbers.of("limits.position_max", given.position_max, &UrdfJoint::upper, false);
+  using Limits = LimitsInFile;
+  robot.torque_limit = numbers.of("torque", &Limits::torque, &UrdfJoint::effort, true);
+  robot.velocity_limit = numbers.of("velocity", &Limits::velocity, &UrdfJoint::velocity, true);
+  robot.q_min = numbers.of("position_min", &Limits::position_min, &UrdfJoint::lower, false);
+  robot.q_max = numbers.of("position_max", &Limits::position_max, &UrdfJoint::upper, false);
   for (Eigen::Index i = 0; i < kNumJoints; ++i) {
     if (robot.q_min[i] < robot.q_max[i]) continue;
     top.fail("limits.position_max",
@@ -162,12 +172,19 @@ void complete_limits(const Section& top, const model::Urdf& urdf, const RobotInF
   robot.no_load_speed = or_else(given.no_load_speed, robot.velocity_limit);
 }
 
-void complete_posture(const Section& top, const Vec3& front, const model::RobotModel& model,
+void complete_posture(const Section& top, const RobotInFile& given, const model::RobotModel& model,
                       model::RobotDescription& robot) {
-  if (front.array().isNaN().any()) {
-    choose_posture(top, model, robot);
-  } else {
-    set_posture(top, front, robot);
+  const auto is_own = [&](Leg leg) {
+    return !given.legs[index(leg)].nominal.array().isNaN().any();
+  };
+  const bool is_chosen = given.nominal.array().isNaN().any();
+  if (is_chosen && !std::ranges::all_of(kLegs, is_own)) choose_posture(top, model, robot);
+  for (const Leg leg : kLegs) {
+    if (is_own(leg)) {
+      set_leg(top, key_of(leg) + "posture.nominal", leg, given.legs[index(leg)].nominal, robot);
+    } else if (!is_chosen) {
+      set_posture(top, given.nominal, leg, robot);
+    }
   }
 }
 

@@ -11,11 +11,24 @@ struct LegJoints : Vec3 {
   LegJoints() : Vec3(Vec3::Constant(kNaN)) {}
 };
 
+/// Limits of joints as a robot file says them; NaN: not given.
+struct LimitsInFile {
+  LegJoints torque, velocity, position_min, position_max;
+};
+
+/// What a robot file says of one leg alone; NaN: as it says of all legs.
+struct LegInFile {
+  std::vector<std::string> joints;
+  LimitsInFile limits;
+  LegJoints nominal;
+};
+
 /// What a robot file says; what it leaves out follows from the URDF.
 struct RobotInFile {
   model::RobotDescription robot;  ///< its URDF by name
-  PerLeg<std::vector<std::string>> joints;
-  LegJoints torque, velocity, position_min, position_max, stall_torque, no_load_speed, nominal;
+  PerLeg<LegInFile> legs;
+  LimitsInFile limits;
+  LegJoints stall_torque, no_load_speed, nominal;
 };
 
 /// All keys of a robot file.

@@ -92,8 +92,7 @@ std::string count_text(const Findings& findings) {
 std::string trials_text(const Diagnosis& robot, const std::vector<Trial>& trials) {
   if (trials.empty()) return "";
   std::string text = "\n";
-  const LimitGaps gaps = limit_gaps(robot);
-  if (gaps.effort || gaps.velocity || gaps.position)
+  if (has_gaps(robot))
     text += "walked with guessed limits, which the robot file has as comments:\n";
   for (const Trial& trial : trials) {
     text += trial.scenario + (trial.succeeded ? ": succeeded: " : ": did not succeed: ") +
