@@ -78,8 +78,8 @@ Diagnosis examine(const std::string& urdf, const std::string& name) {
   check_feet(robot);
   check_inertias(robot);
   check_names(robot);
+  if (!has_cause(robot.findings)) check_signs(robot);
   if (!has_cause(robot.findings)) {
-    check_signs(robot);
     load(robot);
     check_symmetry(robot);
   }

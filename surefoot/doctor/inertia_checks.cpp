@@ -93,9 +93,10 @@ class BodyList {
       others_ += " " + link.name;
     }
   }
-  void tell(const char* remedy, Findings& findings) const {
+  void tell(Severity severity, Confidence confidence, const char* remedy,
+            Findings& findings) const {
     if (first_ == nullptr) return;
-    findings.push_back(of_link(*first_, Severity::warning, Confidence::likely,
+    findings.push_back(of_link(*first_, severity, confidence,
                                what_ + (others_.empty() ? "" : "; so it is with" + others_),
                                remedy));
   }
@@ -124,26 +125,21 @@ class UnitCheck {
     }
   }
   void tell(Findings& findings) const {
-    large_.tell(
-        "is <inertia> in kg·mm² (divide by 1e6) or g·mm² (by 1e9), or the mass too small? "
-        "Expected are kg and kg·m²",
-        findings);
-    small_.tell(
-        "is the mass in g (divide by 1000), or <inertia> a placeholder? Expected are kg "
-        "and kg·m²",
-        findings);
-    far_.tell("is <inertial><origin> in mm? Expected are m", findings);
+    large_.tell(Severity::warning, Confidence::likely,
+                "is <inertia> in kg·mm² (divide by 1e6) or g·mm² (by 1e9), or the mass too small? "
+                "Expected are kg and kg·m²",
+                findings);
+    small_.tell(Severity::warning, Confidence::likely,
+                "is the mass in g (divide by 1000), or <inertia> a placeholder? Expected are kg "
+                "and kg·m²",
+                findings);
+    far_.tell(Severity::warning, Confidence::likely, "is <inertial><origin> in mm? Expected are m",
+              findings);
   }
 
  private:
   BodyList large_, small_, far_;
 };
-
-void tell_massless(const model::UrdfLink& link, Findings& findings) {
-  findings.push_back(of_link(link, Severity::error, Confidence::certain,
-                             "it moves, but has no mass, with all that is fixed to it",
-                             "add <inertial> with its mass, or make its joint fixed"));
-}
 
 /// The torso of a robot is often fixed to a base without mass; a leg's link has its own.
 void check_own_mass(const Diagnosis& robot, const Body& body, Findings& findings) {
@@ -162,19 +158,22 @@ void check_inertias(Diagnosis& robot) {
   for (const model::UrdfLink& link : robot.urdf.links)
     check_link(link, link.name == robot.urdf.root, robot.findings);
   UnitCheck units;
+  BodyList massless;
   for (const model::UrdfLink& link : robot.urdf.links) {
     const bool is_empty_root = link.name == robot.urdf.root && link.name != robot.anatomy.base;
     const bool is_first_of_body = robot.anatomy.welds.at(link.name).body == link.name;
     if (!is_first_of_body || is_empty_root) continue;
     const Body body = body_of(robot, link);
     if (body.inertia.mass <= 0.0) {
-      tell_massless(link, robot.findings);
+      massless.add(link, "it moves, but has no mass, with all that is fixed to it");
       continue;
     }
     check_moments(body, robot.findings);
     check_own_mass(robot, body, robot.findings);
     units.add(body);
   }
+  massless.tell(Severity::error, Confidence::certain,
+                "add <inertial> with its mass, or make its joint fixed", robot.findings);
   if (!has_cause(robot.findings)) units.tell(robot.findings);
 }
 

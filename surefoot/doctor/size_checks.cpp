@@ -9,36 +9,39 @@
 namespace surefoot::doctor {
 namespace {
 
-constexpr double kLeastMass = 0.5, kMostMass = 500.0;  // of a robot that walks [kg]
-constexpr double kShortLeg = 0.05, kLongLeg = 2.0;     // [m]
-constexpr double kStub = 0.5, kStubOfThigh = 0.25;     // of the usual shank: its end is missing
-constexpr double kMostOfAll = 0.9;                     // of the robot's mass, in one link
+constexpr double kLeastMass = 0.5, kMostMass = 500.0;   // of a robot that walks [kg]
+constexpr double kShortLeg = 0.05, kLongLeg = 2.0;      // [m]
+constexpr double kStub = 0.5;                           // of the usual shank, and of the thigh
+constexpr double kMostInBase = 0.9, kMostInLimb = 0.5;  // of the robot's mass, in one link
 
 bool is_mass(double mass) { return mass >= kLeastMass && mass <= kMostMass; }
 
-/// One link in g among others in kg is told as such.
-void tell_mass(Diagnosis& robot, double mass) {
+/// The link that has nearly all mass, so that it must be in other units; nullptr: none.
+const model::UrdfLink* giant(const Diagnosis& robot, double mass) {
   const model::UrdfLink& heaviest = *std::ranges::max_element(
       robot.urdf.links, {}, [](const model::UrdfLink& link) { return link.inertia.mass; });
-  if (heaviest.inertia.mass > kMostOfAll * mass && is_mass(mass - heaviest.inertia.mass)) {
-    robot.findings.push_back(
-        {Severity::error, Confidence::likely, "link \"" + heaviest.name + "\"", heaviest.line,
-         formatted("it has %.4g of the %.4g kg of all links", heaviest.inertia.mass, mass),
-         "is its mass in g? Divide mass and inertia by 1000", true});
-    return;
-  }
-  robot.findings.push_back(
-      {Severity::error, Confidence::likely, "robot", 0,
-       formatted("all links together have %.4g kg; a robot that walks has 0.5 to 500 kg", mass),
-       mass > kMostMass ? "are the masses in g? Divide masses and inertias by 1000"
-                        : "are the masses in t, or missing? Expected are kg",
-       true});
+  const bool is_of_base = robot.anatomy.welds.at(heaviest.name).body == robot.anatomy.base;
+  const double most = (is_of_base ? kMostInBase : kMostInLimb) * mass;
+  const bool is_wrong = !is_of_base || !is_mass(mass);
+  return is_wrong && heaviest.inertia.mass > most ? &heaviest : nullptr;
 }
 
 void check_mass(Diagnosis& robot) {
   double mass = 0.0;
   for (const model::UrdfLink& link : robot.urdf.links) mass += link.inertia.mass;
-  if (!is_mass(mass)) tell_mass(robot, mass);
+  if (const model::UrdfLink* link = giant(robot, mass)) {
+    robot.findings.push_back(
+        {Severity::error, Confidence::likely, "link \"" + link->name + "\"", link->line,
+         formatted("it has %.4g of the %.4g kg of all links", link->inertia.mass, mass),
+         "is its mass in g? Divide it by 1000, and look at its inertia, in kg·m²", true});
+  } else if (!is_mass(mass)) {
+    robot.findings.push_back(
+        {Severity::error, Confidence::likely, "robot", 0,
+         formatted("all links together have %.4g kg; a robot that walks has 0.5 to 500 kg", mass),
+         mass > kMostMass ? "are the masses in g? Divide masses and inertias by 1000"
+                          : "are the masses in t, or missing? Expected are kg",
+         true});
+  }
 }
 
 std::string names_of(const std::vector<Leg>& legs) {
@@ -80,7 +83,7 @@ std::vector<Leg> stubs(const PerLeg<FoundLeg>& legs) {
   std::vector<Leg> result;
   for (const Leg leg : kLegs) {
     const FoundLeg& found = legs[index(leg)];
-    if (found.shank < std::max(kStub * usual, kStubOfThigh * found.thigh)) result.push_back(leg);
+    if (found.shank < kStub * std::max(usual, found.thigh)) result.push_back(leg);
   }
   return result;
 }

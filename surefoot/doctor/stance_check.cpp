@@ -28,7 +28,7 @@ void tell_other_knees(Diagnosis& robot, const char* scenario, std::string_view a
   if (chosen->first == asked) return;
   robot.findings.push_back({Severity::note, Confidence::certain, scenario, 0,
                             "it stands with knees " + std::string(chosen->first) + ", not " +
-                                std::string(asked) + ", as the limits of KFE leave no other",
+                                std::string(asked) + ", which the limits of KFE rule out",
                             ""});
 }
 
