@@ -3,9 +3,9 @@
 #include "cli/exit_code.hpp"
 #include "cli/progress.hpp"
 #include "surefoot/base/printable.hpp"
+#include "surefoot/doctor/picture.hpp"
 #include "surefoot/doctor/report.hpp"
 #include "surefoot/doctor/robot_file_text.hpp"
-#include "surefoot/logging/scratch_folder.hpp"
 #include "surefoot/runtime/interrupt.hpp"
 
 #include <algorithm>
@@ -18,9 +18,6 @@ namespace {
 
 /// Guesses stand in for what the robot file lacks.
 std::vector<doctor::Trial> walk(const doctor::Diagnosis& robot) {
-  const logging::ScratchFolder scratch;
-  const std::string file = scratch.write(
-      "robot.yaml", robot_file_text(robot, scratch.path(), doctor::Guesses::as_numbers));
   std::unique_ptr<Progress> progress;
   std::string shown;
   doctor::TrialOptions options;
@@ -33,17 +30,18 @@ std::vector<doctor::Trial> walk(const doctor::Diagnosis& robot) {
     }
     progress->update(time);
   };
-  return doctor::try_walking(file, options);
+  return doctor::try_walking(robot, options);
 }
 
-/// Without legs the findings say more than a file could.
-void write_file(const doctor::Diagnosis& robot, const std::string& file) {
-  if (!robot.anatomy.legs) {
+/// Without legs the picture and the findings say more than a file could.
+void write_files(const doctor::Diagnosis& robot, const std::string& file) {
+  if (robot.anatomy.legs) {
+    write_robot_file(robot, file);
+    std::fprintf(stderr, "robot file: %s\n", file.c_str());
+  } else {
     std::fprintf(stderr, "surefoot: no robot file: four legs were not found, see the errors\n");
-    return;
   }
-  write_robot_file(robot, file);
-  std::fprintf(stderr, "robot file: %s\n", file.c_str());
+  std::fprintf(stderr, "picture: %s\n", write_picture(robot, file).c_str());
 }
 
 }  // namespace
@@ -52,7 +50,7 @@ int doctor_command(const DoctorArguments& arguments) {
   runtime::watch_for_interrupt();
   const doctor::Diagnosis robot = doctor::examine(arguments.urdf, arguments.name);
   const bool can_walk = robot.robot.has_value();
-  if (!arguments.out.empty()) write_file(robot, arguments.out);
+  if (!arguments.out.empty()) write_files(robot, arguments.out);
   if (arguments.walk && !can_walk)
     std::fprintf(stderr, "surefoot: no trial: the program refuses the robot, see the errors\n");
   const std::vector<doctor::Trial> trials =

@@ -13,6 +13,7 @@
 #include "surefoot/base/build_info.hpp"
 #include "surefoot/base/printable.hpp"
 #include "surefoot/config/nearest_name.hpp"
+#include "surefoot/doctor/diagnosis.hpp"
 #include "surefoot/solver/sweep.hpp"
 
 #include <CLI/CLI.hpp>
@@ -162,6 +163,17 @@ CLI::Validator some_name() {
       [](std::string& name) { return std::string(name.empty() ? "the name is empty" : ""); }, "");
 }
 
+CLI::Validator robot_name() {
+  return CLI::Validator(
+      [](std::string& name) {
+        if (doctor::is_robot_name(name)) return std::string();
+        return "\"" + name +
+               "\" is no robot's name; valid are letters, digits, \"_\", \"-\" and \".\", a letter "
+               "or digit first";
+      },
+      "");
+}
+
 void add_run(CLI::App& app, Command& chosen) {
   CLI::App* run = app.add_subcommand("run", "Run a scenario and judge it by its criteria");
   run->footer(kRunFooter);
@@ -230,7 +242,7 @@ void add_doctor(CLI::App& app, Command& chosen) {
   doctor->add_option("--out", arguments->out, "Write the robot file here (YAML)")
       ->check(some_name());
   doctor->add_option("--name", arguments->name, "Of the robot; the URDF's by default")
-      ->check(some_name());
+      ->check(robot_name());
   doctor->add_flag("--walk", arguments->walk, "Let it walk, and step down, in simulation");
   doctor->add_flag("--json", arguments->json, "Print one JSON object instead of a report");
   doctor->callback(

@@ -31,9 +31,8 @@ Vec3 knee_side(const model::RobotDescription& robot, Leg leg, gaits::KneeConfigu
 }
 
 bool can_bend(const model::RobotDescription& robot, Leg leg, double knee) {
-  constexpr double kLeastBend = 0.5;  // [rad]
   const Eigen::Index i = first_joint(leg) + 2;
-  return knee < 0.0 ? robot.q_min[i] < -kLeastBend : robot.q_max[i] > kLeastBend;
+  return knee < 0.0 ? robot.q_min[i] < -kSideBend : robot.q_max[i] > kSideBend;
 }
 
 gaits::KneeConfiguration knees_that_fit(const model::RobotDescription& robot,

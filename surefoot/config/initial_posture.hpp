@@ -14,6 +14,9 @@ inline constexpr std::array<std::pair<const char*, gaits::KneeConfiguration>, 3>
      {"forward", gaits::KneeConfiguration::forward},
      {"backward", gaits::KneeConfiguration::backward}}};
 
+/// A knee whose limits let it bend so far to a side can bend to it [rad].
+inline constexpr double kSideBend = 0.5;
+
 /// Start of a leg's inverse kinematics: HAA, HFE, KFE [rad], with the knee on the side of the
 /// configuration. The robot's nominal posture is an X-configuration.
 [[nodiscard]] Vec3 knee_side(const model::RobotDescription& robot, Leg leg,

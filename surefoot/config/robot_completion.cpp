@@ -10,6 +10,9 @@
 namespace surefoot::config {
 namespace {
 
+/// Key of a leg, with the dot behind it.
+std::string key_of(Leg leg) { return "legs." + std::string(kLegNames[index(leg)]) + "."; }
+
 /// Is a leg's posture within the limits? `bad` gets the index of the first joint that is not.
 bool is_within_limits(const model::RobotDescription& robot, Leg leg, const Vec3& q,
                       Eigen::Index& bad) {
@@ -20,23 +23,26 @@ bool is_within_limits(const model::RobotDescription& robot, Leg leg, const Vec3&
   return true;
 }
 
+/// Fails where the posture lies outside the limits; `key` told it.
+void set_leg(const Section& top, const std::string& key, Leg leg, const Vec3& q,
+             model::RobotDescription& robot) {
+  Eigen::Index bad = 0;
+  robot.q_nominal.segment<3>(first_joint(leg)) = q;
+  if (is_within_limits(robot, leg, q, bad)) return;
+  const Eigen::Index joint = first_joint(leg) + bad;
+  top.fail(key, std::string(kJointNames[static_cast<std::size_t>(bad)]) +
+                    formatted(" at %g rad lies outside limits.position_min and position_max, "
+                              "%g to %g rad",
+                              q[bad], robot.q_min[joint], robot.q_max[joint]));
+}
+
 /// Hind legs mirror HFE and KFE of a front leg (X-configuration), or copy them if limits forbid
 /// that.
-void set_posture(const Section& top, const Vec3& front, model::RobotDescription& robot) {
-  for (const Leg leg : kLegs) {
-    const Vec3 mirrored(front.x(), -front.y(), -front.z());
-    Eigen::Index bad = 0;
-    const bool mirror = !is_front(leg) && is_within_limits(robot, leg, mirrored, bad);
-    const Vec3 q = mirror ? mirrored : front;
-    robot.q_nominal.segment<3>(first_joint(leg)) = q;
-    if (is_within_limits(robot, leg, q, bad)) continue;
-    const Eigen::Index joint = first_joint(leg) + bad;
-    top.fail("posture.nominal",
-             std::string(kJointNames[static_cast<std::size_t>(bad)]) +
-                 formatted(" at %g rad lies outside limits.position_min and position_max, "
-                           "%g to %g rad",
-                           q[bad], robot.q_min[joint], robot.q_max[joint]));
-  }
+void set_posture(const Section& top, const Vec3& front, Leg leg, model::RobotDescription& robot) {
+  const Vec3 mirrored(front.x(), -front.y(), -front.z());
+  Eigen::Index bad = 0;
+  const bool mirror = !is_front(leg) && is_within_limits(robot, leg, mirrored, bad);
+  set_leg(top, "posture.nominal", leg, mirror ? mirrored : front, robot);
 }
 
 /// Sets the nominal posture from the limits: X-configuration if possible, else all knees backward,
@@ -73,40 +79,48 @@ void choose_posture(const Section& top, const model::RobotModel& model,
            "0.8 to 2 rad under the hips");
 }
 
-/// A limit of each joint: from the file, else from the URDF.
+/// A limit of each joint: from the file, of its leg or of all, else from the URDF.
 class JointNumbers {
  public:
-  JointNumbers(const Section& top, const model::Urdf& urdf, const model::RobotDescription& robot)
-      : top_(top), urdf_(urdf), robot_(robot) {}
+  JointNumbers(const Section& top, const model::Urdf& urdf, const RobotInFile& given)
+      : top_(top), urdf_(urdf), given_(given) {}
 
   /// `arms`: of their joints, one after the other.
-  [[nodiscard]] JointVector of(const char* key, const LegJoints& given,
+  [[nodiscard]] JointVector of(const char* key, LegJoints LimitsInFile::* limit,
                                double model::UrdfJoint::* described, bool is_positive,
                                const std::vector<double>& arms = {}) const {
-    JointVector numbers(robot_.num_joints());
-    const std::vector<std::string> names = robot_.joint_names();
+    JointVector numbers(given_.robot.num_joints());
+    const std::vector<std::string> names = given_.robot.joint_names();
     for (Eigen::Index joint = 0; joint < numbers.size(); ++joint) {
-      const auto of_arms =
-          static_cast<std::size_t>(std::max<Eigen::Index>(0, joint - kNumLegJoints));
-      numbers[joint] = joint < kNumLegJoints   ? given[joint % kJointsPerLeg]
-                       : of_arms < arms.size() ? arms[of_arms]
-                                               : kNaN;
+      numbers[joint] = joint < kNumLegJoints ? of_leg(joint, limit) : of_arm(joint, arms);
       if (!std::isnan(numbers[joint])) continue;
       const model::UrdfJoint& from = *std::ranges::find(
           urdf_.joints, names[static_cast<std::size_t>(joint)], &model::UrdfJoint::name);
       numbers[joint] = from.*described;
       if (std::isnan(numbers[joint]) || (is_positive && numbers[joint] <= 0.0)) {
-        top_.fail(key, "this key is missing, and the URDF does not limit joint \"" + from.name +
-                           "\" (" + urdf_.path + ":" + std::to_string(from.line) + ")");
+        top_.fail("limits." + std::string(key),
+                  "this key is missing, and the URDF does not limit joint \"" + from.name + "\" (" +
+                      urdf_.path + ":" + std::to_string(from.line) + ")");
       }
     }
     return numbers;
   }
 
  private:
+  [[nodiscard]] double of_leg(Eigen::Index joint, LegJoints LimitsInFile::* limit) const {
+    const Eigen::Index i = joint % kJointsPerLeg;
+    const auto leg = static_cast<std::size_t>(joint / kJointsPerLeg);
+    const double own = (given_.legs[leg].limits.*limit)[i];
+    return std::isnan(own) ? (given_.limits.*limit)[i] : own;
+  }
+  [[nodiscard]] static double of_arm(Eigen::Index joint, const std::vector<double>& arms) {
+    const auto i = static_cast<std::size_t>(joint - kNumLegJoints);
+    return i < arms.size() ? arms[i] : kNaN;
+  }
+
   const Section& top_;
   const model::Urdf& urdf_;
-  const model::RobotDescription& robot_;
+  const RobotInFile& given_;
 };
 
 /// Numbers of all joints of arms; NaN: not given.
@@ -188,14 +202,15 @@ void complete_arm(const Section& top, const model::Urdf& urdf, const ArmInFile& 
 
 void complete_limits(const Section& top, const model::Urdf& urdf, const RobotInFile& given,
                      model::RobotDescription& robot) {
-  const JointNumbers numbers(top, urdf, robot);
+  const JointNumbers numbers(top, urdf, given);
   using model::UrdfJoint;
-  robot.torque_limit = numbers.of("limits.torque", given.torque, &UrdfJoint::effort, true,
+  using Limits = LimitsInFile;
+  robot.torque_limit = numbers.of("torque", &Limits::torque, &UrdfJoint::effort, true,
                                   of_arms(given, robot, &ArmInFile::torque));
-  robot.velocity_limit = numbers.of("limits.velocity", given.velocity, &UrdfJoint::velocity, true,
+  robot.velocity_limit = numbers.of("velocity", &Limits::velocity, &UrdfJoint::velocity, true,
                                     of_arms(given, robot, &ArmInFile::velocity));
-  robot.q_min = numbers.of("limits.position_min", given.position_min, &UrdfJoint::lower, false);
-  robot.q_max = numbers.of("limits.position_max", given.position_max, &UrdfJoint::upper, false);
+  robot.q_min = numbers.of("position_min", &Limits::position_min, &UrdfJoint::lower, false);
+  robot.q_max = numbers.of("position_max", &Limits::position_max, &UrdfJoint::upper, false);
   for (Eigen::Index i = 0; i < robot.num_joints(); ++i) {
     if (robot.q_min[i] < robot.q_max[i]) continue;
     top.fail("limits.position_max",
@@ -220,12 +235,19 @@ void complete_limits(const Section& top, const model::Urdf& urdf, const RobotInF
   }
 }
 
-void complete_posture(const Section& top, const Vec3& front, const model::RobotModel& model,
+void complete_posture(const Section& top, const RobotInFile& given, const model::RobotModel& model,
                       model::RobotDescription& robot) {
-  if (front.array().isNaN().any()) {
-    choose_posture(top, model, robot);
-  } else {
-    set_posture(top, front, robot);
+  const auto is_own = [&](Leg leg) {
+    return !given.legs[index(leg)].nominal.array().isNaN().any();
+  };
+  const bool is_chosen = given.nominal.array().isNaN().any();
+  if (is_chosen && !std::ranges::all_of(kLegs, is_own)) choose_posture(top, model, robot);
+  for (const Leg leg : kLegs) {
+    if (is_own(leg)) {
+      set_leg(top, key_of(leg) + "posture.nominal", leg, given.legs[index(leg)].nominal, robot);
+    } else if (!is_chosen) {
+      set_posture(top, given.nominal, leg, robot);
+    }
   }
 }
 

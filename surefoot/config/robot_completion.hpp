@@ -23,8 +23,8 @@ void complete_arm(const Section& top, const model::Urdf& urdf, const ArmInFile& 
 void complete_limits(const Section& top, const model::Urdf& urdf, const RobotInFile& given,
                      model::RobotDescription& robot);
 
-/// The nominal posture of all legs from that of a front leg; NaN: from the limits.
-void complete_posture(const Section& top, const Vec3& front, const model::RobotModel& model,
+/// The nominal posture of each leg: its own, else from that of a front leg, else from the limits.
+void complete_posture(const Section& top, const RobotInFile& given, const model::RobotModel& model,
                       model::RobotDescription& robot);
 
 /// Gains of the safety stage: ANYmal B's, scaled to the robot.

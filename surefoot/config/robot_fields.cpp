@@ -9,26 +9,6 @@ Field text(const char* key, std::string& value, const char* help) {
   return Field{key, &value, help}.required();
 }
 
-Group leg_fields(model::LegDescription& leg, std::vector<std::string>& joints) {
-  return {
-      {"joints", Names{&joints, kJointsPerLeg, "is not a list of 3 joints: HAA, HFE, KFE"},
-       "HAA, HFE, KFE; without it those between base and foot"},
-      {"hip", &leg.hip_frame, "frame at the HFE axis; without it the thigh"},
-      {"thigh", &leg.thigh_link, "link; without it the one that HFE moves"},
-      {"shank", &leg.shank_link, "link with the foot sphere; without it the one that KFE moves"},
-      text("foot", leg.foot_frame, "frame that the sphere's centre is given in")};
-}
-
-Group all_legs(RobotInFile& o) {
-  Group legs;
-  for (const Leg leg : kLegs) {
-    legs.fields.push_back(Field{std::string(kLegNames[index(leg)]),
-                                leg_fields(o.robot.legs[index(leg)], o.joints[index(leg)]), ""}
-                              .required());
-  }
-  return legs;
-}
-
 const std::vector<std::string>& joint_names() {
   static const std::vector<std::string> names{"HAA", "HFE", "KFE"};
   return names;
@@ -45,21 +25,27 @@ void require_all(const Given& given, const char* key, const LegJoints& value) {
     given.fail(key, "does not tell all of HAA, HFE and KFE");
 }
 
-Group limits(RobotInFile& o) {
-  return Group{of_joints("torque", o.torque, kPositive, "N·m", "without it the URDF's effort"),
-               of_joints("velocity", o.velocity, kPositive, "rad/s", "without it the URDF's"),
-               of_joints("position_min", o.position_min, kAnyNumber, "rad",
-                         "without it the URDF's, joint by joint"),
-               of_joints("position_max", o.position_max, kAnyNumber, "rad",
-                         "without it the URDF's, joint by joint")}
-      .with([&o](const Given& given) {
-        require_all(given, "torque", o.torque);
-        require_all(given, "velocity", o.velocity);
-        require_all(given, "position_min", o.position_min);
-        require_all(given, "position_max", o.position_max);
-        if ((o.position_min.array() >= o.position_max.array()).any())
-          given.fail("position_max", "must be above position_min at every joint");
-      });
+void require_order(const Given& given, const LimitsInFile& o) {
+  if ((o.position_min.array() >= o.position_max.array()).any())
+    given.fail("position_max", "must be above position_min at every joint");
+}
+
+/// Of all legs, or of one.
+Group limits(LimitsInFile& o, const char* help) {
+  return {of_joints("torque", o.torque, kPositive, "N·m", help),
+          of_joints("velocity", o.velocity, kPositive, "rad/s", help),
+          of_joints("position_min", o.position_min, kAnyNumber, "rad", help),
+          of_joints("position_max", o.position_max, kAnyNumber, "rad", help)};
+}
+
+Group limits_of_all(LimitsInFile& o) {
+  return limits(o, "without it the URDF's, joint by joint").with([&o](const Given& given) {
+    require_all(given, "torque", o.torque);
+    require_all(given, "velocity", o.velocity);
+    require_all(given, "position_min", o.position_min);
+    require_all(given, "position_max", o.position_max);
+    require_order(given, o);
+  });
 }
 
 Group drives(RobotInFile& o) {
@@ -73,14 +59,38 @@ Group drives(RobotInFile& o) {
       });
 }
 
-Group posture(RobotInFile& o) {
-  return Group{of_joints("nominal", o.nominal, kAnyNumber, "rad",
-                         "of a front leg, its knee backward; hind legs mirror HFE and KFE")}
-      .with([&o](const Given& given) {
-        require_all(given, "nominal", o.nominal);
-        if (o.nominal.y() * o.nominal.z() >= 0.0)
+Group posture(LegJoints& nominal, const char* help) {
+  return Group{of_joints("nominal", nominal, kAnyNumber, "rad", help)}.with(
+      [&nominal](const Given& given) {
+        require_all(given, "nominal", nominal);
+        if (nominal.y() * nominal.z() >= 0.0)
           given.fail("nominal", "HFE and KFE must bend the knee, one above 0 and the other below");
       });
+}
+
+Group leg_fields(model::LegDescription& leg, LegInFile& o) {
+  return {
+      {"joints", Names{&o.joints, kJointsPerLeg, "is not a list of 3 joints: HAA, HFE, KFE"},
+       "HAA, HFE, KFE; without it those between base and foot"},
+      {"hip", &leg.hip_frame, "frame at the HFE axis; without it the thigh"},
+      {"thigh", &leg.thigh_link, "link; without it the one that HFE moves"},
+      {"shank", &leg.shank_link, "link with the foot sphere; without it the one that KFE moves"},
+      text("foot", leg.foot_frame, "frame that the sphere's centre is given in"),
+      {"limits",
+       limits(o.limits, "of this leg; without it as of all legs, joint by joint")
+           .with([&o](const Given& given) { require_order(given, o.limits); }),
+       "of this leg's joints"},
+      {"posture", posture(o.nominal, "of this leg; without it as of all legs"), "of this leg"}};
+}
+
+Group all_legs(RobotInFile& o) {
+  Group legs;
+  for (const Leg leg : kLegs) {
+    legs.fields.push_back(Field{std::string(kLegNames[index(leg)]),
+                                leg_fields(o.robot.legs[index(leg)], o.legs[index(leg)]), ""}
+                              .required());
+  }
+  return legs;
 }
 
 }  // namespace
@@ -110,14 +120,17 @@ Group fields(RobotInFile& o) {
                    kAnyNumber, "m", "of the sphere in the foot frame"}},
             "sphere of each foot"}
           .required(),
-      {"limits", limits(o), "of the joints; one number for all, or HAA, HFE and KFE of each leg"},
+      {"limits", limits_of_all(o.limits),
+       "of the joints; one number for all, or HAA, HFE and KFE of each leg"},
       {"drives", drives(o), "of the joints, as limits"},
       {"arms",
        Entries{{shape_of<ArmInFile>(
                    "", [&o](const ArmInFile& arm, const Given&) { o.arms.push_back(arm); })},
                "is not a list of arms"},
        "limbs that stand on nothing; a joint that moves belongs to a leg or to one of them"},
-      {"posture", posture(o), "without it knees bent as the limits allow"},
+      {"posture",
+       posture(o.nominal, "of a front leg, its knee backward; hind legs mirror HFE and KFE"),
+       "without it knees bent as the limits allow"},
       {"gains",
        Group{{"hold",
               Group{{"kp", &robot.hold_kp, kNotNegative, "N·m/rad", "stiffness"},

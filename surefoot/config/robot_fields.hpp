@@ -11,6 +11,18 @@ struct LegJoints : Vec3 {
   LegJoints() : Vec3(Vec3::Constant(kNaN)) {}
 };
 
+/// Limits of joints in a robot file; NaN: not given.
+struct LimitsInFile {
+  LegJoints torque, velocity, position_min, position_max;
+};
+
+/// What a robot file says of one leg alone; NaN: as of all legs.
+struct LegInFile {
+  std::vector<std::string> joints;
+  LimitsInFile limits;
+  LegJoints nominal;
+};
+
 /// An arm as a file gives it: a number for each of its joints, or none.
 struct ArmInFile {
   model::ArmDescription names;  ///< without joints: those between base, or arm before it, and tip
@@ -23,9 +35,10 @@ struct ArmInFile {
 /// Content of a robot file; the rest follows from the URDF.
 struct RobotInFile {
   model::RobotDescription robot;  ///< with the URDF as named in the file
-  PerLeg<std::vector<std::string>> joints;
+  PerLeg<LegInFile> legs;
   std::vector<ArmInFile> arms;
-  LegJoints torque, velocity, position_min, position_max, stall_torque, no_load_speed, nominal;
+  LimitsInFile limits;
+  LegJoints stall_torque, no_load_speed, nominal;
 };
 
 /// All keys of a robot file.

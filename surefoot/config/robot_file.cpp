@@ -120,7 +120,7 @@ void check_quadrants(const ConfigNode& legs, const model::RobotModel& model) {
 }
 
 /// What needs the whole robot: checks, nominal posture, scale and gains.
-void complete_robot(const Section& top, const ConfigNode& legs, const Vec3& nominal,
+void complete_robot(const Section& top, const ConfigNode& legs, const RobotInFile& given,
                     model::RobotDescription& robot) {
   const auto model_of = [&] {
     try {
@@ -131,7 +131,7 @@ void complete_robot(const Section& top, const ConfigNode& legs, const Vec3& nomi
       top.fail("legs", error.what());
     }
   };
-  complete_posture(top, nominal, model_of(), robot);
+  complete_posture(top, given, model_of(), robot);
   const model::RobotModel model = model_of();
   check_quadrants(legs, model);
   robot.scale = model::scale_of(model::proportions_of(model));
@@ -161,7 +161,7 @@ model::RobotDescription load_robot(const std::string& name_or_path,
   for (const Leg leg : kLegs) {
     const std::string key = "legs." + std::string(kLegNames[index(leg)]);
     model::LegDescription& description = robot.legs[index(leg)];
-    std::ranges::copy(given.joints[index(leg)], description.joints.begin());
+    std::ranges::copy(given.legs[index(leg)].joints, description.joints.begin());
     names.frame(key + ".foot", description.foot_frame);
     complete_leg(top, urdf, robot.base_link, key, description);
     names.leg(key, description);
@@ -172,7 +172,7 @@ model::RobotDescription load_robot(const std::string& name_or_path,
     names.arm("arms." + arm.names.name, robot.arms.back());
   }
   complete_limits(top, urdf, given, robot);
-  complete_robot(top, *tree.find("legs"), given.nominal, robot);
+  complete_robot(top, *tree.find("legs"), given, robot);
   return robot;
 }
 

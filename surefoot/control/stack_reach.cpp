@@ -1,6 +1,6 @@
 #include "surefoot/control/stack_reach.hpp"
 
-#include "surefoot/math/rotation.hpp"
+#include "surefoot/model/proportions.hpp"
 #include "surefoot/tasks/catalog.hpp"
 
 #include <algorithm>
@@ -10,16 +10,12 @@
 namespace surefoot::control {
 namespace {
 
-constexpr int kNumKneeAngles = 3600;  // of the knee in a full turn; gives the length to 1e-6
-
 /// Largest distance from hip to foot, over all knee angles regardless of their limits.
 double leg_length(const model::RobotModel& model, Leg leg) {
-  double longest = 0.0;
-  for (int i = 0; i < kNumKneeAngles; ++i) {
-    const Vec3 q(0.0, 0.0, 2.0 * kPi * i / kNumKneeAngles);
-    longest = std::max(longest, (model.foot_in_base(leg, q) - model.hip_in_base(leg, q)).norm());
-  }
-  return longest;
+  return model::longest(-kPi, kPi, [&](double q_knee) {
+    const Vec3 q(0.0, 0.0, q_knee);
+    return (model.foot_in_base(leg, q) - model.hip_in_base(leg, q)).norm();
+  });
 }
 
 void check(const LevelSpec& level, const TaskSpec& task, const StackReach& reach) {

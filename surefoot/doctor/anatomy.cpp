@@ -81,6 +81,9 @@ std::string remedy_of(const Limb& limb) {
   if (mimics)
     return "if it is a leg, take out <mimic>: each of its joints has a drive of its own; else " +
            fixed;
+  const bool is_hinged = std::ranges::all_of(limb.joints, is_hinge);
+  if (!is_hinged && limb.joints.size() == kJointsPerLeg)
+    return "if it is a leg, set type=\"revolute\" (or continuous) at each joint; else " + fixed;
   if (limb.joints.size() < kJointsPerLeg)
     return "if it is a leg, this robot can't be used: a leg must have three joints; else " + fixed;
   return fixed;
@@ -118,8 +121,8 @@ Anatomy find_anatomy(const model::Urdf& urdf, Findings& findings) {
     }
   }
   keep_lowest(legs, anatomy);
-  name_legs(legs, anatomy, findings);
   tell_others(anatomy, findings);
+  name_legs(legs, anatomy, findings);
   return anatomy;
 }
 

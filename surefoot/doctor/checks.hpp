@@ -20,18 +20,18 @@ void check_symmetry(Diagnosis& robot);
 void check_signs(Diagnosis& robot);
 /// Joints whose names say another leg than the one at whose place they are.
 void check_names(Diagnosis& robot);
-/// The start of a walk as the program checks it: stance, overlaps, shapes below the feet.
+/// The start of a walk as the program checks it: stance, overlaps, shapes below the feet. Also
+/// which knees are chosen where the limits don't leave those that a scenario asks for.
 void check_stance(Diagnosis& robot);
 
-/// Which of a joint's limits have to be filled in.
+/// Which limits of a joint, or of any, have to be filled in.
 struct LimitGaps {
   bool effort = false, velocity = false, position = false;  ///< a placeholder, or missing
 };
 
-/// Of all legs' joints. Without the standing torque an effort counts as a placeholder from 1000 N·m
-/// on.
-[[nodiscard]] LimitGaps limit_gaps(const Diagnosis& robot);
-/// Has this joint position limits that are no placeholders?
-[[nodiscard]] bool has_position_limits(const model::UrdfJoint& joint);
+/// Without the standing torque an effort counts as a placeholder from 1000 N·m on.
+[[nodiscard]] LimitGaps gaps_of(const Diagnosis& robot, const model::UrdfJoint& joint);
+/// Does any joint of the legs lack a limit?
+[[nodiscard]] bool has_gaps(const Diagnosis& robot);
 
 }  // namespace surefoot::doctor

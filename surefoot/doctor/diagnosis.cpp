@@ -5,8 +5,7 @@
 #include "surefoot/config/robot_file.hpp"
 #include "surefoot/control/standing_torque.hpp"
 #include "surefoot/doctor/checks.hpp"
-#include "surefoot/doctor/robot_file_text.hpp"
-#include "surefoot/logging/scratch_folder.hpp"
+#include "surefoot/doctor/guessed_file.hpp"
 #include "surefoot/model/mesh_files.hpp"
 #include "surefoot/model/robot_model.hpp"
 
@@ -16,9 +15,21 @@
 namespace surefoot::doctor {
 namespace {
 
+bool is_of_name(char letter) {
+  return (letter >= 'a' && letter <= 'z') || (letter >= 'A' && letter <= 'Z') ||
+         (letter >= '0' && letter <= '9') || letter == '_' || letter == '-' || letter == '.';
+}
+
+std::string name_of(const std::string& urdf) {
+  std::string name = std::filesystem::path(urdf).stem().string();
+  std::ranges::replace_if(name, [](char letter) { return !is_of_name(letter); }, '_');
+  return is_robot_name(name) ? name : "robot" + name;
+}
+
 std::string find_urdf(const std::string& given) {
   if (given.find("://") == std::string::npos) return given;
-  const model::MeshFolders folders{.packages = config::package_directories(), .urdf = {}};
+  const model::MeshFolders folders{.packages = config::package_directories(),
+                                   .urdf = std::filesystem::current_path()};
   const std::filesystem::path found = model::find_mesh(given, folders);
   if (found.empty()) throw FileError(model::missing_text(given, folders));
   return found.string();
@@ -35,19 +46,16 @@ bool is_told(const Findings& findings, const std::string& message) {
 /// Lets the program read the robot file; what it refuses is an error unless a check told it.
 void load(Diagnosis& robot) {
   if (!robot.anatomy.legs) return;
-  const logging::ScratchFolder scratch;
-  const std::string file =
-      scratch.write("robot.yaml", robot_file_text(robot, scratch.path(), Guesses::as_numbers));
+  const GuessedFile file(robot);
   try {
-    robot.robot = config::load_robot(file);
+    robot.robot = config::load_robot(file.path());
     model::RobotModel model(*robot.robot);
     robot.standing_torque = control::standing_torque(model, robot.robot->q_nominal);
     robot.proportions = model::proportions_of(model);
   } catch (const Error& error) {
     robot.robot.reset();
-    std::string what = error.what();
+    const std::string what = file.without_path(error.what());
     if (is_told(robot.findings, what)) return;
-    if (what.starts_with(file)) what.erase(0, file.size() + 1);
     robot.findings.push_back({Severity::error, Confidence::certain, "robot file", 0,
                               "the program refuses the robot: " + what, ""});
   }
@@ -55,19 +63,26 @@ void load(Diagnosis& robot) {
 
 }  // namespace
 
+bool is_robot_name(const std::string& name) {
+  return !name.empty() && std::ranges::all_of(name, is_of_name) && name.front() != '_' &&
+         name.front() != '-' && name.front() != '.';
+}
+
 Diagnosis examine(const std::string& urdf, const std::string& name) {
   Diagnosis robot;
   robot.given = urdf;
   robot.urdf = model::read_urdf(find_urdf(urdf), model::ImpossibleInertia::kept);
-  robot.name = name.empty() ? std::filesystem::path(robot.urdf.path).stem().string() : name;
+  robot.name = name.empty() ? name_of(robot.urdf.path) : name;
   robot.anatomy = find_anatomy(robot.urdf, robot.findings);
   check_size(robot);
-  check_inertias(robot);
   check_feet(robot);
-  check_signs(robot);
+  check_inertias(robot);
   check_names(robot);
-  load(robot);
-  check_symmetry(robot);
+  if (!has_cause(robot.findings)) check_signs(robot);
+  if (!has_cause(robot.findings)) {
+    load(robot);
+    check_symmetry(robot);
+  }
   check_limits(robot);
   check_stance(robot);
   sort_worst_first(robot.findings);

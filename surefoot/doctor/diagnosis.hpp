@@ -23,8 +23,12 @@ struct Diagnosis {
   Findings findings;                               ///< worst first
 };
 
+/// Is this a name for a robot: letters, digits, "_", "-" and ".", a letter or digit first?
+[[nodiscard]] bool is_robot_name(const std::string& name);
+
 /// Examines a URDF: its parts, units, limits, symmetry, signs, and whether it can stand. `name`:
-/// of the robot; empty: the URDF's own. Throws FileError, with file and line, if it can't be read.
+/// of the robot; empty: the URDF file's, "_" for what is not valid. Throws FileError, with file and
+/// line, if it can't be read.
 [[nodiscard]] Diagnosis examine(const std::string& urdf, const std::string& name = "");
 
 }  // namespace surefoot::doctor

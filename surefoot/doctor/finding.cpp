@@ -1,7 +1,7 @@
 #include "surefoot/doctor/finding.hpp"
 
 #include <algorithm>
-#include <utility>
+#include <tuple>
 
 namespace surefoot::doctor {
 
@@ -31,12 +31,16 @@ const char* name(Confidence confidence) {
 
 void sort_worst_first(Findings& findings) {
   std::ranges::stable_sort(findings, {}, [](const Finding& finding) {
-    return std::pair(finding.severity, finding.confidence);
+    return std::tuple(!finding.is_cause, finding.severity, finding.confidence);
   });
 }
 
 bool has_error(const Findings& findings) {
   return std::ranges::find(findings, Severity::error, &Finding::severity) != findings.end();
+}
+
+bool has_cause(const Findings& findings) {
+  return std::ranges::find(findings, true, &Finding::is_cause) != findings.end();
 }
 
 }  // namespace surefoot::doctor

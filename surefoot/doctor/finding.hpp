@@ -17,17 +17,19 @@ enum class Confidence { certain, likely, guess };
 struct Finding {
   Severity severity = Severity::note;
   Confidence confidence = Confidence::certain;
-  std::string subject;  ///< `joint "LF_HAA"`, `link "base"`, `legs`
-  int line = 0;         ///< of it in the URDF; 0: none
-  std::string what;     ///< what is seen, and what it means
-  std::string remedy;   ///< what to do; empty: nothing
+  std::string subject;    ///< `joint "LF_HAA"`, `link "base"`, `legs`
+  int line = 0;           ///< of it in the URDF; 0: none
+  std::string what;       ///< what is seen, and what it means
+  std::string remedy;     ///< what to do; empty: nothing
+  bool is_cause = false;  ///< others would only follow from it, and wait until it is mended
 };
 
 using Findings = std::vector<Finding>;
 
-/// Errors first, then warnings, then notes; the surest of each first.
+/// Causes first, then errors, warnings and notes; the surest of each first.
 void sort_worst_first(Findings& findings);
 
 [[nodiscard]] bool has_error(const Findings& findings);
+[[nodiscard]] bool has_cause(const Findings& findings);
 
 }  // namespace surefoot::doctor

@@ -39,7 +39,7 @@ void check_heading(const Anatomy& anatomy, Findings& findings) {
   if (sideways.y() >= sideways.x() && sideways.y() >= sideways.z()) return;
   findings.push_back({Severity::error, Confidence::likely, "link \"" + anatomy.base + "\"", 0,
                       "most HFE axes do not lie along y of the base; x must point forward and z up",
-                      "turn the base's frame, or its joints' origins, by 90°"});
+                      "turn the base's frame, or its joints' origins, by 90°", true});
 }
 
 void check_origin(const Anatomy& anatomy, Findings& findings) {

@@ -82,44 +82,74 @@ void check_moments(const Body& body, Findings& findings) {
       "correct <inertia> of this link and of those fixed to it"));
 }
 
-void check_units(const Body& body, Findings& findings) {
-  const double gyration = std::sqrt(principal_moments(body.inertia)[2] / body.inertia.mass);
-  const std::string seen = formatted(
-      "its radius of gyration, √(I/m), is %.3g m, but its joints "
-      "and links lie within %.3g m",
-      gyration, body.reach);
-  if (gyration > kMostGyration * body.reach) {
-    findings.push_back(of_link(*body.link, Severity::warning, Confidence::likely,
-                               seen + ": the inertia is too large for the mass",
-                               "is <inertia> in kg·mm² (divide by 1e6) or g·mm² (by 1e9), or the "
-                               "mass too small? Expected are kg and kg·m²"));
-  } else if (gyration < kLeastGyration * body.reach) {
-    findings.push_back(of_link(*body.link, Severity::warning, Confidence::likely,
-                               seen + ": the inertia is too small for the mass",
-                               "is the mass in g (divide by 1000), or <inertia> a placeholder? "
-                               "Expected are kg and kg·m²"));
+/// A fault of many bodies is one finding, at the first.
+class BodyList {
+ public:
+  void add(const model::UrdfLink& link, const std::string& what) {
+    if (first_ == nullptr) {
+      first_ = &link;
+      what_ = what;
+    } else {
+      others_ += " " + link.name;
+    }
   }
-  if (body.inertia.com.norm() > kFarCom * body.reach) {
-    findings.push_back(of_link(
-        *body.link, Severity::warning, Confidence::likely,
-        formatted(
-            "its centre of mass is %.3g m from its joint, but its joints and links lie within "
-            "%.3g m",
-            body.inertia.com.norm(), body.reach),
-        "is <inertial><origin> in mm? Expected are m"));
+  void tell(Severity severity, Confidence confidence, const char* remedy,
+            Findings& findings) const {
+    if (first_ == nullptr) return;
+    findings.push_back(of_link(*first_, severity, confidence,
+                               what_ + (others_.empty() ? "" : "; so it is with" + others_),
+                               remedy));
   }
-}
 
-void check_body(const Diagnosis& robot, const model::UrdfLink& link, Findings& findings) {
-  const Body body = body_of(robot, link);
-  if (body.inertia.mass <= 0.0) {
-    findings.push_back(of_link(link, Severity::error, Confidence::certain,
-                               "it moves, but has no mass, with all that is fixed to it",
-                               "add <inertial> with its mass, or make its joint fixed"));
-    return;
+ private:
+  const model::UrdfLink* first_ = nullptr;
+  std::string what_, others_;
+};
+
+/// What speaks of other units, or of a mass that is forgotten.
+class UnitCheck {
+ public:
+  void add(const Body& body) {
+    const double gyration = std::sqrt(principal_moments(body.inertia)[2] / body.inertia.mass);
+    const std::string within = formatted(" but its joints and links lie within %.3g m", body.reach);
+    const std::string seen =
+        formatted("its radius of gyration, √(I/m), is %.3g m,", gyration) + within;
+    if (gyration > kMostGyration * body.reach)
+      large_.add(*body.link, seen + ": the inertia is too large for the mass");
+    if (gyration < kLeastGyration * body.reach)
+      small_.add(*body.link, seen + ": the inertia is too small for the mass");
+    if (body.inertia.com.norm() > kFarCom * body.reach) {
+      far_.add(*body.link,
+               formatted("its centre of mass is %.3g m from its joint,", body.inertia.com.norm()) +
+                   within);
+    }
   }
-  check_moments(body, findings);
-  check_units(body, findings);
+  void tell(Findings& findings) const {
+    large_.tell(Severity::warning, Confidence::likely,
+                "is <inertia> in kg·mm² (divide by 1e6) or g·mm² (by 1e9), or the mass too small? "
+                "Expected are kg and kg·m²",
+                findings);
+    small_.tell(Severity::warning, Confidence::likely,
+                "is the mass in g (divide by 1000), or <inertia> a placeholder? Expected are kg "
+                "and kg·m²",
+                findings);
+    far_.tell(Severity::warning, Confidence::likely, "is <inertial><origin> in mm? Expected are m",
+              findings);
+  }
+
+ private:
+  BodyList large_, small_, far_;
+};
+
+/// The torso of a robot is often fixed to a base without mass; a leg's link has its own.
+void check_own_mass(const Diagnosis& robot, const Body& body, Findings& findings) {
+  if (body.link->inertia.mass != 0.0 || body.link->name == robot.anatomy.base) return;
+  findings.push_back(of_link(
+      *body.link, Severity::warning, Confidence::likely,
+      formatted("it moves, but its <inertial> is missing or 0: its body has only the %.3g kg of "
+                "what is fixed to it",
+                body.inertia.mass),
+      "add <inertial> with its mass, unless that is part of the other links'"));
 }
 
 }  // namespace
@@ -127,11 +157,24 @@ void check_body(const Diagnosis& robot, const model::UrdfLink& link, Findings& f
 void check_inertias(Diagnosis& robot) {
   for (const model::UrdfLink& link : robot.urdf.links)
     check_link(link, link.name == robot.urdf.root, robot.findings);
+  UnitCheck units;
+  BodyList massless;
   for (const model::UrdfLink& link : robot.urdf.links) {
     const bool is_empty_root = link.name == robot.urdf.root && link.name != robot.anatomy.base;
     const bool is_first_of_body = robot.anatomy.welds.at(link.name).body == link.name;
-    if (is_first_of_body && !is_empty_root) check_body(robot, link, robot.findings);
+    if (!is_first_of_body || is_empty_root) continue;
+    const Body body = body_of(robot, link);
+    if (body.inertia.mass <= 0.0) {
+      massless.add(link, "it moves, but has no mass, with all that is fixed to it");
+      continue;
+    }
+    check_moments(body, robot.findings);
+    check_own_mass(robot, body, robot.findings);
+    units.add(body);
   }
+  massless.tell(Severity::error, Confidence::certain,
+                "add <inertial> with its mass, or make its joint fixed", robot.findings);
+  if (!has_cause(robot.findings)) units.tell(robot.findings);
 }
 
 }  // namespace surefoot::doctor

@@ -1,5 +1,7 @@
 #include "surefoot/doctor/knees.hpp"
 
+#include "surefoot/config/initial_posture.hpp"
+
 #include <cmath>
 
 namespace surefoot::doctor {
@@ -13,9 +15,8 @@ Vec3 turning_signs(const FoundLeg& leg) {
 
 /// A knee that moves its foot forward is bent backward.
 KneeSides knee_sides(const FoundLeg& leg) {
-  constexpr double kLeastBend = 0.5;  // [rad]
   const model::UrdfJoint& knee = leg.joints[2];
-  const bool up = !(knee.upper <= kLeastBend), down = !(knee.lower >= -kLeastBend);
+  const bool up = !(knee.upper <= config::kSideBend), down = !(knee.lower >= -config::kSideBend);
   return turning_signs(leg).z() > 0.0 ? KneeSides{up, down} : KneeSides{down, up};
 }
 

@@ -149,21 +149,19 @@ void check_strength(Diagnosis& robot) {
 
 }  // namespace
 
-bool has_position_limits(const model::UrdfJoint& joint) {
-  return !has_no_position(joint) && !is_position_placeholder(joint);
+LimitGaps gaps_of(const Diagnosis& robot, const model::UrdfJoint& joint) {
+  return {.effort = is_missing(joint.effort) || is_effort_placeholder(robot, joint.effort),
+          .velocity = is_missing(joint.velocity) || joint.velocity > kFastest,
+          .position = has_no_position(joint) || is_position_placeholder(joint)};
 }
 
-LimitGaps limit_gaps(const Diagnosis& robot) {
-  LimitGaps gaps;
-  if (!robot.anatomy.legs) return gaps;
-  for (const FoundLeg& leg : *robot.anatomy.legs) {
-    for (const model::UrdfJoint& joint : leg.joints) {
-      gaps.effort |= is_missing(joint.effort) || is_effort_placeholder(robot, joint.effort);
-      gaps.velocity |= is_missing(joint.velocity) || joint.velocity > kFastest;
-      gaps.position |= !has_position_limits(joint);
-    }
-  }
-  return gaps;
+bool has_gaps(const Diagnosis& robot) {
+  return std::ranges::any_of(*robot.anatomy.legs, [&](const FoundLeg& leg) {
+    return std::ranges::any_of(leg.joints, [&](const model::UrdfJoint& joint) {
+      const LimitGaps gaps = gaps_of(robot, joint);
+      return gaps.effort || gaps.velocity || gaps.position;
+    });
+  });
 }
 
 void check_limits(Diagnosis& robot) {

@@ -92,8 +92,7 @@ std::string count_text(const Findings& findings) {
 std::string trials_text(const Diagnosis& robot, const std::vector<Trial>& trials) {
   if (trials.empty()) return "";
   std::string text = "\n";
-  const LimitGaps gaps = limit_gaps(robot);
-  if (gaps.effort || gaps.velocity || gaps.position)
+  if (has_gaps(robot))
     text += "walked with guessed limits, which the robot file has as comments:\n";
   for (const Trial& trial : trials) {
     text += trial.scenario + (trial.succeeded ? ": succeeded: " : ": did not succeed: ") +
@@ -111,6 +110,8 @@ std::string report_text(const Diagnosis& robot, const std::vector<Trial>& trials
   if (robot.anatomy.legs) text += "\n" + legs_table(*robot.anatomy.legs);
   text += limbs_text(robot.anatomy) + proportions_text(robot);
   text += "\n" + count_text(robot.findings) + "\n";
+  if (has_cause(robot.findings))
+    text += "mend the first: signs, symmetry and stance are checked when sizes are right\n";
   const std::size_t slash = robot.urdf.path.find_last_of('/') + 1;
   for (const Finding& finding : robot.findings)
     text += finding_text(finding, robot.urdf.path.substr(slash));

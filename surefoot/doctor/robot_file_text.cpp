@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <vector>
 
 namespace surefoot::doctor {
 namespace {
@@ -33,13 +34,11 @@ std::string urdf_seen_from(const Diagnosis& robot, const std::filesystem::path& 
   return urdf.lexically_proximate(std::filesystem::weakly_canonical(folder)).string();
 }
 
-std::string leg_lines(const PerLeg<FoundLeg>& legs) {
-  std::string text = "legs:\n";
-  for (const Leg leg : kLegs) {
-    text += "  " + std::string(kLegNames[index(leg)]) +
-            ": {foot: " + quoted(legs[index(leg)].foot.link) + "}\n";
-  }
-  return text;
+/// The foot whose sphere stands for all: the first that has one.
+const Foot& foot_of_all(const PerLeg<FoundLeg>& legs) {
+  const auto has_sphere = [](const FoundLeg& leg) { return leg.foot.guessed_from.empty(); };
+  const auto found = std::ranges::find_if(legs, has_sphere);
+  return found == legs.end() ? legs.front().foot : found->foot;
 }
 
 std::string foot_lines(const Foot& foot, Guesses guesses) {
@@ -58,50 +57,102 @@ std::string foot_lines(const Foot& foot, Guesses guesses) {
   return text;
 }
 
-/// Position limits of HAA, HFE, KFE: the URDF's widest where it has them, else a guess [rad].
-std::array<Vec3, 2> position_limits(const PerLeg<FoundLeg>& legs) {
-  std::array<Vec3, 2> limits{Vec3(-1.2, -2.6, -2.9), Vec3(1.2, 2.6, 2.9)};
-  for (std::size_t j = 0; j < kJointsPerLeg; ++j) {
-    double lower = kInfinity, upper = -kInfinity;
-    bool is_whole = true;
-    for (const FoundLeg& leg : legs) {
-      is_whole = is_whole && has_position_limits(leg.joints[j]);
-      lower = std::min(lower, leg.joints[j].lower);
-      upper = std::max(upper, leg.joints[j].upper);
-    }
-    if (!is_whole) continue;
-    limits[0][static_cast<Eigen::Index>(j)] = lower;
-    limits[1][static_cast<Eigen::Index>(j)] = upper;
-  }
-  return limits;
+/// One limit of a leg that the URDF lacks, as a guess for HAA, HFE and KFE.
+struct Guess {
+  const char* key;
+  bool LimitGaps::* gap;
+  std::array<double, kJointsPerLeg> numbers;
+  const char* help;
+};
+
+/// As ANYmal B's are, for a robot of this size.
+std::vector<Guess> guesses_for(const Diagnosis& robot) {
+  const Scale scale = robot.proportions ? model::scale_of(*robot.proportions) : Scale();
+  const double torque = 40.0 * scale.torque(), velocity = 15.0 * scale.rate();
+  return {{"torque", &LimitGaps::effort, {torque, torque, torque}, "N·m, of the drives"},
+          {"velocity",
+           &LimitGaps::velocity,
+           {velocity, velocity, velocity},
+           "rad/s, where no torque is left"},
+          {"position_min", &LimitGaps::position, {-1.2, -2.6, -2.9}, "rad, HAA HFE KFE"},
+          {"position_max", &LimitGaps::position, {1.2, 2.6, 2.9}, "rad, HAA HFE KFE"}};
 }
 
-/// Limits that the URDF lacks, as ANYmal B's are for a robot of this size.
+/// Which of a limit's twelve joints lack it.
+class Lacking {
+ public:
+  Lacking(const Diagnosis& robot, bool LimitGaps::* gap) {
+    for (const Leg leg : kLegs) {
+      for (std::size_t j = 0; j < kJointsPerLeg; ++j) {
+        const model::UrdfJoint& joint = (*robot.anatomy.legs)[index(leg)].joints[j];
+        lacks_[index(leg)][j] = gaps_of(robot, joint).*gap;
+      }
+    }
+  }
+  [[nodiscard]] bool all() const {
+    return std::ranges::all_of(lacks_, [](const auto& leg) {
+      return std::ranges::all_of(leg, [](bool lacks) { return lacks; });
+    });
+  }
+  [[nodiscard]] const std::array<bool, kJointsPerLeg>& of(Leg leg) const {
+    return lacks_[index(leg)];
+  }
+
+ private:
+  PerLeg<std::array<bool, kJointsPerLeg>> lacks_{};
+};
+
+const char* to_fill_in(Guesses guesses) {
+  return guesses == Guesses::as_comments
+             ? "   # fill in, and take the # away: the URDF has placeholders or nothing; these are "
+               "ANYmal B's, to size"
+             : "";
+}
+
+/// What all joints of all legs lack.
 std::string limit_lines(const Diagnosis& robot, Guesses guesses) {
-  const LimitGaps gaps = limit_gaps(robot);
-  if (!gaps.effort && !gaps.velocity && !gaps.position) return "";
-  const Scale scale = robot.proportions ? model::scale_of(*robot.proportions) : Scale();
-  const bool is_comment = guesses == Guesses::as_comments;
-  const std::string begin = is_comment ? "#" : "";
-  std::string text = begin + "limits:" +
-                     (is_comment ? "                      # fill in, and take the # away: the URDF "
-                                   "has placeholders or nothing; these are ANYmal B's, to size"
-                                 : "") +
-                     "\n";
-  if (gaps.effort) {
-    text += begin + formatted("  torque: %.3g", 40.0 * scale.torque()) +
-            "            # N·m, of the drives\n";
+  const std::string begin = guesses == Guesses::as_comments ? "#" : "";
+  std::string text;
+  for (const Guess& guess : guesses_for(robot)) {
+    if (!Lacking(robot, guess.gap).all()) continue;
+    const auto& [haa, hfe, kfe] = guess.numbers;
+    const bool is_one = haa == hfe && hfe == kfe;
+    text += begin + "  " + guess.key + ": " +
+            (is_one ? formatted("%.3g", haa) : formatted("[%.4g, %.4g, %.4g]", haa, hfe, kfe)) +
+            "   # " + guess.help + "\n";
   }
-  if (gaps.velocity) {
-    text += begin + formatted("  velocity: %.3g", 15.0 * scale.rate()) +
-            "           # rad/s, where no torque is left\n";
+  return text.empty() ? "" : begin + "limits:" + to_fill_in(guesses) + "\n" + text;
+}
+
+/// What only some joints lack, of one leg: joints that have limits keep them.
+std::string limit_lines_of(Leg leg, const Diagnosis& robot, Guesses guesses) {
+  const std::string begin = guesses == Guesses::as_comments ? "#   " : "    ";
+  std::string text;
+  for (const Guess& guess : guesses_for(robot)) {
+    const Lacking lacking(robot, guess.gap);
+    if (lacking.all()) continue;
+    std::string numbers;
+    for (std::size_t j = 0; j < kJointsPerLeg; ++j) {
+      if (!lacking.of(leg)[j]) continue;
+      numbers += (numbers.empty() ? "" : ", ") + std::string(kJointNames[j]) +
+                 formatted(": %.3g", guess.numbers[j]);
+    }
+    if (!numbers.empty())
+      text += begin + "  " + guess.key + ": {" + numbers + "}   # " + guess.help + "\n";
   }
-  if (gaps.position) {
-    const auto [lower, upper] = position_limits(*robot.anatomy.legs);
-    text += begin + formatted("  position_min: [%.4g, %.4g, %.4g]   # rad, HAA HFE KFE\n",
-                              lower.x(), lower.y(), lower.z());
-    text +=
-        begin + formatted("  position_max: [%.4g, %.4g, %.4g]\n", upper.x(), upper.y(), upper.z());
+  return text.empty() ? "" : begin + "limits:" + to_fill_in(guesses) + "\n" + text;
+}
+
+/// The link alone on one line; what this leg has by itself, below it.
+std::string leg_lines(const Diagnosis& robot, Guesses guesses) {
+  const PerLeg<FoundLeg>& legs = *robot.anatomy.legs;
+  std::string text = "legs:\n";
+  for (const Leg leg : kLegs) {
+    const Foot& foot = legs[index(leg)].foot;
+    const std::string own = limit_lines_of(leg, robot, guesses);
+    text += "  " + std::string(kLegNames[index(leg)]) + ":" +
+            (own.empty() ? " {foot: " + quoted(foot.link) + "}\n"
+                         : "\n    foot: " + quoted(foot.link) + "\n" + own);
   }
   return text;
 }
@@ -118,7 +169,7 @@ std::string robot_file_text(const Diagnosis& robot, const std::filesystem::path&
          "size.\n"
          "name: " +
          quoted(robot.name) + "\nurdf: " + quoted(urdf_seen_from(robot, folder)) + "\n" +
-         leg_lines(*robot.anatomy.legs) + foot_lines(robot.anatomy.legs->front().foot, guesses) +
+         leg_lines(robot, guesses) + foot_lines(foot_of_all(*robot.anatomy.legs), guesses) +
          limit_lines(robot, guesses);
 }
 

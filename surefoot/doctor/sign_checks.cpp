@@ -68,11 +68,24 @@ void tell_knees(Diagnosis& robot, const char* side, const std::string& legs) {
   if (legs.empty()) return;
   const model::UrdfJoint& knee = robot.anatomy.legs->front().joints[2];
   const bool never = std::string_view(side) == name(KneeSides{});
-  robot.findings.push_back({never ? Severity::error : Severity::note, Confidence::certain, "knees",
-                            knee.line,
-                            "by their limits the knees of" + legs + " bend " + side +
-                                (never ? "" : " only; scenarios choose their stance by that"),
-                            never ? "correct <limit> lower and upper of KFE, rad" : ""});
+  robot.findings.push_back(
+      {never ? Severity::error : Severity::note, Confidence::certain, "knees", knee.line,
+       "by their limits the knees of" + legs + " bend " + side + (never ? "" : " only"),
+       never ? "correct <limit> lower and upper of KFE, rad" : ""});
+}
+
+/// A left and a right knee that bend to no side in common can't stand alike.
+void check_pair(Diagnosis& robot, Leg left, Leg right) {
+  const PerLeg<FoundLeg>& legs = *robot.anatomy.legs;
+  const KneeSides a = knee_sides(legs[index(left)]), b = knee_sides(legs[index(right)]);
+  const bool is_one_sided = a.backward != a.forward && b.backward != b.forward;
+  if (!is_one_sided || a.backward == b.backward) return;
+  const model::UrdfJoint& knee = legs[index(right)].joints[2];
+  robot.findings.push_back(
+      {Severity::error, Confidence::likely, "joint \"" + knee.name + "\"", knee.line,
+       "by their limits the knee of " + std::string(kLegNames[index(right)]) + " bends " + name(b) +
+           " only, that of " + std::string(kLegNames[index(left)]) + " " + name(a) + " only",
+       "exchange and negate lower and upper of the one that is wrong", true});
 }
 
 }  // namespace
@@ -80,6 +93,8 @@ void tell_knees(Diagnosis& robot, const char* side, const std::string& legs) {
 void check_signs(Diagnosis& robot) {
   if (!robot.anatomy.legs) return;
   for (std::size_t joint = 0; joint < kJointsPerLeg; ++joint) check_joint(robot, joint);
+  check_pair(robot, Leg::LF, Leg::RF);
+  check_pair(robot, Leg::LH, Leg::RH);
   for (const KneeSides& sides : {KneeSides{true, false}, KneeSides{false, true}, KneeSides{}}) {
     std::string legs;
     for (const Leg leg : kLegs) {

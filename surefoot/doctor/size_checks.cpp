@@ -3,13 +3,72 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
+#include <vector>
 
 namespace surefoot::doctor {
 namespace {
 
-constexpr double kLeastMass = 0.5, kMostMass = 500.0;  // of a robot that walks [kg]
-constexpr double kShortLeg = 0.05, kLongLeg = 2.0;     // [m]
-constexpr double kStub = 0.5;                          // of the usual shank: its end is missing
+constexpr double kLeastMass = 0.5, kMostMass = 500.0;   // of a robot that walks [kg]
+constexpr double kShortLeg = 0.05, kLongLeg = 2.0;      // [m]
+constexpr double kStub = 0.5;                           // of the usual shank, and of the thigh
+constexpr double kMostInBase = 0.9, kMostInLimb = 0.5;  // of the robot's mass, in one link
+
+bool is_mass(double mass) { return mass >= kLeastMass && mass <= kMostMass; }
+
+/// The link that has nearly all mass, so that it must be in other units; nullptr: none.
+const model::UrdfLink* giant(const Diagnosis& robot, double mass) {
+  const model::UrdfLink& heaviest = *std::ranges::max_element(
+      robot.urdf.links, {}, [](const model::UrdfLink& link) { return link.inertia.mass; });
+  const bool is_of_base = robot.anatomy.welds.at(heaviest.name).body == robot.anatomy.base;
+  const double most = (is_of_base ? kMostInBase : kMostInLimb) * mass;
+  const bool is_wrong = !is_of_base || !is_mass(mass);
+  return is_wrong && heaviest.inertia.mass > most ? &heaviest : nullptr;
+}
+
+void check_mass(Diagnosis& robot) {
+  double mass = 0.0;
+  for (const model::UrdfLink& link : robot.urdf.links) mass += link.inertia.mass;
+  if (const model::UrdfLink* link = giant(robot, mass)) {
+    robot.findings.push_back(
+        {Severity::error, Confidence::likely, "link \"" + link->name + "\"", link->line,
+         formatted("it has %.4g of the %.4g kg of all links", link->inertia.mass, mass),
+         "is its mass in g? Divide it by 1000, and look at its inertia, in kg·m²", true});
+  } else if (!is_mass(mass)) {
+    robot.findings.push_back(
+        {Severity::error, Confidence::likely, "robot", 0,
+         formatted("all links together have %.4g kg; a robot that walks has 0.5 to 500 kg", mass),
+         mass > kMostMass ? "are the masses in g? Divide masses and inertias by 1000"
+                          : "are the masses in t, or missing? Expected are kg",
+         true});
+  }
+}
+
+std::string names_of(const std::vector<Leg>& legs) {
+  std::string names;
+  for (const Leg leg : legs) names += " " + std::string(kLegNames[index(leg)]);
+  return names;
+}
+
+void check_length(Diagnosis& robot) {
+  std::vector<Leg> wrong;
+  double length = 0.0;
+  for (const Leg leg : kLegs) {
+    const FoundLeg& found = (*robot.anatomy.legs)[index(leg)];
+    if (found.thigh + found.shank >= kShortLeg && found.thigh + found.shank <= kLongLeg) continue;
+    wrong.push_back(leg);
+    length = found.thigh + found.shank;
+  }
+  if (wrong.empty()) return;
+  const model::UrdfJoint& knee = (*robot.anatomy.legs)[index(wrong.front())].joints[2];
+  robot.findings.push_back(
+      {Severity::error, Confidence::likely, "joint \"" + knee.name + "\"", knee.line,
+       formatted("thigh and shank have %.4g m together in", length) + names_of(wrong) +
+           "; legs of robots have 0.05 to 2 m",
+       length > kLongLeg ? "are the origins in mm? Divide them by 1000, and inertias by 1e6"
+                         : "are the origins of HFE, KFE and foot missing? Expected are m",
+       true});
+}
 
 double usual_shank(const PerLeg<FoundLeg>& legs) {
   std::array<double, kNumLegs> shanks{};
@@ -18,35 +77,25 @@ double usual_shank(const PerLeg<FoundLeg>& legs) {
   return shanks[2];
 }
 
-void check_mass(Diagnosis& robot) {
-  double mass = 0.0;
-  for (const model::UrdfLink& link : robot.urdf.links) mass += link.inertia.mass;
-  if (mass >= kLeastMass && mass <= kMostMass) return;
-  robot.findings.push_back(
-      {Severity::error, Confidence::likely, "robot", 0,
-       formatted("all links together have %.4g kg; a robot that walks has 0.5 to 500 kg", mass),
-       mass > kMostMass ? "are the masses in g? Divide masses and inertias by 1000"
-                        : "are the masses in t, or missing? Expected are kg"});
+/// Legs that end far nearer to the knee than the others, or than a thigh lets expect.
+std::vector<Leg> stubs(const PerLeg<FoundLeg>& legs) {
+  const double usual = usual_shank(legs);
+  std::vector<Leg> result;
+  for (const Leg leg : kLegs) {
+    const FoundLeg& found = legs[index(leg)];
+    if (found.shank < kStub * std::max(usual, found.thigh)) result.push_back(leg);
+  }
+  return result;
 }
 
-void check_length(Diagnosis& robot) {
-  double leg = 0.0;
-  for (const FoundLeg& found : *robot.anatomy.legs) leg = std::max(leg, found.thigh + found.shank);
-  if (leg >= kShortLeg && leg <= kLongLeg) return;
-  robot.findings.push_back(
-      {Severity::error, Confidence::likely, "legs", 0,
-       formatted("thigh and shank have %.4g m together; legs of robots have 0.05 to 2 m", leg),
-       leg > kLongLeg ? "are the origins in mm? Divide them by 1000, and inertias by 1e6"
-                      : "are the origins of HFE, KFE and foot missing? Expected are m"});
-}
-
-void tell_stub(const Foot& foot, Leg leg, Findings& findings) {
-  findings.push_back({Severity::error, Confidence::likely, "link \"" + foot.link + "\"", foot.line,
-                      "this is the farthest link behind the knee of " +
-                          std::string(kLegNames[index(leg)]) +
-                          ", far nearer than the feet of the other legs: its foot is missing",
-                      "add a link with a collision sphere at the end of the shank, by a fixed "
-                      "joint"});
+void tell_stubs(const PerLeg<FoundLeg>& legs, const std::vector<Leg>& stubs, Findings& findings) {
+  const Foot& foot = legs[index(stubs.front())].foot;
+  findings.push_back(
+      {Severity::error, Confidence::likely, "link \"" + foot.link + "\"", foot.line,
+       "the shank seems to end here, near the knee: the foot is missing of" + names_of(stubs),
+       "add a link with a collision sphere at the end of the shank, by a fixed "
+       "joint whose <origin> says how far it is",
+       true});
 }
 
 void tell_other_sphere(const Foot& foot, Leg leg, Findings& findings) {
@@ -90,14 +139,12 @@ void check_size(Diagnosis& robot) {
 void check_feet(Diagnosis& robot) {
   if (!robot.anatomy.legs) return;
   const PerLeg<FoundLeg>& legs = *robot.anatomy.legs;
-  const double usual = usual_shank(legs);
+  const std::vector<Leg> without_foot = stubs(legs);
+  if (!without_foot.empty()) return tell_stubs(legs, without_foot, robot.findings);
   for (const Leg leg : kLegs) {
     const Foot& foot = legs[index(leg)].foot;
-    if (legs[index(leg)].shank < kStub * usual) {
-      tell_stub(foot, leg, robot.findings);
-    } else if (foot.guessed_from.empty() && !is_same_sphere(foot, legs[0].foot)) {
+    if (foot.guessed_from.empty() && !is_same_sphere(foot, legs[0].foot))
       tell_other_sphere(foot, leg, robot.findings);
-    }
   }
   tell_guesses(legs, robot.findings);
 }

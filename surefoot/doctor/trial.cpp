@@ -4,8 +4,7 @@
 #include "surefoot/base/formatted.hpp"
 #include "surefoot/closed_loop/closed_loop.hpp"
 #include "surefoot/config/scenario_file.hpp"
-
-#include <utility>
+#include "surefoot/doctor/guessed_file.hpp"
 
 namespace surefoot::doctor {
 namespace {
@@ -27,11 +26,10 @@ std::string why(const closed_loop::RunResult& result) {
   return result.metrics.reason + missed;
 }
 
-Trial run(const std::string& name, std::vector<std::string> assignments,
-          const TrialOptions& options) {
+Trial run(const std::string& name, const GuessedFile& robot, const TrialOptions& options) {
   try {
     const config::Scenario scenario = config::load_scenario(
-        {.name_or_path = name, .seed = 0, .assignments = std::move(assignments)});
+        {.name_or_path = name, .seed = 0, .assignments = {"robot=" + robot.path()}});
     closed_loop::ClosedLoopOptions loop;
     loop.interrupted = options.interrupted;
     if (options.progress)
@@ -41,15 +39,15 @@ Trial run(const std::string& name, std::vector<std::string> assignments,
     return {name, result.metrics.succeeded, why(result)};
   } catch (const Error& error) {
     if (options.interrupted && options.interrupted()) throw;
-    return {name, false, error.what()};
+    return {name, false, robot.without_path(error.what())};
   }
 }
 
 }  // namespace
 
-std::vector<Trial> try_walking(const std::string& robot_file, const TrialOptions& options) {
-  const std::string robot = "robot=" + robot_file;
-  return {run("walk_flat", {robot}, options), run("step_down", {robot}, options)};
+std::vector<Trial> try_walking(const Diagnosis& robot, const TrialOptions& options) {
+  const GuessedFile file(robot);
+  return {run("walk_flat", file, options), run("step_down", file, options)};
 }
 
 }  // namespace surefoot::doctor

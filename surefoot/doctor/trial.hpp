@@ -1,5 +1,7 @@
 #pragma once
 
+#include "surefoot/doctor/diagnosis.hpp"
+
 #include <functional>
 #include <string>
 #include <vector>
@@ -18,9 +20,8 @@ struct TrialOptions {
   std::function<bool()> interrupted{};
 };
 
-/// Walks on flat ground for 20 s, and down a step, with a robot file. What the program refuses is a
-/// trial that failed. Throws Error if it was interrupted.
-[[nodiscard]] std::vector<Trial> try_walking(const std::string& robot_file,
-                                             const TrialOptions& options);
+/// Walks on flat ground for 20 s, and down a step, with guesses for what the URDF lacks. What the
+/// program refuses is a trial that failed. Throws Error if it was interrupted.
+[[nodiscard]] std::vector<Trial> try_walking(const Diagnosis& robot, const TrialOptions& options);
 
 }  // namespace surefoot::doctor

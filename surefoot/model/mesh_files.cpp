@@ -29,6 +29,14 @@ std::optional<fs::path> inside_package(const std::string& uri) {
   return std::nullopt;
 }
 
+/// A folder and all above it.
+std::vector<fs::path> above(fs::path folder) {
+  std::vector<fs::path> folders;
+  for (; folder.has_relative_path(); folder = folder.parent_path()) folders.push_back(folder);
+  if (!folders.empty()) folders.push_back(folder);
+  return folders;
+}
+
 std::vector<fs::path> places_of_package(const fs::path& inside, const MeshFolders& folders) {
   std::vector<fs::path> places;
   const fs::path& package = *inside.begin();
@@ -36,9 +44,7 @@ std::vector<fs::path> places_of_package(const fs::path& inside, const MeshFolder
     places.push_back(folder / inside);
     if (folder.filename() == package) places.push_back(folder.parent_path() / inside);
   }
-  for (fs::path above = folders.urdf; above.has_relative_path(); above = above.parent_path()) {
-    if (above.filename() == package) places.push_back(above.parent_path() / inside);
-  }
+  for (const fs::path& folder : above(folders.urdf)) places.push_back(folder / inside);
   return places;
 }
 
@@ -88,8 +94,15 @@ fs::path find_mesh(const std::string& uri, const MeshFolders& folders) {
 
 std::string missing_text(const std::string& uri, const MeshFolders& folders) {
   std::string places;
-  for (const fs::path& place : mesh_places(uri, folders))
+  const std::optional<fs::path> inside = inside_package(uri);
+  const bool is_in_package = inside && !inside->empty();
+  for (const fs::path& place :
+       mesh_places(uri, {folders.packages, is_in_package ? fs::path() : folders.urdf}))
     places += (places.empty() ? "" : ", ") + place.string();
+  if (is_in_package && !folders.urdf.empty()) {
+    places += (places.empty() ? "" : ", ") + std::string("in a folder \"") +
+              inside->begin()->string() + "\" in " + folders.urdf.string() + " and above it";
+  }
   return "there is no \"" + uri +
          "\"; looked for at: " + (places.empty() ? "nowhere, as that is no valid name" : places) +
          (uri.starts_with(kPackages[0])

@@ -17,7 +17,8 @@ struct MeshFolders {
 [[nodiscard]] MeshFolders mesh_folders(const RobotDescription& description);
 
 /// Possible places of a mesh, the likeliest first. `package://NAME/…` and `model://NAME/…`: in a
-/// package NAME in (or being) a folder of packages, or in a folder NAME above the URDF's. Any other
+/// package NAME in (or being) a folder of packages, else in the nearest folder NAME that lies in
+/// the URDF's folder or in one above it. Any other
 /// name is a path, relative to the URDF's folder; without that folder it has no place.
 [[nodiscard]] std::vector<std::filesystem::path> mesh_places(const std::string& uri,
                                                              const MeshFolders& folders);

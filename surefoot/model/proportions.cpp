@@ -14,7 +14,6 @@ constexpr Proportions kReference{.leg = 0.56433096076673273,
                                  .hip_height = 0.0};
 
 constexpr double kRounding = 1e-6;
-constexpr int kKneeAngles = 2000;
 
 /// From the HFE axis to the sphere centre, across the axis.
 double extension(const RobotModel& model, Leg leg, const Vec3& q) {
@@ -28,12 +27,8 @@ double leg_length(const RobotModel& model, Leg leg) {
   const Eigen::Index knee = first_joint(leg) + 2;
   const double from = std::max(model.description().q_min[knee], -kPi);
   const double to = std::min(model.description().q_max[knee], kPi);
-  double longest = 0.0;
-  for (int i = 0; i <= kKneeAngles; ++i) {
-    const double q_knee = from + (to - from) * i / kKneeAngles;
-    longest = std::max(longest, extension(model, leg, Vec3(0.0, 0.0, q_knee)));
-  }
-  return longest;
+  return longest(from, to,
+                 [&](double q_knee) { return extension(model, leg, Vec3(0.0, 0.0, q_knee)); });
 }
 
 double ratio(double length, double reference) {
@@ -42,6 +37,14 @@ double ratio(double length, double reference) {
 }
 
 }  // namespace
+
+double longest(double from, double to, const std::function<double(double q_knee)>& length) {
+  constexpr int kAngles = 2000;
+  double result = 0.0;
+  for (int i = 0; i <= kAngles; ++i)
+    result = std::max(result, length(from + (to - from) * i / kAngles));
+  return result;
+}
 
 Proportions proportions_of(const RobotModel& model) {
   Proportions result;

@@ -3,6 +3,8 @@
 #include "surefoot/base/scale.hpp"
 #include "surefoot/model/robot_model.hpp"
 
+#include <functional>
+
 namespace surefoot::model {
 
 /// The lengths and the mass of a robot that its walk goes with.
@@ -14,6 +16,11 @@ struct Proportions {
   double half_width = 0.0;   ///< |y| of the feet in B at q = 0, mean of the legs [m]
   double hip_height = 0.0;   ///< z of the HFE axes in B, mean of the legs [m]
 };
+
+/// The longest that a length of a leg gets while its knee turns from one angle to another [m], to
+/// 1e-6 of it.
+[[nodiscard]] double longest(double from, double to,
+                             const std::function<double(double q_knee)>& length);
 
 [[nodiscard]] Proportions proportions_of(const RobotModel& model);
 

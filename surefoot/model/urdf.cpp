@@ -63,7 +63,10 @@ class Reader : public UrdfReader {
     if (axis == nullptr) return;
     joint.axis = vector(*axis, "xyz");
     if (joint.axis.norm() < 1e-6) {
-      fail(axis->GetLineNum(), "joint \"" + joint.name + "\": its axis has no direction");
+      fail(axis->GetLineNum(),
+           "joint \"" + joint.name +
+               "\": its axis has no direction; valid is <axis xyz=\"0 1 0\"/>, for "
+               "instance");
     }
     joint.axis.normalize();
   }
@@ -131,7 +134,10 @@ std::string find_root(const Reader& reader, const Urdf& urdf) {
       }
     }
     if (roots.erase(joint.child) == 0) {
-      reader.fail(joint.line, "link \"" + joint.child + "\" is the child of two joints");
+      const auto first = std::ranges::find(urdf.joints, joint.child, &UrdfJoint::child);
+      reader.fail(joint.line, "link \"" + joint.child + "\" is the child of two joints; of \"" +
+                                  first->name + "\" and \"" + joint.name +
+                                  "\" one must go, as a URDF is a tree without loops");
     }
   }
   if (roots.size() != 1) {

@@ -220,6 +220,35 @@ TEST_F(ShortRobotFile, has_limits_of_each_joint_alone) {
   EXPECT_EQ(robot.torque_limit[8], 80.0);
 }
 
+TEST_F(ShortRobotFile, may_have_limits_and_a_posture_of_single_legs) {
+  change(text_, "LF: {foot: LF_FOOT}",
+         "LF: {foot: LF_FOOT, limits: {torque: {KFE: 30}, position_max: [1, 2, 3]}, "
+         "posture: {nominal: [0.1, 0.5, -0.9]}}");
+  const model::RobotDescription robot = loaded();
+  EXPECT_EQ(robot.torque_limit[2], 30.0);
+  EXPECT_EQ(robot.torque_limit[1], 80.0);
+  EXPECT_EQ(robot.torque_limit[5], 80.0);
+  EXPECT_EQ(robot.q_max.segment<3>(0), Vec3(1.0, 2.0, 3.0));
+  EXPECT_EQ(robot.q_nominal.segment<3>(0), Vec3(0.1, 0.5, -0.9));
+  EXPECT_EQ(robot.q_nominal.segment<3>(3), Vec3(0.0, 0.4, -0.8));
+}
+
+TEST_F(ShortRobotFile, tells_what_is_wrong_with_a_single_leg) {
+  const std::string good = text_;
+  for (const auto& [own, told] :
+       {std::pair{"limit: {torque: 30}", "did you mean \"limits\"?"},
+        std::pair{"limits: {torque: {KNEE: 30}}", "legs.LF.limits.torque"},
+        std::pair{"limits: {position_max: [1, 2, 3], position_min: [1, 0, 0]}",
+                  "legs.LF.limits.position_max: must be above position_min"},
+        std::pair{"posture: {nominal: [0, 0.4, 0.8]}", "legs.LF.posture.nominal: HFE and KFE"},
+        std::pair{"posture: {nominal: [0, 0.4, -9.9]}",
+                  "legs.LF.posture.nominal: KFE at -9.9 rad lies outside"}}) {
+    text_ = good;
+    change(text_, "LF: {foot: LF_FOOT}", std::string("LF: {foot: LF_FOOT, ") + own + "}");
+    EXPECT_TRUE(holds(complaint(), told));
+  }
+}
+
 TEST_F(ShortRobotFile, says_which_joint_has_no_limit) {
   const std::size_t limit = urdf_.find("<limit", urdf_.find("<joint name=\"RH_KFE\""));
   urdf_.replace(limit, urdf_.find("/>", limit) - limit, R"(<limit effort="0")");

@@ -100,7 +100,17 @@ TEST_F(Anatomy, below_a_joint_that_floats_names_that_joint) {
 
 TEST_F(Anatomy, without_a_foot_says_whose) {
   change("<child link=\"LF_ADAPTER\"/>", "xyz=\"0.0 0.0 -0.32125\"", "xyz=\"0 0 0\"");
-  EXPECT_TRUE(has(diagnosis(), Severity::error, "the feet of the other legs: its foot is missing"));
+  const Diagnosis robot = diagnosis();
+  EXPECT_TRUE(test::holds(robot.findings.front().what, "the foot is missing of LF"));
+  EXPECT_FALSE(has(robot, Severity::error, "turns the other way"));
+}
+
+TEST_F(Anatomy, without_any_foot_says_so) {
+  for (const char* leg : {"LF", "RF", "LH", "RH"})
+    change(std::string("<child link=\"") + leg + "_ADAPTER\"/>", "-0.32125\"", "0\"");
+  const Diagnosis robot = diagnosis();
+  EXPECT_TRUE(test::holds(robot.findings.front().what, "the foot is missing of LF RF LH RH"));
+  EXPECT_FALSE(has(robot, Severity::warning, "is a guess"));
 }
 
 TEST_F(Anatomy, guesses_the_radius_of_a_foot_without_sphere) {

@@ -1,11 +1,13 @@
 // Each fault that a URDF may have gives a finding.
 #include "tests/doctor/changed_robot.hpp"
+#include "tests/support/messages.hpp"
 
 namespace surefoot::doctor {
 namespace {
 
 using test::finding;
 using test::has;
+using test::holds;
 
 class Checks : public test::ChangedRobot {
  protected:
@@ -27,8 +29,16 @@ class Checks : public test::ChangedRobot {
 TEST_F(Checks, masses_in_grams) {
   multiply_masses(1000.0);
   const Diagnosis robot = diagnosis();
-  EXPECT_TRUE(has(robot, Severity::error, "are the masses in g?"));
-  EXPECT_TRUE(has(robot, Severity::warning, "the inertia is too small for the mass"));
+  EXPECT_TRUE(holds(robot.findings.front().remedy, "are the masses in g?"));
+  EXPECT_FALSE(has(robot, Severity::warning, "the inertia is too small for the mass"));
+  EXPECT_FALSE(has(robot, Severity::error, "to stand takes more torque"));
+}
+
+TEST_F(Checks, one_mass_in_grams) {
+  change("<link name=\"RF_THIGH\"", "<mass value=\"1.634976467\"", "<mass value=\"1635\"");
+  const Finding first = diagnosis().findings.front();
+  EXPECT_EQ(first.subject, "link \"RF_THIGH\"");
+  EXPECT_TRUE(holds(first.what, "it has 1635 of the 1664 kg of all links"));
 }
 
 TEST_F(Checks, lengths_in_millimetres) {
@@ -37,7 +47,17 @@ TEST_F(Checks, lengths_in_millimetres) {
     change(joint + "_KFE\"", "-0.25\"", "-250\"");
     change(joint + "_ADAPTER_TO_FOOT\"", "-0.32125\"", "-321.25\"");
   }
-  EXPECT_TRUE(has(diagnosis(), Severity::error, "are the origins in mm?"));
+  const Diagnosis robot = diagnosis();
+  EXPECT_TRUE(holds(robot.findings.front().remedy, "are the origins in mm?"));
+  EXPECT_TRUE(holds(robot.findings.front().what, "together in LF RF LH RH;"));
+  EXPECT_FALSE(has(robot, Severity::error, "refuses"));
+}
+
+TEST_F(Checks, one_length_in_millimetres) {
+  change("<joint name=\"LH_KFE\"", "-0.25\"", "-250\"");
+  const Diagnosis robot = diagnosis();
+  EXPECT_EQ(robot.findings.front().subject, "joint \"LH_KFE\"");
+  EXPECT_FALSE(has(robot, Severity::warning, "differ"));
 }
 
 TEST_F(Checks, inertia_in_square_millimetres) {
@@ -46,6 +66,20 @@ TEST_F(Checks, inertia_in_square_millimetres) {
   change("<link name=\"RF_THIGH\"", "izz=\"0.00249", "izz=\"2494.");
   EXPECT_TRUE(
       has(diagnosis(), Severity::warning, "link \"RF_THIGH\": its radius of gyration, √(I/m), is"));
+}
+
+TEST_F(Checks, inertias_in_square_millimetres_are_one_finding) {
+  urdf_ = std::regex_replace(urdf_, std::regex("(i[xyz][xyz]=\"[^\"e]*)\""), "$1e6\"");
+  const Diagnosis robot = diagnosis();
+  const Finding found = finding(robot, Severity::warning, "too large for the mass");
+  EXPECT_TRUE(holds(found.what, "; so it is with LF_HIP"));
+  EXPECT_EQ(std::ranges::count(robot.findings, found.remedy, &Finding::remedy), 1);
+}
+
+TEST_F(Checks, link_whose_mass_is_only_that_of_what_is_fixed_to_it) {
+  change("<link name=\"LF_SHANK\"", "<mass value=\"0.207204302\"", "<mass value=\"0\"");
+  EXPECT_TRUE(has(diagnosis(), Severity::warning,
+                  "link \"LF_SHANK\": it moves, but its <inertial> is missing or 0"));
 }
 
 TEST_F(Checks, link_without_mass) {
@@ -90,6 +124,8 @@ TEST_F(Checks, knees_that_bend_one_way_only) {
   }
   const Diagnosis robot = diagnosis();
   EXPECT_TRUE(has(robot, Severity::note, "knees of LF RF LH RH bend backward only"));
+  EXPECT_TRUE(has(robot, Severity::note, "walk_flat: it stands with knees backward, not x"));
+  EXPECT_TRUE(has(robot, Severity::note, "step_down: it stands with knees backward, not forward"));
   EXPECT_FALSE(has_error(robot.findings)) << robot.findings.front().what;
 }
 

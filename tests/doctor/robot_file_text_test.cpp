@@ -56,6 +56,27 @@ TEST_F(RobotFileText, of_a_foot_without_shape_lacks_the_radius) {
       holds(message_of([&] { (void)config::load_robot(folder_ / "robot.yaml"); }), "foot.radius"));
 }
 
+TEST_F(RobotFileText, fills_in_only_the_joints_that_lack_a_limit) {
+  change("<joint name=\"LF_HFE\"", "effort=\"80\"", "effort=\"0\"");
+  const Diagnosis robot = diagnosis();
+  EXPECT_TRUE(holds(robot_file_text(robot, folder_.path(), Guesses::as_comments),
+                    "  LF:\n    foot: LF_FOOT\n#   limits:"));
+  test::write_file(folder_ / "robot.yaml",
+                   robot_file_text(robot, folder_.path(), Guesses::as_numbers));
+  const model::RobotDescription read = config::load_robot(folder_ / "robot.yaml");
+  EXPECT_EQ(read.torque_limit[0], 80.0);
+  EXPECT_EQ(read.torque_limit[1], 40.0);
+  EXPECT_EQ(read.torque_limit[4], 80.0);
+}
+
+TEST_F(RobotFileText, has_a_valid_name) {
+  test::write_file(folder_ / "my robot.urdf", urdf_);
+  EXPECT_EQ(examine(folder_ / "my robot.urdf").name, "my_robot");
+  for (const char* name : {"", "a/b", "..", "-x", "a b", "a:b"})
+    EXPECT_FALSE(is_robot_name(name)) << name;
+  for (const char* name : {"rex", "R2-d2", "a_1.5"}) EXPECT_TRUE(is_robot_name(name)) << name;
+}
+
 TEST_F(RobotFileText, is_never_written_over_another_file) {
   const Diagnosis robot = diagnosis();
   test::write_file(folder_ / "robot.yaml", "mine");

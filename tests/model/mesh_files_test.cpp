@@ -64,6 +64,18 @@ TEST(MeshFiles, of_a_urdf_that_lies_here_relative_paths_begin_at_its_folder) {
   }
 }
 
+TEST(MeshFiles, a_package_may_lie_beside_the_urdfs_own) {
+  const test::TemporaryFolder folder;
+  fs::create_directories(fs::path(folder / "src/robot/urdf"));
+  fs::create_directories(fs::path(folder / "src/shapes"));
+  std::ofstream(folder / "src/shapes/leg.stl") << "mesh";
+  const MeshFolders folders{.packages = {}, .urdf = fs::path(folder / "src/robot/urdf")};
+  EXPECT_TRUE(fs::equivalent(find_mesh("package://shapes/leg.stl", folders),
+                             folder / "src/shapes/leg.stl"));
+  EXPECT_NE(missing_text("package://none/leg.stl", folders).find("in a folder \"none\" in "),
+            std::string::npos);
+}
+
 TEST(MeshFiles, a_folder_of_packages_may_be_the_package) {
   const test::TemporaryFolder folder;
   fs::create_directories(fs::path(folder / "robot"));
