@@ -92,8 +92,9 @@ class JointNumbers {
             urdf_.joints, robot_.legs[index(leg)].joints[i], &model::UrdfJoint::name);
         numbers[joint] = from.*described;
         if (std::isnan(numbers[joint]) || (is_positive && numbers[joint] <= 0.0)) {
-          top_.fail(key, "this key is missing, and the URDF does not limit joint \"" + from.name +
-                             "\" (" + urdf_.path + ":" + std::to_string(from.line) + ")");
+          top_.fail(key, std::string("this key is missing, and the ") + urdf_.format() +
+                             " does not limit joint \"" + from.name + "\" (" + urdf_.path + ":" +
+                             std::to_string(from.line) + ")");
         }
       }
     }

@@ -11,9 +11,10 @@ struct LegJoints : Vec3 {
   LegJoints() : Vec3(Vec3::Constant(kNaN)) {}
 };
 
-/// What a robot file says; what it leaves out follows from the URDF.
+/// What a robot file says; what it leaves out follows from the URDF or MJCF.
 struct RobotInFile {
   model::RobotDescription robot;  ///< its URDF by name
+  std::string mjcf;               ///< by name
   PerLeg<std::vector<std::string>> joints;
   LegJoints torque, velocity, position_min, position_max, stall_torque, no_load_speed, nominal;
 };

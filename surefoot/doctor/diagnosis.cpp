@@ -1,13 +1,12 @@
 #include "surefoot/doctor/diagnosis.hpp"
 
 #include "surefoot/base/error.hpp"
-#include "surefoot/config/data_directory.hpp"
+#include "surefoot/config/description_file.hpp"
 #include "surefoot/config/robot_file.hpp"
 #include "surefoot/control/standing_torque.hpp"
 #include "surefoot/doctor/checks.hpp"
 #include "surefoot/doctor/robot_file_text.hpp"
 #include "surefoot/logging/scratch_folder.hpp"
-#include "surefoot/model/mesh_files.hpp"
 #include "surefoot/model/robot_model.hpp"
 
 #include <algorithm>
@@ -15,14 +14,6 @@
 
 namespace surefoot::doctor {
 namespace {
-
-std::string find_urdf(const std::string& given) {
-  if (given.find("://") == std::string::npos) return given;
-  const model::MeshFolders folders{.packages = config::package_directories(), .urdf = {}};
-  const std::filesystem::path found = model::find_mesh(given, folders);
-  if (found.empty()) throw FileError(model::missing_text(given, folders));
-  return found.string();
-}
 
 /// Is this line of the URDF among the errors already?
 bool is_told(const Findings& findings, const std::string& message) {
@@ -58,7 +49,8 @@ void load(Diagnosis& robot) {
 Diagnosis examine(const std::string& urdf, const std::string& name) {
   Diagnosis robot;
   robot.given = urdf;
-  robot.urdf = model::read_urdf(find_urdf(urdf), model::ImpossibleInertia::kept);
+  const config::DescriptionFile file = config::read_description(urdf);
+  robot.urdf = model::read_urdf(file.path, model::ImpossibleInertia::kept, file.urdf);
   robot.name = name.empty() ? std::filesystem::path(robot.urdf.path).stem().string() : name;
   robot.anatomy = find_anatomy(robot.urdf, robot.findings);
   check_size(robot);

@@ -84,7 +84,7 @@ std::string limit_lines(const Diagnosis& robot, Guesses guesses) {
   const bool is_comment = guesses == Guesses::as_comments;
   const std::string begin = is_comment ? "#" : "";
   std::string text = begin + "limits:" +
-                     (is_comment ? "                      # fill in, and take the # away: the URDF "
+                     (is_comment ? "                      # fill in, and take the # away: the file "
                                    "has placeholders or nothing; these are ANYmal B's, to size"
                                  : "") +
                      "\n";
@@ -114,12 +114,11 @@ std::string robot_file_text(const Diagnosis& robot, const std::filesystem::path&
     throw Error(robot.urdf.path +
                 ": four legs were not found, so there is no robot file; the findings say why");
   }
-  return "# Written by `surefoot doctor`. What is not here follows from the URDF: joints, limits, "
-         "size.\n"
-         "name: " +
-         quoted(robot.name) + "\nurdf: " + quoted(urdf_seen_from(robot, folder)) + "\n" +
-         leg_lines(*robot.anatomy.legs) + foot_lines(robot.anatomy.legs->front().foot, guesses) +
-         limit_lines(robot, guesses);
+  return std::string("# Written by `surefoot doctor`. What is not here follows from the ") +
+         robot.urdf.format() + ": joints, limits, size.\nname: " + quoted(robot.name) +
+         (robot.urdf.text.empty() ? "\nurdf: " : "\nmjcf: ") +
+         quoted(urdf_seen_from(robot, folder)) + "\n" + leg_lines(*robot.anatomy.legs) +
+         foot_lines(robot.anatomy.legs->front().foot, guesses) + limit_lines(robot, guesses);
 }
 
 void write_robot_file(const Diagnosis& robot, const std::filesystem::path& file) {

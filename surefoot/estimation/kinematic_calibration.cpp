@@ -34,7 +34,7 @@ KinematicCalibration::KinematicCalibration(const model::RobotDescription& robot,
       ticks_per_sample_(std::max(1, static_cast<int>(std::lround(kSampleInterval / period)))),
       foot_radius_(robot.foot_radius),
       length_(robot.scale.length) {
-  const model::BodyTree tree = model::make_body_tree(robot, model::read_urdf(robot.urdf_path));
+  const model::BodyTree tree = model::make_body_tree(robot, model::read_urdf(robot));
   for (const Leg leg : kLegs) chains_[index(leg)] = tree.legs[index(leg)].chain;
 }
 
