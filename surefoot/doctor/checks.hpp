@@ -23,6 +23,9 @@ void check_names(Diagnosis& robot);
 /// The start of a walk as the program checks it: stance, overlaps, shapes below the feet.
 void check_stance(Diagnosis& robot);
 
+/// Whether MuJoCo's model of the robot has the same masses, places and dynamics as ours.
+void check_agreement(Diagnosis& robot);
+
 /// Which of a joint's limits have to be filled in.
 struct LimitGaps {
   bool effort = false, velocity = false, position = false;  ///< a placeholder, or missing

@@ -62,6 +62,7 @@ Diagnosis examine(const std::string& urdf, const std::string& name) {
   check_symmetry(robot);
   check_limits(robot);
   check_stance(robot);
+  check_agreement(robot);
   sort_worst_first(robot.findings);
   return robot;
 }

@@ -131,6 +131,7 @@ class MjcfReader {
       fail(line_of(joint.info), "joint \"" + name_of(joint.element) +
                                     "\" has stiffness; the model has no springs at joints");
     }
+    if (joint.type == mjJNT_FREE) return;
     num_losses_ +=
         int{joint.damping[0] != 0.0 || joint.frictionloss != 0.0 || joint.armature != 0.0};
   }

@@ -82,7 +82,7 @@ class MjcfWriter {
     const auto known = names_.find(&body);
     if (known != names_.end()) return known->second;
     std::string name = name_of(body.element);
-    while (name.empty() || !links_.insert(name).second) name = text("body", links_.size());
+    while (name.empty() || !links_.insert(name).second) name = text("body", ++num_unnamed_);
     return names_[&body] = name;
   }
 
@@ -195,7 +195,7 @@ class MjcfWriter {
     if (shape.empty()) return;
     const std::string body = origin(in_link * pose_of(geom)) + "<geometry>" + shape + "</geometry>";
     if (geom.contype != 0 || geom.conaffinity != 0)
-      out_ << "<collision>" << body << "</collision>\n";
+      out_ << "<collision line=\"" << line_of(geom.info) << "\">" << body << "</collision>\n";
     if (geom.group > kLastVisibleGroup) return;
     const std::array<float, 4>& c = robot_.looks.at(&geom).rgba;
     const std::string rgba =
@@ -247,7 +247,8 @@ class MjcfWriter {
   const mjModel& model_;
   const std::string& folder_;
   std::ostringstream out_;
-  std::set<std::string> links_;
+  std::set<std::string> links_;  // names so far
+  int num_unnamed_ = 0;
   std::map<const mjsBody*, std::string> names_;
   std::map<int, Pose> offsets_;  // of bodies in their links, by id
 };
