@@ -237,7 +237,7 @@ void add_doctor(CLI::App& app, Command& chosen) {
   CLI::App* doctor = app.add_subcommand("doctor", "Examine a URDF and make the robot file of it");
   doctor->footer(kDoctorFooter);
   const auto arguments = std::make_shared<DoctorArguments>();
-  doctor->add_option("description", arguments->urdf, "URDF: a file, or a package:// name")
+  doctor->add_option("description", arguments->urdf, "URDF or MJCF: a file, or a package:// name")
       ->required();
   doctor->add_option("--out", arguments->out, "Write the robot file here (YAML)")
       ->check(some_name());

@@ -10,13 +10,12 @@
 #include "surefoot/gaits/parts/calibration_motion.hpp"
 #include "surefoot/logging/json_text.hpp"
 #include "surefoot/logging/logged_timing.hpp"
+#include "surefoot/model/urdf.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <iterator>
 #include <ranges>
-#include <sstream>
 
 namespace surefoot::server {
 namespace {
@@ -26,12 +25,6 @@ constexpr std::size_t kWelcomeFrames = 800;  // sent to a new page
 constexpr double kHistory = 122.0;           // what it can request: two minutes and a little [s]
 constexpr std::chrono::milliseconds kStatusInterval{250};
 constexpr std::chrono::milliseconds kMeasureInterval{1000};
-
-std::string text_of_file(const std::string& path) {
-  std::ostringstream text;
-  text << std::ifstream(path, std::ios::binary).rdbuf();
-  return text.str();
-}
 
 void vector_member(logging::JsonText& json, std::string_view name, const auto& vector) {
   json.key(name).array();
@@ -47,7 +40,7 @@ std::uint32_t ticks_of(double seconds, double period) {
 
 LiveFeed::LiveFeed(const config::Scenario& scenario, LiveOperator& wishes, std::string recording)
     : operator_(wishes),
-      robot_(text_of_file(scenario.robot.urdf_path), model::mesh_folders(scenario.robot)),
+      robot_(model::urdf_text(scenario.robot), model::mesh_folders(scenario.robot)),
       history_(ticks_of(kHistory, scenario.controller.period)),
       recording_(std::move(recording)),
       calibration_(

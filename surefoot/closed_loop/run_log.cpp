@@ -1,14 +1,12 @@
 #include "surefoot/closed_loop/run_log.hpp"
 
 #include "surefoot/base/build_info.hpp"
-#include "surefoot/base/error.hpp"
 #include "surefoot/closed_loop/log_terrain.hpp"
 #include "surefoot/config/stack_text.hpp"
+#include "surefoot/model/urdf.hpp"
 #include "surefoot/signals/plan_event.hpp"
 
 #include <algorithm>
-#include <fstream>
-#include <sstream>
 
 namespace surefoot::closed_loop {
 namespace {
@@ -48,14 +46,6 @@ std::vector<std::string> event_names() {
   return names;
 }
 
-std::string text_of(const std::string& file) {
-  std::ostringstream text;
-  if (!(text << std::ifstream(file, std::ios::binary).rdbuf())) {
-    throw FileError(file + ": can't be read for the log");
-  }
-  return text.str();
-}
-
 /// Quoted if a shell would not take it for one word.
 std::string shell_word(const std::string& text) {
   constexpr std::string_view kPlain =
@@ -71,7 +61,7 @@ std::vector<logging::LogAttachment> attachments(const config::Scenario& scenario
                                                 const simulation::Plant& plant) {
   std::vector<logging::LogAttachment> files{
       {"model.xml", "application/xml", plant.model_xml()},
-      {"robot.urdf", "application/xml", text_of(scenario.robot.urdf_path)},
+      {"robot.urdf", "application/xml", model::urdf_text(scenario.robot)},
       {"resolved_stack.yaml", "application/yaml", config::stack_yaml(stack)}};
   for (const config::SourceFile& source : scenario.sources) {
     files.push_back({source.name, "application/yaml", source.text});

@@ -98,9 +98,10 @@ class JointNumbers {
           urdf_.joints, names[static_cast<std::size_t>(joint)], &model::UrdfJoint::name);
       numbers[joint] = from.*described;
       if (std::isnan(numbers[joint]) || (is_positive && numbers[joint] <= 0.0)) {
-        top_.fail("limits." + std::string(key),
-                  "this key is missing, and the URDF does not limit joint \"" + from.name + "\" (" +
-                      urdf_.path + ":" + std::to_string(from.line) + ")");
+        top_.fail("limits." + std::string(key), std::string("this key is missing, and the ") +
+                                                    urdf_.format() + " does not limit joint \"" +
+                                                    from.name + "\" (" + urdf_.path + ":" +
+                                                    std::to_string(from.line) + ")");
       }
     }
     return numbers;

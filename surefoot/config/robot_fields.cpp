@@ -111,8 +111,9 @@ Group fields(RobotInFile& o) {
   model::RobotDescription& robot = o.robot;
   return {
       text("name", robot.name, "of the robot"),
-      text("urdf", robot.urdf_path, "package:// name, or a file as seen from here"),
-      {"base", &robot.base_link, "link; without it the URDF's root"},
+      {"urdf", &robot.urdf_path, "package:// name, or a file as seen from here"},
+      {"mjcf", &o.mjcf, "instead of urdf: likewise, of a robot described for MuJoCo"},
+      {"base", &robot.base_link, "link; without it the root"},
       Field{"legs", all_legs(o), "names of the URDF"}.required(),
       Field{"foot",
             Group{Field{"radius", &robot.foot_radius, kPositive, "m", "of the sphere"}.required(),

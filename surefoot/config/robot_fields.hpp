@@ -32,9 +32,10 @@ struct ArmInFile {
 /// All keys of an arm.
 [[nodiscard]] Group fields(ArmInFile& o);
 
-/// Content of a robot file; the rest follows from the URDF.
+/// Content of a robot file; the rest follows from the URDF or MJCF.
 struct RobotInFile {
   model::RobotDescription robot;  ///< with the URDF as named in the file
+  std::string mjcf;               ///< instead of a URDF
   PerLeg<LegInFile> legs;
   std::vector<ArmInFile> arms;
   LimitsInFile limits;

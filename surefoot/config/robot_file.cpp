@@ -4,10 +4,10 @@
 #include "surefoot/base/formatted.hpp"
 #include "surefoot/config/data_directory.hpp"
 #include "surefoot/config/data_file.hpp"
+#include "surefoot/config/description_file.hpp"
 #include "surefoot/config/field_reader.hpp"
 #include "surefoot/config/nearest_name.hpp"
 #include "surefoot/config/robot_completion.hpp"
-#include "surefoot/model/mesh_files.hpp"
 #include "surefoot/model/proportions.hpp"
 #include "surefoot/model/robot_model.hpp"
 #include "surefoot/model/urdf.hpp"
@@ -20,14 +20,26 @@
 namespace surefoot::config {
 namespace {
 
-/// Finds the URDF in the same places as meshes.
-std::string resolve_urdf(const Section& top, const std::string& urdf,
-                         const std::filesystem::path& robot_file) {
-  const model::MeshFolders folders{.packages = package_directories(),
-                                   .urdf = std::filesystem::absolute(robot_file).parent_path()};
-  const std::filesystem::path found = model::find_mesh(urdf, folders);
-  if (found.empty()) top.fail("urdf", model::missing_text(urdf, folders));
-  return found.string();
+/// The key of the robot's description: one of two.
+const char* description_key(const Section& top, const RobotInFile& given) {
+  const bool has_urdf = !given.robot.urdf_path.empty(), has_mjcf = !given.mjcf.empty();
+  if (has_urdf && has_mjcf) top.fail("mjcf", "urdf stands beside it; a robot has one of them");
+  if (!has_urdf && !has_mjcf) top.fail("urdf", "this key is missing, or mjcf");
+  return has_urdf ? "urdf" : "mjcf";
+}
+
+/// Finds and reads URDF or MJCF, with the robot file's line in front of what is wrong with it.
+model::Urdf read_description(const Section& top, const char* key, RobotInFile& given,
+                             const std::filesystem::path& file) {
+  model::RobotDescription& robot = given.robot;
+  const std::string name = given.mjcf.empty() ? robot.urdf_path : given.mjcf;
+  try {
+    robot.urdf_path = find_description(name, std::filesystem::absolute(file).parent_path());
+    if (!given.mjcf.empty()) robot.urdf_text = urdf_of_mjcf_named(name, robot.urdf_path);
+    return model::read_urdf(robot);
+  } catch (const Error& error) {
+    top.fail(key, error.what());
+  }
 }
 
 /// Checks names against the URDF.
@@ -94,15 +106,6 @@ class NameCheck {
   std::map<std::string, std::string> places_;  // keys, by joint
 };
 
-/// Reads the URDF; errors begin with the robot file's line.
-model::Urdf read_urdf_of(const Section& top, const std::string& path) {
-  try {
-    return model::read_urdf(path);
-  } catch (const Error& error) {
-    top.fail("urdf", error.what());
-  }
-}
-
 /// In the nominal posture each foot is in its own quadrant, else legs may be exchanged.
 void check_quadrants(const ConfigNode& legs, const model::RobotModel& model) {
   for (const Leg leg : kLegs) {
@@ -120,13 +123,13 @@ void check_quadrants(const ConfigNode& legs, const model::RobotModel& model) {
 }
 
 /// What needs the whole robot: checks, nominal posture, scale and gains.
-void complete_robot(const Section& top, const ConfigNode& legs, const RobotInFile& given,
-                    model::RobotDescription& robot) {
+void complete_robot(const Section& top, const char* key, const ConfigNode& legs,
+                    const RobotInFile& given, model::RobotDescription& robot) {
   const auto model_of = [&] {
     try {
       return model::RobotModel(robot);
     } catch (const FileError& error) {
-      top.fail("urdf", error.what());
+      top.fail(key, error.what());
     } catch (const Error& error) {
       top.fail("legs", error.what());
     }
@@ -151,10 +154,10 @@ model::RobotDescription load_robot(const std::string& name_or_path,
   read(top, fields(given));
   top.finish();
 
-  robot.urdf_path = resolve_urdf(top, robot.urdf_path, file);
   for (const std::filesystem::path& folder : package_directories())
     robot.package_folders.push_back(folder.string());
-  const model::Urdf urdf = read_urdf_of(top, robot.urdf_path);
+  const char* key_of_description = description_key(top, given);
+  const model::Urdf urdf = read_description(top, key_of_description, given, file);
   if (robot.base_link.empty()) robot.base_link = urdf.root;
   NameCheck names(top, urdf);
   names.frame("base", robot.base_link);
@@ -172,7 +175,7 @@ model::RobotDescription load_robot(const std::string& name_or_path,
     names.arm("arms." + arm.names.name, robot.arms.back());
   }
   complete_limits(top, urdf, given, robot);
-  complete_robot(top, *tree.find("legs"), given, robot);
+  complete_robot(top, key_of_description, *tree.find("legs"), given, robot);
   return robot;
 }
 

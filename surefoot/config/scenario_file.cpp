@@ -118,7 +118,7 @@ void keep_sources(Scenario& scenario, const std::string& name, const std::string
 }
 
 std::uint64_t hash_of_sources(const Scenario& scenario) {
-  std::uint64_t hash = named_bits(0, text_of(scenario.robot.urdf_path));
+  std::uint64_t hash = named_bits(0, model::urdf_text(scenario.robot));
   for (const SourceFile& source : scenario.sources) {
     hash = named_bits(named_bits(hash, source.name), source.text);
   }
@@ -221,7 +221,7 @@ void check_pushes(const ConfigNode& tree, const Scenario& scenario) {
   const ConfigNode* pushes = disturbances == nullptr ? nullptr : disturbances->find("pushes");
   if (pushes == nullptr || pushes->members.empty()) return;
   std::vector<std::string> links;
-  for (const model::UrdfLink& link : model::read_urdf(scenario.robot.urdf_path).links)
+  for (const model::UrdfLink& link : model::read_urdf(scenario.robot).links)
     links.push_back(link.name);
   for (const auto& [name, push] : pushes->members) {
     const ConfigNode* body = push.find("body");

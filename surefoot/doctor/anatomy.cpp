@@ -73,9 +73,10 @@ void find_base(const model::Urdf& urdf, const LimbFinder& finder, Anatomy& anato
        "take joint and root link out of the URDF, so that \"" + joint.child + "\" is the root"});
 }
 
-std::string remedy_of(const Limb& limb) {
-  const std::string fixed =
-      "set type=\"fixed\" at these joints; the limb is then part of its parent";
+std::string remedy_of(const Limb& limb, const model::Urdf& urdf) {
+  const std::string fixed = std::string(urdf.text.empty() ? "set type=\"fixed\" at these joints"
+                                                          : "take these <joint>s out of the MJCF") +
+                            "; the limb is then part of its parent";
   const bool mimics = std::ranges::any_of(
       limb.joints, [](const model::UrdfJoint& joint) { return !joint.mimics.empty(); });
   if (mimics)
@@ -89,7 +90,7 @@ std::string remedy_of(const Limb& limb) {
   return fixed;
 }
 
-void tell_others(const Anatomy& anatomy, Findings& findings) {
+void tell_others(const model::Urdf& urdf, const Anatomy& anatomy, Findings& findings) {
   for (const Limb& limb : anatomy.others) {
     std::string names;
     for (const model::UrdfJoint& joint : limb.joints) names += " " + joint.name;
@@ -98,7 +99,7 @@ void tell_others(const Anatomy& anatomy, Findings& findings) {
                         first.line,
                         "the limb that begins here is no leg (" + limb.no_leg +
                             "), and a joint beside the legs is refused:" + names,
-                        remedy_of(limb)});
+                        remedy_of(limb, urdf)});
   }
 }
 
@@ -121,7 +122,7 @@ Anatomy find_anatomy(const model::Urdf& urdf, Findings& findings) {
     }
   }
   keep_lowest(legs, anatomy);
-  tell_others(anatomy, findings);
+  tell_others(urdf, anatomy, findings);
   name_legs(legs, anatomy, findings);
   return anatomy;
 }

@@ -24,6 +24,9 @@ void check_names(Diagnosis& robot);
 /// which knees are chosen where the limits don't leave those that a scenario asks for.
 void check_stance(Diagnosis& robot);
 
+/// Whether MuJoCo's model of the robot has the same masses, places and dynamics as ours.
+void check_agreement(Diagnosis& robot);
+
 /// Which limits of a joint, or of any, have to be filled in.
 struct LimitGaps {
   bool effort = false, velocity = false, position = false;  ///< a placeholder, or missing

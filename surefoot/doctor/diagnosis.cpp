@@ -1,12 +1,13 @@
 #include "surefoot/doctor/diagnosis.hpp"
 
 #include "surefoot/base/error.hpp"
-#include "surefoot/config/data_directory.hpp"
+#include "surefoot/config/description_file.hpp"
 #include "surefoot/config/robot_file.hpp"
 #include "surefoot/control/standing_torque.hpp"
 #include "surefoot/doctor/checks.hpp"
 #include "surefoot/doctor/guessed_file.hpp"
-#include "surefoot/model/mesh_files.hpp"
+#include "surefoot/doctor/robot_file_text.hpp"
+#include "surefoot/logging/scratch_folder.hpp"
 #include "surefoot/model/robot_model.hpp"
 
 #include <algorithm>
@@ -24,15 +25,6 @@ std::string name_of(const std::string& urdf) {
   std::string name = std::filesystem::path(urdf).stem().string();
   std::ranges::replace_if(name, [](char letter) { return !is_of_name(letter); }, '_');
   return is_robot_name(name) ? name : "robot" + name;
-}
-
-std::string find_urdf(const std::string& given) {
-  if (given.find("://") == std::string::npos) return given;
-  const model::MeshFolders folders{.packages = config::package_directories(),
-                                   .urdf = std::filesystem::current_path()};
-  const std::filesystem::path found = model::find_mesh(given, folders);
-  if (found.empty()) throw FileError(model::missing_text(given, folders));
-  return found.string();
 }
 
 /// Is this line of the URDF among the errors already?
@@ -71,7 +63,8 @@ bool is_robot_name(const std::string& name) {
 Diagnosis examine(const std::string& urdf, const std::string& name) {
   Diagnosis robot;
   robot.given = urdf;
-  robot.urdf = model::read_urdf(find_urdf(urdf), model::ImpossibleInertia::kept);
+  const config::DescriptionFile file = config::read_description(urdf);
+  robot.urdf = model::read_urdf(file.path, model::ImpossibleInertia::kept, file.urdf);
   robot.name = name.empty() ? name_of(robot.urdf.path) : name;
   robot.anatomy = find_anatomy(robot.urdf, robot.findings);
   check_size(robot);
@@ -85,6 +78,7 @@ Diagnosis examine(const std::string& urdf, const std::string& name) {
   }
   check_limits(robot);
   check_stance(robot);
+  check_agreement(robot);
   sort_worst_first(robot.findings);
   return robot;
 }

@@ -36,7 +36,7 @@ double up_to_millimetres(double length) { return 1e-3 * std::ceil(1e3 * length -
 }  // namespace
 
 FootFinder::FootFinder(const model::Urdf& urdf, const std::map<std::string, model::Weld>& welds)
-    : urdf_(urdf), welds_(welds), shapes_(model::collision_shapes(urdf.path)) {}
+    : urdf_(urdf), welds_(welds), shapes_(model::collision_shapes(urdf)) {}
 
 Foot FootFinder::foot_behind(const model::UrdfJoint& knee) const {
   const auto distance = [&](const model::UrdfLink& link) {

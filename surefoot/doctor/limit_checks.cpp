@@ -67,6 +67,7 @@ class JointList {
 std::string number(double value, const char* unit) { return formatted("%.4g %s", value, unit); }
 
 void check_effort(Diagnosis& robot) {
+  const std::string format = robot.urdf.format();
   JointList missing, placeholders;
   for (const FoundLeg& leg : *robot.anatomy.legs) {
     for (const model::UrdfJoint& joint : leg.joints) {
@@ -77,7 +78,7 @@ void check_effort(Diagnosis& robot) {
       }
     }
   }
-  missing.tell(Severity::error, Confidence::certain, "the URDF has no effort limit",
+  missing.tell(Severity::error, Confidence::certain, "the " + format + " has no effort limit",
                "fill in limits.torque of the robot file", robot.findings);
   placeholders.tell(Severity::warning, Confidence::likely,
                     "the effort limit looks like a placeholder, far above what standing needs" +
@@ -89,6 +90,7 @@ void check_effort(Diagnosis& robot) {
 }
 
 void check_velocity(Diagnosis& robot) {
+  const std::string format = robot.urdf.format();
   JointList missing, placeholders;
   for (const FoundLeg& leg : *robot.anatomy.legs) {
     for (const model::UrdfJoint& joint : leg.joints) {
@@ -99,7 +101,7 @@ void check_velocity(Diagnosis& robot) {
       }
     }
   }
-  missing.tell(Severity::error, Confidence::certain, "the URDF has no velocity limit",
+  missing.tell(Severity::error, Confidence::certain, "the " + format + " has no velocity limit",
                "fill in limits.velocity of the robot file", robot.findings);
   placeholders.tell(Severity::warning, Confidence::likely,
                     "the velocity limit looks like a placeholder, above 100 rad/s",
@@ -108,6 +110,7 @@ void check_velocity(Diagnosis& robot) {
 }
 
 void check_position(Diagnosis& robot) {
+  const std::string format = robot.urdf.format();
   JointList missing, placeholders;
   for (const FoundLeg& leg : *robot.anatomy.legs) {
     for (const model::UrdfJoint& joint : leg.joints) {
@@ -118,7 +121,7 @@ void check_position(Diagnosis& robot) {
       }
     }
   }
-  missing.tell(Severity::error, Confidence::certain, "the URDF has no position limits",
+  missing.tell(Severity::error, Confidence::certain, "the " + format + " has no position limits",
                "fill in limits.position_min and position_max of the robot file", robot.findings);
   placeholders.tell(Severity::warning, Confidence::likely,
                     "the position limits look like placeholders, a whole turn or more, or empty",

@@ -104,7 +104,7 @@ class Lacking {
 
 const char* to_fill_in(Guesses guesses) {
   return guesses == Guesses::as_comments
-             ? "   # fill in, and take the # away: the URDF has placeholders or nothing; these are "
+             ? "   # fill in, and take the # away: the file has placeholders or nothing; these are "
                "ANYmal B's, to size"
              : "";
 }
@@ -165,12 +165,11 @@ std::string robot_file_text(const Diagnosis& robot, const std::filesystem::path&
     throw Error(robot.urdf.path +
                 ": four legs were not found, so there is no robot file; the findings say why");
   }
-  return "# Written by `surefoot doctor`. What is not here follows from the URDF: joints, limits, "
-         "size.\n"
-         "name: " +
-         quoted(robot.name) + "\nurdf: " + quoted(urdf_seen_from(robot, folder)) + "\n" +
-         leg_lines(robot, guesses) + foot_lines(foot_of_all(*robot.anatomy.legs), guesses) +
-         limit_lines(robot, guesses);
+  return std::string("# Written by `surefoot doctor`. What is not here follows from the ") +
+         robot.urdf.format() + ": joints, limits, size.\nname: " + quoted(robot.name) +
+         (robot.urdf.text.empty() ? "\nurdf: " : "\nmjcf: ") +
+         quoted(urdf_seen_from(robot, folder)) + "\n" + leg_lines(robot, guesses) +
+         foot_lines(foot_of_all(*robot.anatomy.legs), guesses) + limit_lines(robot, guesses);
 }
 
 void write_robot_file(const Diagnosis& robot, const std::filesystem::path& file) {

@@ -35,7 +35,7 @@ KinematicCalibration::KinematicCalibration(const model::RobotDescription& robot,
           1, static_cast<int>(std::lround(robot.scale.time() * kSampleInterval / period)))),
       foot_radius_(robot.foot_radius),
       scale_(robot.scale) {
-  const model::BodyTree tree = model::make_body_tree(robot, model::read_urdf(robot.urdf_path));
+  const model::BodyTree tree = model::make_body_tree(robot, model::read_urdf(robot));
   for (const Leg leg : kLegs) chains_[index(leg)] = tree.legs[index(leg)].chain;
 }
 

@@ -25,7 +25,7 @@ LegInertialEstimator::LegInertialEstimator(const model::RobotDescription& robot,
       foot_radius_(robot.foot_radius),
       filter_(options.filter),
       standing_start_(period, robot.scale) {
-  const model::BodyTree tree = model::make_body_tree(robot, model::read_urdf(robot.urdf_path));
+  const model::BodyTree tree = model::make_body_tree(robot, model::read_urdf(robot));
   for (const Leg leg : kLegs) described_[index(leg)] = tree.legs[index(leg)].chain;
   chains_ = described_;
 }

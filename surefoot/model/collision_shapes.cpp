@@ -29,15 +29,15 @@ void add_shapes(const UrdfReader& reader, const XMLElement& link,
     added.radius = radius_of(reader, *shape);
     if (const char* file = shape->Attribute("filename")) added.mesh = file;
     if (shape->Attribute("scale") != nullptr) added.scale = reader.vector(*shape, "scale");
-    added.line = shape->GetLineNum();
+    added.line = reader.line(*shape);
     reader.read_origin(*element, added.R, added.center);
   }
 }
 
 }  // namespace
 
-std::vector<CollisionShape> collision_shapes(const std::string& urdf_path) {
-  const UrdfReader reader(urdf_path);
+std::vector<CollisionShape> collision_shapes(const Urdf& urdf) {
+  const UrdfReader reader(urdf.path, urdf.text);
   tinyxml2::XMLDocument xml;
   std::vector<CollisionShape> shapes;
   const XMLElement& robot = reader.robot(xml);

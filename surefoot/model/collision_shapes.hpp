@@ -1,6 +1,6 @@
 #pragma once
 
-#include "surefoot/math/types.hpp"
+#include "surefoot/model/urdf.hpp"
 
 #include <string>
 #include <vector>
@@ -19,8 +19,8 @@ struct CollisionShape {
   int line = 0;                ///< in the file
 };
 
-/// The collision shapes of a URDF, in the order of the file; a mesh has radius 0. Throws FileError
-/// if the file, an origin or a box's size can't be read.
-[[nodiscard]] std::vector<CollisionShape> collision_shapes(const std::string& urdf_path);
+/// The collision shapes of a URDF, in the order of the file, which is read again; a mesh has radius
+/// 0. Throws FileError if the file, an origin or a box's size can't be read.
+[[nodiscard]] std::vector<CollisionShape> collision_shapes(const Urdf& urdf);
 
 }  // namespace surefoot::model

@@ -27,7 +27,8 @@ struct ArmDescription {
 /// Everything specific to a robot; read from robots/*.yaml.
 struct RobotDescription {
   std::string name;
-  std::string urdf_path;
+  std::string urdf_path;  ///< or that of the robot's MJCF
+  std::string urdf_text;  ///< the URDF made from an MJCF; empty: that of the file
   std::vector<std::string> package_folders;  ///< searched for package:// names
   std::string base_link;
   PerLeg<LegDescription> legs;

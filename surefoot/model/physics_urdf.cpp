@@ -97,7 +97,7 @@ class Writer {
   Writer(const Urdf& urdf, const MeshFolders& folders)
       : urdf_(urdf),
         folders_(folders),
-        reader_(urdf.path),
+        reader_(urdf.path, urdf.text),
         welds_(welds(urdf)),
         unsound_(urdf, welds_),
         to_(*document_.InsertEndChild(document_.NewElement("robot"))->ToElement()) {
@@ -179,9 +179,9 @@ class Writer {
     if (tag == "box") return check_positive(shape, link, reader_.vector(shape, "size").minCoeff());
     const auto* round = std::ranges::find(kRound, tag, &Shape::tag);
     if (round == kRound.end()) {
-      reader_.fail(shape.GetLineNum(), "link \"" + link + "\": <" + shape.Name() +
-                                           "> is no collision shape; valid: box, capsule, "
-                                           "cylinder, mesh, sphere");
+      reader_.fail(reader_.line(shape), "link \"" + link + "\": <" + shape.Name() +
+                                            "> is no collision shape; valid: box, capsule, "
+                                            "cylinder, mesh, sphere");
     }
     for (const char* number : round->numbers) {
       if (number != nullptr) check_positive(shape, link, reader_.number(shape, number));
@@ -190,22 +190,22 @@ class Writer {
 
   void check_positive(const XMLElement& shape, const std::string& link, double size) const {
     if (size > 0.0) return;
-    reader_.fail(shape.GetLineNum(), "link \"" + link + "\": the <" + shape.Name() +
-                                         "> that it collides with has a size of " +
-                                         formatted("%g", size) + " m; it must be above 0");
+    reader_.fail(reader_.line(shape), "link \"" + link + "\": the <" + shape.Name() +
+                                          "> that it collides with has a size of " +
+                                          formatted("%g", size) + " m; it must be above 0");
   }
 
   /// Empty for a mesh format that MuJoCo can't read, which is ignored.
   std::string mesh_file(const XMLElement& shape, const std::string& link) {
     const char* uri = shape.Attribute("filename");
-    if (uri == nullptr) reader_.fail(shape.GetLineNum(), "<mesh> has no filename");
+    if (uri == nullptr) reader_.fail(reader_.line(shape), "<mesh> has no filename");
     if (!can_be_read(uri)) {
       unread_ += " " + link;
       return "";
     }
     const std::filesystem::path file = find_mesh(uri, folders_);
     if (file.empty())
-      reader_.fail(shape.GetLineNum(), "link \"" + link + "\": " + missing_text(uri, folders_));
+      reader_.fail(reader_.line(shape), "link \"" + link + "\": " + missing_text(uri, folders_));
     if (shape.Attribute("scale") != nullptr) (void)reader_.vector(shape, "scale");
     return file.string();
   }
@@ -239,7 +239,7 @@ class Writer {
       return limit.Attribute(name) == nullptr ? 0.0 : reader_.number(limit, name);
     };
     if (stop("lower") > stop("upper")) {
-      reader_.fail(limit.GetLineNum(),
+      reader_.fail(reader_.line(limit),
                    "joint \"" + joint + "\": its lower limit, " + formatted("%g", stop("lower")) +
                        ", is above the upper, " + formatted("%g", stop("upper")));
     }

@@ -264,7 +264,7 @@ struct RobotModel::Implementation {
 };
 
 RobotModel::RobotModel(RobotDescription description) {
-  const Urdf urdf = read_urdf(description.urdf_path);
+  const Urdf urdf = read_urdf(description);
   implementation_ = std::make_unique<Implementation>(std::move(description), urdf);
 }
 

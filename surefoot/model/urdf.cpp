@@ -1,12 +1,15 @@
 #include "surefoot/model/urdf.hpp"
 
+#include "surefoot/base/error.hpp"
 #include "surefoot/model/urdf_reader.hpp"
 
 #include <tinyxml2.h>
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <set>
+#include <sstream>
 #include <string_view>
 
 namespace surefoot::model {
@@ -17,19 +20,19 @@ using tinyxml2::XMLElement;
 /// Reads links and joints.
 class Reader : public UrdfReader {
  public:
-  Reader(const std::string& path, ImpossibleInertia impossible)
-      : UrdfReader(path), impossible_(impossible) {}
+  Reader(const std::string& path, const std::string& text, ImpossibleInertia impossible)
+      : UrdfReader(path, text), impossible_(impossible) {}
 
   UrdfLink link(const XMLElement& element) const {
     const XMLElement* inertial = element.FirstChildElement("inertial");
-    if (inertial == nullptr) return {name(element), Inertia(), element.GetLineNum()};
-    return {name(element), inertia(*inertial, name(element)), inertial->GetLineNum()};
+    if (inertial == nullptr) return {name(element), Inertia(), line(element)};
+    return {name(element), inertia(*inertial, name(element)), line(*inertial)};
   }
 
   UrdfJoint joint(const XMLElement& element) const {
     UrdfJoint result;
     result.name = name(element);
-    result.line = element.GetLineNum();
+    result.line = line(element);
     const char* type = element.Attribute("type");
     if (type == nullptr) fail(result.line, "joint \"" + result.name + "\" has no type");
     result.type = type;
@@ -63,10 +66,9 @@ class Reader : public UrdfReader {
     if (axis == nullptr) return;
     joint.axis = vector(*axis, "xyz");
     if (joint.axis.norm() < 1e-6) {
-      fail(axis->GetLineNum(),
-           "joint \"" + joint.name +
-               "\": its axis has no direction; valid is <axis xyz=\"0 1 0\"/>, for "
-               "instance");
+      fail(line(*axis), "joint \"" + joint.name +
+                            "\": its axis has no direction; valid is <axis xyz=\"0 1 0\"/>, for "
+                            "instance");
     }
     joint.axis.normalize();
   }
@@ -75,7 +77,7 @@ class Reader : public UrdfReader {
                           const std::string& link) const {
     const XMLElement* element = parent.FirstChildElement(tag);
     if (element == nullptr) {
-      fail(parent.GetLineNum(), "link \"" + link + "\": <inertial> has no <" + tag + ">");
+      fail(line(parent), "link \"" + link + "\": <inertial> has no <" + tag + ">");
     }
     return *element;
   }
@@ -85,8 +87,8 @@ class Reader : public UrdfReader {
     const XMLElement& mass = child(inertial, "mass", link);
     result.mass = number(mass, "value");
     if (result.mass < 0.0 && impossible_ == ImpossibleInertia::refused) {
-      fail(mass.GetLineNum(), "link \"" + link + "\": mass " + mass.Attribute("value") +
-                                  " kg is negative; it must be 0 or more");
+      fail(line(mass), "link \"" + link + "\": mass " + mass.Attribute("value") +
+                           " kg is negative; it must be 0 or more");
     }
     const XMLElement& tensor = child(inertial, "inertia", link);
     const auto entry = [&](const char* name) { return number(tensor, name); };
@@ -102,7 +104,7 @@ class Reader : public UrdfReader {
     const XMLElement* element = joint.FirstChildElement(tag);
     const char* link = element == nullptr ? nullptr : element->Attribute("link");
     if (link == nullptr) {
-      fail(joint.GetLineNum(), "joint \"" + name + "\" names no " + tag + " link");
+      fail(line(joint), "joint \"" + name + "\" names no " + tag + " link");
     }
     return link;
   }
@@ -199,24 +201,38 @@ std::map<std::string, Weld> welds(const Urdf& urdf) {
   return found;
 }
 
-Urdf read_urdf(const std::string& path, ImpossibleInertia impossible) {
-  const Reader reader(path, impossible);
+Urdf read_urdf(const std::string& path, ImpossibleInertia impossible, const std::string& text) {
+  const Reader reader(path, text, impossible);
   tinyxml2::XMLDocument xml;
   const XMLElement& robot = reader.robot(xml);
 
   Urdf urdf;
   urdf.path = path;
+  urdf.text = text;
   for (const XMLElement* element = robot.FirstChildElement(); element != nullptr;
        element = element->NextSiblingElement()) {
     const std::string_view tag = element->Name();
     if (tag == "link") urdf.links.push_back(reader.link(*element));
     if (tag == "joint") urdf.joints.push_back(reader.joint(*element));
+    if (tag == "note" && !text.empty()) urdf.notes.emplace_back(element->Attribute("text"));
   }
   check_joint_names(reader, urdf);
   urdf.root = find_root(reader, urdf);
   check_connected(reader, urdf);
   if (impossible == ImpossibleInertia::refused) check_inertias(reader, urdf);
   return urdf;
+}
+
+Urdf read_urdf(const RobotDescription& robot) {
+  return read_urdf(robot.urdf_path, ImpossibleInertia::refused, robot.urdf_text);
+}
+
+std::string urdf_text(const RobotDescription& robot) {
+  if (!robot.urdf_text.empty()) return robot.urdf_text;
+  std::ostringstream text;
+  if (!(text << std::ifstream(robot.urdf_path, std::ios::binary).rdbuf()))
+    throw FileError(robot.urdf_path + ": can't be read");
+  return text.str();
 }
 
 }  // namespace surefoot::model

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "surefoot/math/numbers.hpp"
+#include "surefoot/model/description.hpp"
 #include "surefoot/model/inertia.hpp"
 
 #include <map>
@@ -32,7 +33,8 @@ struct UrdfJoint {
 
 /// Kinematics and inertias of a URDF file, as written.
 struct Urdf {
-  std::string path;
+  std::string path;             ///< of the file, also if it is an MJCF
+  std::string text;             ///< of the URDF made from an MJCF; else empty
   std::string root;             ///< the link that no joint moves
   std::vector<UrdfLink> links;  ///< in the order of the file
   std::vector<UrdfJoint> joints;
@@ -40,6 +42,8 @@ struct Urdf {
 
   /// The link of that name, or nullptr.
   [[nodiscard]] const UrdfLink* find_link(const std::string& name) const;
+  /// How messages call the file: URDF or MJCF.
+  [[nodiscard]] const char* format() const { return text.empty() ? "URDF" : "MJCF"; }
 };
 
 /// What reading a URDF does with masses and inertias that no body can have.
@@ -49,9 +53,15 @@ enum class ImpossibleInertia { refused, kept };
 /// with file and line, if the file is missing, not XML or no robot, if the links do not form one
 /// tree, a joint's name repeats, a mass is negative, an inertia has a negative eigenvalue beyond
 /// rounding or a number is not finite. Ignores faults in parts that are not kept. With `kept`,
-/// masses and inertias stay as written, whatever they are.
+/// masses and inertias stay as written, whatever they are. `text`: of the URDF, if it was made from
+/// the MJCF at `path`; its attributes `line` are lines of that.
 [[nodiscard]] Urdf read_urdf(const std::string& path,
-                             ImpossibleInertia impossible = ImpossibleInertia::refused);
+                             ImpossibleInertia impossible = ImpossibleInertia::refused,
+                             const std::string& text = "");
+[[nodiscard]] Urdf read_urdf(const RobotDescription& robot);
+
+/// A robot's URDF as text: its file's, or the one made from its MJCF. Throws FileError.
+[[nodiscard]] std::string urdf_text(const RobotDescription& robot);
 
 /// The body that a link is fixed to, and its frame in the body's.
 struct Weld {

@@ -44,27 +44,56 @@ std::array<double, N> numbers(const UrdfReader& reader, const XMLElement& elemen
   for (double& value : values) stream >> value;  // reads neither "nan" nor "inf"
   std::string rest;
   if (!stream.fail() && !(stream >> rest)) return values;
-  reader.fail(element.GetLineNum(), std::string("<") + element.Name() + "> needs " + attribute +
+  reader.fail(reader.line(element), std::string("<") + element.Name() + "> needs " + attribute +
                                         "=\"" +
                                         (N == 1 ? "a finite number" : "three finite numbers") +
                                         "\", not \"" + text + "\"" + advice_for(text));
 }
 
+void load_xml(const std::string& path, const char* format, tinyxml2::XMLDocument& document) {
+  if (!std::ifstream(path))
+    throw FileError(path + ": the " + format + " can't be read; does the file exist?");
+  if (document.LoadFile(path.c_str()) == tinyxml2::XML_SUCCESS) return;
+  throw FileError(path + ":" + std::to_string(document.ErrorLineNum()) +
+                  ": not well-formed XML: " + document.ErrorName());
+}
+
 }  // namespace
 
+std::string root_of_xml(const std::string& path, const char* format) {
+  tinyxml2::XMLDocument document;
+  load_xml(path, format, document);
+  const XMLElement* root = document.RootElement();
+  return root == nullptr ? "" : root->Name();
+}
+
 const XMLElement& UrdfReader::robot(tinyxml2::XMLDocument& document) const {
-  if (!std::ifstream(path_))
-    throw FileError(path_ + ": the URDF can't be read; does the file exist?");
-  if (document.LoadFile(path_.c_str()) != tinyxml2::XML_SUCCESS) {
-    fail(document.ErrorLineNum(), std::string("not well-formed XML: ") + document.ErrorName());
+  if (text_.empty()) {
+    load_xml(path_, "URDF", document);
+  } else {
+    document.Parse(text_.c_str(), text_.size());
   }
   const XMLElement* robot = document.FirstChildElement("robot");
-  if (robot == nullptr) fail(1, "not a URDF: the file has no <robot>");
+  if (robot == nullptr) {
+    const bool is_mjcf = document.FirstChildElement("mujoco") != nullptr;
+    fail(1, std::string("not a URDF: the file has no <robot>") +
+                (is_mjcf ? "; an MJCF stands under `mjcf:`" : ""));
+  }
   if (const XMLElement* macro = of_xacro(*robot)) {
-    fail(macro->GetLineNum(),
+    fail(line(*macro),
          std::string("<") + macro->Name() + "> does not belong in a URDF; " + kRunXacro);
   }
   return *robot;
+}
+
+int UrdfReader::line(const XMLElement& element) const {
+  if (text_.empty()) return element.GetLineNum();
+  const tinyxml2::XMLNode* node = &element;
+  while (node != nullptr && node->ToElement() != nullptr &&
+         node->ToElement()->Attribute("line") == nullptr)
+    node = node->Parent();
+  return node == nullptr || node->ToElement() == nullptr ? 1
+                                                         : node->ToElement()->IntAttribute("line");
 }
 
 void UrdfReader::fail(int line, const std::string& what) const {
@@ -74,11 +103,10 @@ void UrdfReader::fail(int line, const std::string& what) const {
 std::string UrdfReader::name(const XMLElement& element) const {
   const char* text = element.Attribute("name");
   if (text == nullptr) {
-    fail(element.GetLineNum(), std::string("<") + element.Name() + "> has no name");
+    fail(line(element), std::string("<") + element.Name() + "> has no name");
   }
   const std::string advice = advice_for(text);
-  if (!advice.empty())
-    fail(element.GetLineNum(), std::string("\"") + text + "\" is no name" + advice);
+  if (!advice.empty()) fail(line(element), std::string("\"") + text + "\" is no name" + advice);
   return text;
 }
 

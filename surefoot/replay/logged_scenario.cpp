@@ -15,10 +15,11 @@ const std::string& attachment(const logging::LogHeader& header, const std::strin
   return *header.attachment(name);
 }
 
-/// The robot's file, with its URDF where this program finds it.
+/// The robot's file, with its URDF, or that made from its MJCF, where this program finds it.
 std::string robot_file(const logging::LogHeader& header, const logging::ScratchFolder& folder) {
   std::string robot = attachment(header, "robot.yaml");
-  const std::size_t urdf = robot.find("\nurdf:") + 1;
+  const std::size_t mjcf = robot.find("\nmjcf:");
+  const std::size_t urdf = (mjcf == std::string::npos ? robot.find("\nurdf:") : mjcf) + 1;
   robot.replace(urdf, robot.find('\n', urdf) - urdf,
                 "urdf: " + folder.write("robot.urdf", attachment(header, "robot.urdf")));
   return folder.write("robot.yaml", robot);

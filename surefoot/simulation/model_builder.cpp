@@ -1,6 +1,7 @@
 #include "surefoot/simulation/model_builder.hpp"
 
 #include "surefoot/base/error.hpp"
+#include "surefoot/model/urdf.hpp"
 #include "surefoot/simulation/disturbances.hpp"
 #include "surefoot/simulation/link_lengths.hpp"
 #include "surefoot/simulation/mesh_hulls.hpp"
@@ -12,6 +13,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <mutex>
 
 // MuJoCo writes six digits by default, too few to recompute contact forces; its own Python bindings
@@ -41,14 +43,30 @@ void set_physics(mjSpec& spec, const PlantOptions& options) {
   spec.option.disableflags |= mjDSBL_ISLAND;
 }
 
-bool is_sphere_of_foot(const mjsGeom& geom, const model::RobotDescription& description) {
-  if (geom.type != mjGEOM_SPHERE) return false;
-  const Vec3 center(geom.pos[0], geom.pos[1], geom.pos[2]);
-  return (center - description.foot_center).norm() < kNearbySphere;
+bool is_hinge(mjsElement* element) { return mjs_asJoint(element)->type == mjJNT_HINGE; }
+
+std::vector<std::string> hinge_names(mjSpec& spec) {
+  std::vector<std::string> names;
+  for (mjsElement* element = mjs_firstElement(&spec, mjOBJ_JOINT); element != nullptr;
+       element = mjs_nextElement(&spec, element)) {
+    if (is_hinge(element)) names.push_back(name_of(element));
+  }
+  return names;
 }
 
-void check_sphere(const mjsGeom& geom, const model::RobotDescription& description, Leg leg) {
-  const Vec3 center(geom.pos[0], geom.pos[1], geom.pos[2]);
+mjsElement& find_hinge(mjSpec& spec, const std::string& joint) {
+  mjsElement* element = mjs_findElement(&spec, mjOBJ_JOINT, joint.c_str());
+  if (element != nullptr && is_hinge(element)) return *element;
+  throw UnknownNameError(
+      text("unknown joint \"", joint, "\"; the robot has: ", listed(hinge_names(spec))));
+}
+
+mjsBody& moved_by(mjSpec& spec, const std::string& joint) {
+  return *mjs_getParent(&find_hinge(spec, joint));
+}
+
+void check_sphere(const mjsGeom& geom, const Vec3& center,
+                  const model::RobotDescription& description, Leg leg) {
   const bool same = std::abs(geom.size[0] - description.foot_radius) < kSameSphere &&
                     (center - description.foot_center).norm() < kSameSphere;
   if (same) return;
@@ -67,17 +85,25 @@ mjsGeom& new_sphere(mjsBody& foot, const model::RobotDescription& description) {
   return *sphere;
 }
 
-/// The URDF's foot sphere, or a new massless one.
+/// The foot sphere of the foot link or of one that is fixed to it, or a new massless one.
 mjsGeom& foot_sphere(mjSpec& spec, const model::RobotDescription& description, Leg leg,
+                     const std::map<std::string, model::Weld>& welds,
                      std::vector<std::string>& notes) {
   const std::string& frame = description.legs[index(leg)].foot_frame;
   mjsBody& foot = find_body(spec, frame, "foot frame");
-  for (mjsElement* element = mjs_firstChild(&foot, mjOBJ_GEOM, 0); element != nullptr;
-       element = mjs_nextChild(&foot, element, 0)) {
-    mjsGeom& geom = *mjs_asGeom(element);
-    if (!is_sphere_of_foot(geom, description)) continue;
-    check_sphere(geom, description, leg);
-    return geom;
+  const model::Weld& of_foot = welds.at(frame);
+  for (mjsBody* body : subtree(moved_by(spec, description.legs[index(leg)].joints[2]))) {
+    const model::Weld& weld = welds.at(name_of(body->element));
+    for (mjsElement* element = mjs_firstChild(body, mjOBJ_GEOM, 0); element != nullptr;
+         element = mjs_nextChild(body, element, 0)) {
+      mjsGeom& geom = *mjs_asGeom(element);
+      Vec3 center(geom.pos[0], geom.pos[1], geom.pos[2]);
+      if (body != &foot) center = of_foot.R.transpose() * (weld.p + weld.R * center - of_foot.p);
+      if (geom.type != mjGEOM_SPHERE || (center - description.foot_center).norm() >= kNearbySphere)
+        continue;
+      check_sphere(geom, center, description, leg);
+      return geom;
+    }
   }
   notes.push_back(text("a massless foot sphere was added to \"", frame, "\""));
   return new_sphere(foot, description);
@@ -106,24 +132,6 @@ void exclude(mjSpec& spec, const std::string& first, const std::string& second) 
   mjs_setString(pair->bodyname2, second.c_str());
 }
 
-bool is_hinge(mjsElement* element) { return mjs_asJoint(element)->type == mjJNT_HINGE; }
-
-std::vector<std::string> hinge_names(mjSpec& spec) {
-  std::vector<std::string> names;
-  for (mjsElement* element = mjs_firstElement(&spec, mjOBJ_JOINT); element != nullptr;
-       element = mjs_nextElement(&spec, element)) {
-    if (is_hinge(element)) names.push_back(name_of(element));
-  }
-  return names;
-}
-
-mjsElement& find_hinge(mjSpec& spec, const std::string& joint) {
-  mjsElement* element = mjs_findElement(&spec, mjOBJ_JOINT, joint.c_str());
-  if (element != nullptr && is_hinge(element)) return *element;
-  throw UnknownNameError(
-      text("unknown joint \"", joint, "\"; the robot has: ", listed(hinge_names(spec))));
-}
-
 /// Names of a body and all bodies with shapes that are fixed to it.
 void collect_solid(mjsBody& body, std::vector<std::string>& names) {
   if (mjs_firstChild(&body, mjOBJ_GEOM, 0) != nullptr) names.push_back(name_of(body.element));
@@ -144,10 +152,6 @@ void exclude_all(mjSpec& spec, const std::vector<std::string>& some,
                  const std::vector<std::string>& others) {
   for (const std::string& one : some)
     for (const std::string& other : others) exclude(spec, one, other);
-}
-
-mjsBody& moved_by(mjSpec& spec, const std::string& joint) {
-  return *mjs_getParent(&find_hinge(spec, joint));
 }
 
 /// MuJoCo excludes links with one joint between them. With two joints between them, shapes overlap
@@ -211,8 +215,9 @@ BuiltModel build_model(const model::RobotDescription& description, const PlantOp
   const SpecHandle spec = read_spec(description, notes);
   mjsBody& base = find_body(*spec, description.base_link, "base link");
   set_physics(*spec, options);
+  const std::map<std::string, model::Weld> welds = model::welds(model::read_urdf(description));
   for (const Leg leg : kLegs) {
-    mjsGeom& sphere = foot_sphere(*spec, description, leg, notes);
+    mjsGeom& sphere = foot_sphere(*spec, description, leg, welds, notes);
     mjs_setName(sphere.element, foot_geom_name(leg).c_str());
   }
   set_collision(base, options.contact);

@@ -55,7 +55,7 @@ mjsBody& find_body(mjSpec& spec, const std::string& name, const std::string& rol
 }
 
 SpecHandle read_spec(const model::RobotDescription& description, std::vector<std::string>& notes) {
-  const model::Urdf urdf = model::read_urdf(description.urdf_path);
+  const model::Urdf urdf = model::read_urdf(description);
   const model::PhysicsUrdf physics = model::physics_urdf(urdf, model::mesh_folders(description));
   notes.insert(notes.end(), urdf.notes.begin(), urdf.notes.end());
   notes.insert(notes.end(), physics.notes.begin(), physics.notes.end());

@@ -45,6 +45,17 @@ TEST_F(RobotFileText, has_placeholders_as_comments) {
   EXPECT_EQ(text.find("torque:"), std::string::npos);
 }
 
+TEST_F(RobotFileText, of_an_mjcf_has_its_key_and_what_it_lacks) {
+  const Diagnosis robot = examine(config::load_robot("spot").urdf_path);
+  const std::string text = robot_file_text(robot, folder_.path(), Guesses::as_comments);
+  EXPECT_TRUE(holds(text, "\nmjcf: "));
+  EXPECT_TRUE(holds(text, "LF: {foot: FL_foot}"));
+  EXPECT_TRUE(holds(text, "radius: 0.036"));
+  EXPECT_TRUE(holds(text, "\n#  velocity: "));
+  EXPECT_EQ(text.find("torque:"), std::string::npos);
+  EXPECT_TRUE(test::has(robot, Severity::error, "the MJCF has no velocity limit"));
+}
+
 TEST_F(RobotFileText, of_a_foot_without_shape_lacks_the_radius) {
   replace_all("<sphere radius=\"0.031\"/>", "");
   const Diagnosis robot = diagnosis();

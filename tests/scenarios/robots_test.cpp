@@ -39,7 +39,7 @@ TEST_P(Robots, WalkOnFlatGroundByItsCriteriaAndStepDownATenthOfTheirLeg) {
 
 INSTANTIATE_TEST_SUITE_P(Each, Robots,
                          testing::Values("anymal_c", "a1", "go1", "go2", "b1", "laikago", "hyq",
-                                         "solo12"),
+                                         "solo12", "aliengo", "a2", "b2", "mini_cheetah", "spot"),
                          [](const auto& robot) { return std::string(robot.param); });
 
 /// Every number behind `attribute="` in a text, times a factor.

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace surefoot::config {
+
+/// A robot's URDF or MJCF.
+struct DescriptionFile {
+  std::string path;
+  std::string urdf;  ///< made from an MJCF; empty: the file is a URDF
+};
+
+/// Finds a file by its `package://` name, or by its path from `folder`. Throws FileError, with the
+/// places tried, if there is none.
+[[nodiscard]] std::string find_description(const std::string& name,
+                                           const std::filesystem::path& folder);
+
+/// The URDF made from the MJCF at `path`, which was found by `name`. Throws FileError if it can't
+/// be read.
+[[nodiscard]] std::string urdf_of_mjcf_named(const std::string& name, const std::string& path);
+
+/// Finds and reads a file of either kind. Throws FileError if there is none.
+[[nodiscard]] DescriptionFile read_description(const std::string& name);
+
+}  // namespace surefoot::config
