@@ -19,7 +19,7 @@ namespace surefoot::estimation {
 class LiftDetector {
  public:
   /// `period` of the control loop [s], `scale` of the robot; times below are of scale 1.
-  explicit LiftDetector(double period, const Scale& scale = {}) : period_(period), scale_(scale) {}
+  explicit LiftDetector(double period, Scale scale = {}) : period_(period), scale_(scale) {}
 
   /// One tick: the robot's weight and the estimated ground forces on its feet, in W [N]; the
   /// accelerometer's reading [m/s²]. With a missing number nothing changes.

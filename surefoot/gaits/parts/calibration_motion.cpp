@@ -32,8 +32,8 @@ Motion<double> window(double frequency, double t) {
 CalibrationMotion::CalibrationMotion(const CalibrationOptions& options, const Scale& scale)
     : options_(options),
       take_over_(scale.time() * kTakeOver),
-      weighing_(scale.time() * kWeighing),
-      following_(scale.time() * kFollowing) {}
+      weighing_(scale.time() * kWeighingDuration),
+      following_(scale.time() * kFollowDuration) {}
 
 double CalibrationMotion::shortest_duration(const CalibrationOptions& options) {
   const double most = amplitudes_of(options).cwiseProduct(kPeriods.cwiseAbs2()).maxCoeff();
