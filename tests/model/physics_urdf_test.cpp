@@ -119,7 +119,7 @@ TEST_F(PhysicsUrdfTest, says_where_a_mesh_that_is_missing_was_looked_for) {
                     "robot.urdf:1: link \"leg\": there is no "
                     "\"package://other/leg.stl\"; looked for at: "))
       << message;
-  EXPECT_TRUE(holds(message, "packages/other/leg.stl; ROS_PACKAGE_PATH may name")) << message;
+  EXPECT_TRUE(holds(message, "packages/other/leg.stl, in a folder \"other\" in ")) << message;
 }
 
 TEST_F(PhysicsUrdfTest, leaves_out_meshes_that_physics_does_not_read_with_a_note) {
