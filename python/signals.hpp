@@ -4,10 +4,12 @@
 #include "surefoot/signals/plan_event.hpp"
 
 #include <nanobind/stl/array.h>
+#include <nanobind/stl/optional.h>
 #include <nanobind/stl/vector.h>
 
 #include <algorithm>
 #include <array>
+#include <optional>
 
 namespace surefoot::python {
 
@@ -27,16 +29,28 @@ inline void bind_signals(nb::module_& module) {
   signal<SensorReading>(module, "SensorReading", "What the robot's sensors give at one tick.")
       .def(nb::init<>());
 
+  signal<ReachCommand>(module, "ReachCommand", "Where the tip of an arm shall be.")
+      .def(
+          "__init__",
+          [](ReachCommand* self, int arm, std::array<double, 3> position, bool in_world,
+             std::optional<std::array<double, 3>> orientation) {
+            new (self) ReachCommand{arm, in_world, Vec3(position.data())};
+            if (orientation) self->orientation = Vec3(orientation->data());
+          },
+          nb::arg("arm") = -1, nb::arg("position") = std::array<double, 3>{},
+          nb::arg("in_world") = false, nb::arg("orientation") = nb::none());
+
   signal<UserCommand>(module, "UserCommand", "What the operator asks for.")
       .def(
           "__init__",
           [](UserCommand* self, bool walk, std::array<double, 2> velocity, double yaw_rate,
-             double height, bool calibrate) {
-            new (self)
-                UserCommand{walk, Vec2(velocity[0], velocity[1]), yaw_rate, height, calibrate};
+             double height, bool calibrate, const ReachCommand& reach) {
+            new (self) UserCommand{
+                walk, Vec2(velocity[0], velocity[1]), yaw_rate, height, calibrate, reach};
           },
           nb::arg("walk") = false, nb::arg("velocity") = std::array<double, 2>{},
-          nb::arg("yaw_rate") = 0.0, nb::arg("height") = 0.0, nb::arg("calibrate") = false);
+          nb::arg("yaw_rate") = 0.0, nb::arg("height") = 0.0, nb::arg("calibrate") = false,
+          nb::arg("reach").sig("ReachCommand()") = ReachCommand());
 
   signal<JointCommand>(module, "JointCommand", "Torques for the actuators at one tick.")
       .def(
@@ -51,6 +65,7 @@ inline void bind_signals(nb::module_& module) {
   signal<RobotState>(module, "RobotState", "The state that the controller believes.");
   signal<FootPlan>(module, "FootPlan", "Reference of one foot F, the centre of its sphere, in W.");
   signal<TorsoPlan>(module, "TorsoPlan", "Reference of the torso.");
+  signal<ArmPlan>(module, "ArmPlan", "Reference of the tip of an arm, in W.");
   signal<ComPlan>(module, "ComPlan", "Reference of the centre of mass, x and y in W.");
   signal<GaitEvent>(module, "GaitEvent", "Something that happened at a tick.")
       .def_prop_ro(

@@ -67,6 +67,7 @@ QUANTITIES = [
     Quantity("slips_missed", "slips missed", BELIEF, 0, always_shown=False),
     Quantity("slips_false", "slips that were none", BELIEF, 0, always_shown=False),
     Quantity("slip_latency_p95_s", "slips noticed after, 95 %", BELIEF, 3, always_shown=False),
+    Quantity("reach_error_max_m", "largest error of an arm's tip", TRUTH_PLAN, 4, always_shown=False),
     Quantity("limb_extension_max_m", "longest leg, hip to foot", TRUTH, 3),
     Quantity("torque_max_nm", "largest joint torque", TRUTH, 1),
     Quantity("torque_command_max_nm", "largest commanded torque", COMMAND, 1, always_shown=False),

@@ -143,7 +143,7 @@ template <typename Archive, Is<ReachCommand> T>
 void fields(Archive& field, T& reach) {
   field("arm", reach.arm, "whose tip is to be there, counted from 0; -1: none");
   field("in_world", reach.in_world, "position and orientation are in W; else in B");
-  field("position", reach.position, "of the tip [m]");
+  field("position", reach.position, "place of the tip [m]");
   field("orientation", reach.orientation,
         "roll, pitch and yaw of the tip; null: as it was at first [rad]");
 }
@@ -212,11 +212,11 @@ void fields(Archive& field, T& event) {
 template <typename Archive, Is<ArmPlan> T>
 void fields(Archive& field, T& plan) {
   field("arm", plan.arm, "whose tip follows, counted from 0; -1: none");
-  field("p_WT", plan.p_WT, "of the tip in W [m]");
-  field("v_WT", plan.v_WT, "[m/s]");
-  field("a_WT", plan.a_WT, "[m/s²]");
+  field("p_WT", plan.p_WT, "place of the tip in W [m]");
+  field("v_WT", plan.v_WT, "velocity of the tip in W [m/s]");
+  field("a_WT", plan.a_WT, "acceleration of the tip in W [m/s²]");
   field("q_WT", plan.q_WT, "orientation of the tip, w, x, y, z");
-  field("w_WT", plan.w_WT, "angular velocity in W [rad/s]");
+  field("w_WT", plan.w_WT, "angular velocity of the tip in W [rad/s]");
 }
 
 template <typename Archive, Is<MotionPlan> T>
