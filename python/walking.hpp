@@ -119,7 +119,7 @@ inline void bind_plant(nb::module_& module) {
             self.write(joint_command(torque));
           },
           nb::arg("torque"), nb::call_guard<nb::gil_scoped_release>(),
-          "The same for 12 torques [N·m].")
+          "The same for a torque of each joint [N·m].")
       .def_prop_ro("time", &simulation::Plant::time, "since the start of the run [s]")
       .def_prop_ro("truth", &simulation::Plant::truth, nb::rv_policy::copy,
                    "What really happens, at the current time.")

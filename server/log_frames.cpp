@@ -20,7 +20,9 @@ constexpr double kMostTicks = std::numeric_limits<std::uint32_t>::max();
 
 /// A tick that is being read, message by message.
 struct GrowingTick {
-  explicit GrowingTick(std::size_t joints) : num_joints(joints) {}
+  explicit GrowingTick(std::size_t joints) : num_joints(joints) {
+    size_joints(record, static_cast<Eigen::Index>(joints));
+  }
 
   std::size_t num_joints;
   TickRecord record;

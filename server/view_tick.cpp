@@ -123,11 +123,7 @@ ViewChannels tick_channels(const logging::LogHeader& header, const simulation::G
   channels.level_names = header.level_names;
   channels.level_visible = logging::visible_residuals(header);
   TickRecord tick;
-  const auto num_joints = static_cast<Eigen::Index>(header.robot.joint_names.size());
-  for (JointVector* joints : {&tick.reading.q, &tick.reading.torque, &tick.state.q, &tick.state.qd,
-                              &tick.state.torque, &tick.command.torque}) {
-    joints->resize(num_joints);
-  }
+  size_joints(tick, std::ssize(header.robot.joint_names));
   logged::ChannelLister lister(channels);
   lister.add("readings", tick.reading);
   lister.add("health", tick.health);

@@ -54,7 +54,7 @@ namespace {
 
 /// Index of the first joint outside its limits; −1: none.
 Eigen::Index outside_limits(const model::RobotDescription& robot, const JointVector& q) {
-  for (Eigen::Index i = 0; i < q.size(); ++i) {
+  for (Eigen::Index i = 0; i < kNumLegJoints; ++i) {
     if (q[i] < robot.q_min[i] - kRounding || q[i] > robot.q_max[i] + kRounding) return i;
   }
   return -1;

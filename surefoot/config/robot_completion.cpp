@@ -98,10 +98,10 @@ class JointNumbers {
           urdf_.joints, names[static_cast<std::size_t>(joint)], &model::UrdfJoint::name);
       numbers[joint] = from.*described;
       if (std::isnan(numbers[joint]) || (is_positive && numbers[joint] <= 0.0)) {
-        top_.fail("limits." + std::string(key), std::string("this key is missing, and the ") +
-                                                    urdf_.format() + " does not limit joint \"" +
-                                                    from.name + "\" (" + urdf_.path + ":" +
-                                                    std::to_string(from.line) + ")");
+        top_.fail((joint < kNumLegJoints ? "limits." : "arms: ") + std::string(key),
+                  std::string("this key is missing, and the ") + urdf_.format() +
+                      " does not limit joint \"" + from.name + "\" (" + urdf_.path + ":" +
+                      std::to_string(from.line) + ")");
       }
     }
     return numbers;
@@ -190,7 +190,12 @@ void complete_arm(const Section& top, const model::Urdf& urdf, const ArmInFile& 
     top.fail(key, "no joint moves between the base and \"" + arm.tip_frame + "\"");
   for (const auto& [what, numbers] : {std::pair{".posture", &given.posture},
                                       {".torque", &given.torque},
-                                      {".velocity", &given.velocity}}) {
+                                      {".velocity", &given.velocity},
+                                      {".position_min", &given.position_min},
+                                      {".position_max", &given.position_max}}) {
+    const bool is_limit = numbers == &given.torque || numbers == &given.velocity;
+    if (is_limit && std::ranges::any_of(*numbers, [](double limit) { return limit <= 0.0; }))
+      top.fail(key + what, "must have numbers above 0 only");
     if (numbers->empty() || numbers->size() == arm.joints.size()) continue;
     top.fail(key + what, "has " + std::to_string(numbers->size()) + " numbers, but the arm has " +
                              std::to_string(arm.joints.size()) + " joints");
@@ -210,8 +215,10 @@ void complete_limits(const Section& top, const model::Urdf& urdf, const RobotInF
                                   of_arms(given, robot, &ArmInFile::torque));
   robot.velocity_limit = numbers.of("velocity", &Limits::velocity, &UrdfJoint::velocity, true,
                                     of_arms(given, robot, &ArmInFile::velocity));
-  robot.q_min = numbers.of("position_min", &Limits::position_min, &UrdfJoint::lower, false);
-  robot.q_max = numbers.of("position_max", &Limits::position_max, &UrdfJoint::upper, false);
+  robot.q_min = numbers.of("position_min", &Limits::position_min, &UrdfJoint::lower, false,
+                           of_arms(given, robot, &ArmInFile::position_min));
+  robot.q_max = numbers.of("position_max", &Limits::position_max, &UrdfJoint::upper, false,
+                           of_arms(given, robot, &ArmInFile::position_max));
   for (Eigen::Index i = 0; i < robot.num_joints(); ++i) {
     if (robot.q_min[i] < robot.q_max[i]) continue;
     top.fail("limits.position_max",

@@ -104,7 +104,9 @@ Group fields(ArmInFile& o) {
       {"posture", &o.posture, kAnyNumber, "rad",
        "of each joint; without it 0, or the nearest angle that its limits allow"},
       {"torque", &o.torque, kPositive, "N·m", "limit of each joint; without it the URDF's"},
-      {"velocity", &o.velocity, kPositive, "rad/s", "limit of each joint; without it the URDF's"}};
+      {"velocity", &o.velocity, kPositive, "rad/s", "limit of each joint; without it the URDF's"},
+      {"position_min", &o.position_min, kAnyNumber, "rad", "of each joint; without it the URDF's"},
+      {"position_max", &o.position_max, kAnyNumber, "rad", "of each joint; without it the URDF's"}};
 }
 
 Group fields(RobotInFile& o) {

@@ -26,7 +26,7 @@ struct LegInFile {
 /// An arm as a file gives it: a number for each of its joints, or none.
 struct ArmInFile {
   model::ArmDescription names;  ///< without joints: those between base, or arm before it, and tip
-  std::vector<double> posture, torque, velocity;
+  std::vector<double> posture, torque, velocity, position_min, position_max;
 };
 
 /// All keys of an arm.

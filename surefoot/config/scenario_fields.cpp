@@ -242,13 +242,16 @@ bool visit_option(const Group& group, const std::string& path,
 }  // namespace
 
 Group fields(ReachCommand& o) {
-  return {{"arm", &o.arm, NumberRange{.min = 0.0, .words = "a number of at least 0", .none = -1.0},
-           "", "which, by its place in the robot's list of arms, from 0"},
-          {"in_world", &o.in_world, "in W; else in B, so that it moves with the torso"},
-          {"position", Numbers{o.position.data(), simulation::axis_elements()}, kAnyNumber, "m",
-           "of the tip"},
-          {"orientation", Numbers{o.orientation.data(), simulation::angle_elements()},
-           NumberRange{.none = kNaN}, "rad", "of the tip; without it as it was at first"}};
+  return {
+      Field{"arm", &o.arm, NumberRange{.min = 0.0, .words = "a number of at least 0", .none = -1.0},
+            "", "which, by its place in the robot's list of arms, from 0"}
+          .required(),
+      {"in_world", &o.in_world, "in W; else in B, so that it moves with the torso"},
+      Field{"position", Numbers{o.position.data(), simulation::axis_elements()}, kAnyNumber, "m",
+            "of the tip"}
+          .required(),
+      {"orientation", Numbers{o.orientation.data(), simulation::angle_elements()},
+       NumberRange{.none = kNaN}, "rad", "of the tip; without it as it was at first"}};
 }
 
 Group fields(TimedCommand& o) {

@@ -187,6 +187,17 @@ void read_stack_changes(Section& top, control::ControllerOptions& controller) {
 }
 
 /// `robot`: as loaded before; null where that failed, so that it fails here.
+/// Numbers of the levels that move arms are for a robot of scale 1.
+control::StackOptions with_arms(const control::StackOptions& stack, const Scale& scale) {
+  control::StackOptions result = control::with_arms(stack);
+  for (control::LevelSpec& level : result.levels) {
+    const bool is_new = std::ranges::find(stack.levels, level.name, &control::LevelSpec::name) ==
+                        stack.levels.end();
+    if (is_new) scale_level(level, scale, true);
+  }
+  return result;
+}
+
 void read_robot_and_stack(Section& top, const fs::path& file, const model::RobotDescription* robot,
                           Scenario& scenario) {
   const fs::path folder = file.parent_path();
@@ -197,7 +208,7 @@ void read_robot_and_stack(Section& top, const fs::path& file, const model::Robot
   scenario.controller.stack = load_named(top, "stack", [&](const std::string& name) {
     control::StackOptions stack = load_stack(name, folder, scenario.robot.scale);
     keep_sources(scenario, "stack", "stack_base", stack_files(name, folder));
-    return scenario.robot.arms.empty() ? stack : control::with_arms(std::move(stack));
+    return scenario.robot.arms.empty() ? stack : with_arms(stack, scenario.robot.scale);
   });
   read_stack_changes(top, scenario.controller);
 }

@@ -125,7 +125,8 @@ Controller::Implementation::Implementation(
       stack(options, robot),
       safety(options.safety, robot, stack.tasks().first_free_level(),
              lying_posture(model, options.safety.sit_height), options.period) {
-  record.command.torque.setZero(robot.num_joints());
+  size_joints(record, robot.num_joints());
+  record.command.torque.setZero();
   memory.last = at_start.last = remember({});
 }
 
@@ -149,10 +150,7 @@ void Controller::Implementation::begin_tick(const SensorReading& reading,
                                             const UserCommand& user) noexcept {
   if (observer != nullptr) observer->tick_begins();
   record.reading = reading;
-  const Eigen::Index n = model.description().num_joints();
-  for (JointVector* values : {&record.reading.q, &record.reading.torque}) {
-    if (values->size() != n) values->setConstant(n, kNaN);
-  }
+  size_joints(record, model.description().num_joints());
   record.user = limited(user);
 }
 
@@ -196,6 +194,7 @@ void Controller::Implementation::restart() noexcept {
 
 /// The robot has stood up: discards where it stood before.
 void Controller::Implementation::restart_standing() noexcept {
+  memory.arm = at_start.arm;
   memory.planner.begin_anew(at_start.planner);
   memory.estimation.restart_standing(at_start.estimation);
   memory.last.terrain_normal_W = memory.planner.terrain_normal();
@@ -265,6 +264,7 @@ const JointCommand& Controller::Implementation::command_without_state() noexcept
 
 /// Without plan and solution.
 const JointCommand& Controller::Implementation::command_off_its_feet() noexcept {
+  record.plan.arm = {};
   describe_unsolved();
   record.plan.time = record.state.time;
   record.plan.calibration = CalibrationStage::none;

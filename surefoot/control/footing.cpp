@@ -69,8 +69,9 @@ PlanEvent Footing::update_rise(const model::RobotModel& model, const RobotState&
   if (lift.is_lifted() && (stood_for_ > 0.0 || has_arrived)) return hang(model, state.q);
   has_failed_ = state.R_WB()(2, 2) < std::cos(kMaxTilt);
   if (!has_arrived) return PlanEvent::none;
-  const bool is_there = (state.q - to_).cwiseAbs().maxCoeff() < kMaxError;
-  const bool is_at_rest = state.qd.cwiseAbs().maxCoeff() < scale_.rate() * kMaxSpeed;
+  const bool is_there = (state.q - to_).head<kNumLegJoints>().cwiseAbs().maxCoeff() < kMaxError;
+  const bool is_at_rest =
+      state.qd.head<kNumLegJoints>().cwiseAbs().maxCoeff() < scale_.rate() * kMaxSpeed;
   if (is_there && is_at_rest && lift.is_down() && !has_failed_) {
     state_ = State::stands;
     restarts_ = true;

@@ -33,8 +33,9 @@ JointVector finite_or_zero(const JointVector& v) {
   return result;
 }
 
+/// Of the legs: wrists may turn further.
 bool is_posture(const JointVector& q) {
-  return (q.array().abs() <= kMaxAngle).all();  // false for NaN
+  return (q.head<kNumLegJoints>().array().abs() <= kMaxAngle).all();  // false for NaN
 }
 
 double uprightness(const RobotState& state) {

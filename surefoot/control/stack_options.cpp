@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <initializer_list>
 #include <string_view>
 #include <utility>
 
@@ -13,7 +14,6 @@ namespace {
 constexpr std::array<std::string_view, 4> kPhysics{"equations_of_motion", "no_contact_motion",
                                                    "torque_limits", "friction_cone"};
 
-constexpr std::array<std::string_view, 3> kOfArms{"frame_position", "frame_orientation", "posture"};
 constexpr std::array<std::string_view, 2> kEfforts{"contact_force_minimisation",
                                                    "torque_minimisation"};
 
@@ -26,22 +26,32 @@ bool keeps_physics(const LevelSpec& level) {
 }
 
 StackOptions with_arms(StackOptions stack) {
-  const auto has = [](const LevelSpec& level, const auto& names) {
-    return std::ranges::any_of(level.tasks, [&](const TaskSpec& task) {
-      return std::ranges::find(names, task.task) != names.end();
-    });
+  const auto moves_arms = [](const TaskSpec& task) {
+    const auto joints = task.choices.find("joints");
+    const bool is_of_legs = joints != task.choices.end() && joints->second == "legs";
+    return task.task == "frame_position" || task.task == "frame_orientation" ||
+           (task.task == "posture" && !is_of_legs);
   };
-  const auto moves_arms = [&](const LevelSpec& level) { return has(level, kOfArms); };
-  if (std::ranges::any_of(stack.levels, moves_arms)) return stack;
-  const auto saves = [&](const LevelSpec& level) { return has(level, kEfforts); };
-  const auto place = std::ranges::find_if(stack.levels, saves);
-  LevelSpec tip{.name = "arm_tip", .tasks = {}}, posture{.name = "arm_posture", .tasks = {}};
-  tip.tasks.resize(2);
-  tip.tasks[0].task = "frame_position";
-  tip.tasks[1].task = "frame_orientation";
-  posture.tasks.resize(1);
-  posture.tasks[0].task = "posture";
-  stack.levels.insert(place, {tip, posture});
+  const bool is_told = std::ranges::any_of(stack.levels, [&](const LevelSpec& level) {
+    return std::ranges::any_of(level.tasks, moves_arms);
+  });
+  if (is_told) return stack;
+  const auto level = [](const char* name, std::initializer_list<const char*> tasks) {
+    LevelSpec made{.name = name, .tasks = {}};
+    for (const char* task : tasks) made.tasks.emplace_back().task = task;
+    return made;
+  };
+  const auto saves = [](const TaskSpec& task) {
+    return std::ranges::find(kEfforts, task.task) != kEfforts.end();
+  };
+  const auto effort = std::ranges::find_if(
+      stack.levels, [&](const LevelSpec& one) { return std::ranges::all_of(one.tasks, saves); });
+  LevelSpec rest = level("arm_rest", {"posture"}), idle = level("arm_posture", {"posture"});
+  rest.tasks.front().choices["joints"] = "reaching_arm";
+  idle.tasks.front().choices["joints"] = "idle_arms";
+  stack.levels.insert(effort, {level("arm_tip", {"frame_position", "frame_orientation"}), rest});
+  const auto last = std::find_if(stack.levels.rbegin(), stack.levels.rend(), keeps_physics);
+  stack.levels.insert(last.base(), idle);
   return stack;
 }
 

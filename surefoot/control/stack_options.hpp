@@ -32,8 +32,10 @@ struct StackOptions {
 /// torque or contact force limits?
 [[nodiscard]] bool keeps_physics(const LevelSpec& level);
 
-/// The stack of a robot with arms: two levels that move them, `arm_tip` and `arm_posture`, before
-/// those that only save effort. Stays as it is if a task moves arms already.
+/// The stack of a robot with arms, unless a task moves arms already. Below the levels that keep the
+/// physics, `arm_posture` holds the arms that do not reach: lower down they would be thrown about
+/// to save the torso's pose. Before the levels that only save effort, `arm_tip` and `arm_rest` move
+/// the one that reaches, as far as balance and torso leave it.
 [[nodiscard]] StackOptions with_arms(StackOptions stack);
 
 /// Merges all levels from `first` on into one last level, "weighted", in which the tasks' weights

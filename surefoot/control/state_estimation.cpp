@@ -57,7 +57,10 @@ StateEstimation::StateEstimation(const ControllerOptions& options,
       consistency_(options.consistency, options.period,
                    {.min = model.description().q_min, .max = model.description().q_max}),
       lift_(options.period, model.description().scale),
-      joint_velocity_(JointVector::Zero(model.description().num_joints())) {}
+      joint_velocity_(JointVector::Zero(model.description().num_joints())) {
+  state_.q = state_.qd = state_.torque =
+      JointVector::Constant(model.description().num_joints(), kNaN);
+}
 
 bool StateEstimation::has_begun() const { return std::isfinite(time_); }
 

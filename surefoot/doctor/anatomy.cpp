@@ -30,6 +30,7 @@ class LimbFinder {
     Limb limb;
     collect(first, limb);
     if (!limb.no_leg.empty()) return limb;
+    limb.is_arm = limb.joints.size() > kJointsPerLeg;
     if (limb.joints.size() != kJointsPerLeg)
       limb.no_leg = "it has " + std::to_string(limb.joints.size()) + " joints, a leg has 3";
     return limb;
@@ -95,6 +96,12 @@ void tell_others(const model::Urdf& urdf, const Anatomy& anatomy, Findings& find
     std::string names;
     for (const model::UrdfJoint& joint : limb.joints) names += " " + joint.name;
     const model::UrdfJoint& first = limb.joints.front();
+    if (limb.is_arm) {
+      findings.push_back({Severity::note, Confidence::likely, "joint \"" + first.name + "\"",
+                          first.line, "an arm begins here:" + names,
+                          "give it a posture under `arms:` in the robot file"});
+      continue;
+    }
     findings.push_back({Severity::error, Confidence::certain, "joint \"" + first.name + "\"",
                         first.line,
                         "the limb that begins here is no leg (" + limb.no_leg +

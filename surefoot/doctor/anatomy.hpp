@@ -16,6 +16,7 @@ namespace surefoot::doctor {
 struct Limb {
   std::vector<model::UrdfJoint> joints;  ///< from the base outward
   std::string no_leg;                    ///< why it is none; empty: it may be one
+  bool is_arm = false;                   ///< a chain of more hinges than a leg has
 };
 
 /// What a foot's radius was guessed from where its link collides with nothing.

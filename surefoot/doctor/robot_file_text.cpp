@@ -41,6 +41,17 @@ const Foot& foot_of_all(const PerLeg<FoundLeg>& legs) {
   return found == legs.end() ? legs.front().foot : found->foot;
 }
 
+std::string arm_lines(const Anatomy& anatomy) {
+  std::string text;
+  for (const Limb& limb : anatomy.others) {
+    if (!limb.is_arm) continue;
+    text += (text.empty() ? std::string("arms:\n") : "") +
+            "  - {name: " + quoted(limb.joints.front().name) +
+            ", tip: " + quoted(limb.joints.back().child) + "}\n";
+  }
+  return text;
+}
+
 std::string foot_lines(const Foot& foot, Guesses guesses) {
   const bool has_shape = foot.guessed_from != kNoShape;
   const bool is_comment = !has_shape && guesses == Guesses::as_comments;
@@ -169,7 +180,8 @@ std::string robot_file_text(const Diagnosis& robot, const std::filesystem::path&
          robot.urdf.format() + ": joints, limits, size.\nname: " + quoted(robot.name) +
          (robot.urdf.text.empty() ? "\nurdf: " : "\nmjcf: ") +
          quoted(urdf_seen_from(robot, folder)) + "\n" + leg_lines(robot, guesses) +
-         foot_lines(foot_of_all(*robot.anatomy.legs), guesses) + limit_lines(robot, guesses);
+         arm_lines(robot.anatomy) + foot_lines(foot_of_all(*robot.anatomy.legs), guesses) +
+         limit_lines(robot, guesses);
 }
 
 void write_robot_file(const Diagnosis& robot, const std::filesystem::path& file) {

@@ -16,8 +16,9 @@ constexpr double kLastingDifference = 0.4;  // … for an IMU that was faulty be
 void RestCheck::update(const SensorReading& reading, const JointVector& joint_velocity,
                        const Vec3& force, double mass) noexcept {
   const double weight = mass * kGravity;
-  const bool stands = joint_velocity.cwiseAbs().maxCoeff() < scale_.rate() * kStandingSpeed &&
-                      force.norm() > kMinLoad * weight;  // not if it is NaN
+  const bool stands =
+      joint_velocity.head<kNumLegJoints>().cwiseAbs().maxCoeff() < scale_.rate() * kStandingSpeed &&
+      force.norm() > kMinLoad * weight;  // not if it is NaN
   if (!stands) return;
   const double error = (mass * reading.accelerometer - force).norm();
   const double max_error = wrong_for_ > 0.0 ? kLastingDifference : kFaultDifference;

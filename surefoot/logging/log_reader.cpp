@@ -186,6 +186,7 @@ void LogReader::skip_until(double time) {
 }
 
 bool LogReader::next(TickRecord& tick) {
+  size_joints(tick, std::ssize(header_.robot.joint_names));
   McapMessage message;
   try {
     while (file_.next(message)) {

@@ -39,6 +39,14 @@ struct TickRecord {
   JointCommand command;
 };
 
+/// Gives all joint vectors of a tick the robot's size; those of another become NaN.
+inline void size_joints(TickRecord& tick, Eigen::Index num_joints) {
+  for (JointVector* joints : {&tick.reading.q, &tick.reading.torque, &tick.state.q, &tick.state.qd,
+                              &tick.state.torque, &tick.command.torque}) {
+    if (joints->size() != num_joints) joints->setConstant(num_joints, kNaN);
+  }
+}
+
 /// Wall-clock time of levels [µs]; NaN: not measured.
 using LevelTimes = std::array<float, kMaxLevels>;
 inline constexpr LevelTimes kNoLevelTimes = [] {

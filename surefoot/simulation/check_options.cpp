@@ -81,7 +81,7 @@ void check(ContactOptions& contact, double timestep) {
 }
 
 void check(const std::string& name, const SensorFault& fault) {
-  require(fault.joint >= -1 && fault.joint < kNumLegJoints, name + ".joint", fault.joint,
+  require(fault.joint >= -1 && fault.joint < kMaxJoints, name + ".joint", fault.joint,
           "between 0 and 11, or -1 for all");
   require(fault.leg >= -1 && fault.leg < kNumLegs, name + ".leg", fault.leg,
           "between 0 and 3, or -1 for all");

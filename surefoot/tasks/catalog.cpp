@@ -311,7 +311,9 @@ void add_arms(Catalog& catalog) {
       .number("max_error", &FrameOrientation::Options::max_error, "rad", kErrorHelp)
       .add_to(catalog);
   Entry<Posture>("posture", "joints go to the nominal posture", kNoUnit, "rad/s²")
-      .choice("joints", &Posture::Options::joints, {"arms", "legs", "all"}, "which joints")
+      .choice("joints", &Posture::Options::joints,
+              {"arms", "legs", "all", "idle_arms", "reaching_arm"},
+              "which joints; an arm is idle while it does not reach")
       .number("kp", &Posture::Options::kp, "1/s²", "position gain")
       .number("kd", &Posture::Options::kd, "1/s", "velocity gain")
       .number("max_error", &Posture::Options::max_error, "rad", kErrorHelp)

@@ -4,7 +4,7 @@
 
 namespace surefoot::tasks {
 
-/// The tip T of an arm follows the plan's orientation, if the operator asks for one.
+/// The tip T of an arm follows the plan's orientation, while the operator asks for a place.
 ///
 ///     J_R u̇ = kd (w_ref − w_T) + kp (q_ref ⊟ q_T) − J̇_R u     (as Eq. 18, for any frame)
 ///

@@ -9,7 +9,7 @@ namespace surefoot::tasks {
 ///
 ///     q_min + margin ≤ q ≤ q_max − margin
 ///
-/// Writes 12 rows [rad/s²].
+/// Writes n_τ rows [rad/s²].
 class JointPositionLimits final : public Task {
  public:
   struct Options {

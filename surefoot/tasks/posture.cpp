@@ -5,16 +5,29 @@
 namespace surefoot::tasks {
 
 void Posture::write(const TaskInput& input, solver::Level& level) const noexcept {
-  const int num_joints = input.dynamics.num_joints();
-  const int begin = options_.joints == Joints::arms ? kNumLegJoints : 0;
-  const int end = options_.joints == Joints::legs ? kNumLegJoints : num_joints;
-  if (begin == end) return;
-  solver::Rows rows = level.add(end - begin, first_id() + begin);
-  rows.A.middleCols(6 + begin, end - begin).setIdentity();
-  for (int j = begin; j < end; ++j) {
+  using enum Joints;
+  const Joints joints = options_.joints;
+  if (joints == legs || joints == all) write(input, 0, kNumLegJoints, level);
+  if (joints == legs) return;
+  int first = kNumLegJoints;
+  for (int arm = 0; arm < static_cast<int>(input.robot.arms.size()); ++arm) {
+    const auto count =
+        static_cast<int>(input.robot.arms[static_cast<std::size_t>(arm)].joints.size());
+    const bool reaches = input.plan.arm.arm == arm;
+    const bool is_meant = joints == idle_arms ? !reaches : joints != reaching_arm || reaches;
+    if (is_meant) write(input, first, count, level);
+    first += count;
+  }
+}
+
+void Posture::write(const TaskInput& input, int first, int count, solver::Level& level) const {
+  solver::Rows rows = level.add(count, first_id() + first);
+  rows.A.middleCols(6 + first, count).setIdentity();
+  for (int i = 0; i < count; ++i) {
+    const int j = first + i;
     const double error = std::clamp(input.robot.q_nominal[j] - input.dynamics.q[j],
                                     -options_.max_error, options_.max_error);
-    rows.lower[j - begin] = options_.kp * error - options_.kd * input.dynamics.u[6 + j];
+    rows.lower[i] = options_.kp * error - options_.kd * input.dynamics.u[6 + j];
   }
   rows.upper = rows.lower;
 }

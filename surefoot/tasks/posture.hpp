@@ -8,10 +8,10 @@ namespace surefoot::tasks {
 ///
 ///     q̈_j = kp (q_nominal − q)_j − kd q̇_j     (ours)
 ///
-/// Writes a row for each joint that it is for [rad/s²].
+/// Writes a row for each joint that it is for [rad/s²]; which arm reaches says the plan.
 class Posture final : public Task {
  public:
-  enum class Joints { arms, legs, all };
+  enum class Joints { arms, legs, all, idle_arms, reaching_arm };
 
   struct Options {
     Joints joints = Joints::arms;
@@ -28,6 +28,8 @@ class Posture final : public Task {
   [[nodiscard]] std::string row_name(int id) const override { return joint_name(id); }
 
  private:
+  void write(const TaskInput& input, int first, int count, solver::Level& level) const;
+
   Options options_;
 };
 

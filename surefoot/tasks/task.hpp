@@ -37,9 +37,8 @@ class Task {
   /// The name of a row: "LF normal force".
   [[nodiscard]] virtual std::string row_name(int id) const = 0;
 
-  /// Tells the task its robot, once at set-up. Throws UnknownNameError if it lacks what the task
-  /// names.
-  virtual void prepare(const model::RobotDescription& robot);
+  /// Tells the task its robot, once at set-up.
+  void prepare(const model::RobotDescription& robot);
 
   /// Offset of this task's ids in a level shared by several tasks; set once at set-up.
   void set_first_id(int id) { first_id_ = id; }

@@ -10,7 +10,7 @@ namespace surefoot::tasks {
 ///
 /// s is the `fraction`; with `speed_line: linear` it falls to 0 between the corner speed and the
 /// joint's velocity limit, in the direction of motion only: a fast motor can't push on, but can
-/// brake. Writes 12 rows [N·m].
+/// brake. Writes n_τ rows [N·m].
 class TorqueLimits final : public Task {
  public:
   enum class SpeedLine { none, linear };
