@@ -66,7 +66,8 @@ void mujoco_alone_tick(benchmark::State& state) {
   mjData* data = mj_makeData(model);
   std::copy(plant.truth().qpos.begin(), plant.truth().qpos.end(), data->qpos);
   for (auto _ : state) {
-    const Eigen::Map<const JointVector> q(data->qpos + 7), qd(data->qvel + 6);
+    const Eigen::Map<const JointVector> q(data->qpos + 7, robot.num_joints()),
+        qd(data->qvel + 6, robot.num_joints());
     const JointVector torque = 300.0 * (robot.q_nominal - q) - 4.0 * qd;
     std::copy(torque.begin(), torque.end(), data->ctrl);
     for (int step = 0; step < 5; ++step) mj_step(model, data);
