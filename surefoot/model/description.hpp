@@ -46,6 +46,9 @@ struct RobotDescription {
   /// Nominal standing posture, X-configuration: front knees backward, hind knees forward [rad].
   JointVector q_nominal = JointVector::Zero(kNumLegJoints);
 
+  [[nodiscard]] int num_legs() const { return static_cast<int>(legs.size()); }
+  /// Joints of the legs; those of the arms follow.
+  [[nodiscard]] int num_leg_joints() const { return kJointsPerLeg * num_legs(); }
   /// n_τ
   [[nodiscard]] int num_joints() const;
   /// Of the URDF, in the order of a JointVector.
