@@ -73,11 +73,11 @@ std::string hex(std::uint64_t number) {
 }
 
 /// Events of feet, sensors and torques, by their first times.
-Json run_events_json(const closed_loop::RunResult& result) {
+Json run_events_json(const closed_loop::RunResult& result, int num_legs) {
   std::vector<Json> list;
   for (const evaluation::EventCount& event : result.events) {
     list.push_back({{"event", name(event.event)},
-                    {"leg", event.leg ? Json(kLegNames[index(*event.leg)]) : Json()},
+                    {"leg", event.leg ? Json(leg_name(*event.leg, num_legs)) : Json()},
                     {"count", event.count},
                     {"first_s", event.first}});
   }
@@ -100,7 +100,7 @@ Json run_json(const config::Scenario& scenario, const closed_loop::RunResult& re
   json["safety_stop"] = result.safety_stop;
   if (result.changes) json["changes_by_hand"] = *result.changes;
   json["criteria"] = criteria_json(result.criteria);
-  json["events"] = run_events_json(result);
+  json["events"] = run_events_json(result, scenario.robot.num_legs());
   json["drawn"] = Json::object();
   for (const config::RandomDraw& draw : result.drawn) json["drawn"][draw.path] = draw.value;
   json["notes"] = result.notes;

@@ -86,7 +86,8 @@ std::string vector_of(const std::string& path) {
   const std::size_t dot = path.rfind('.');
   if (dot == std::string::npos || path.starts_with("initial.")) return path;
   const std::string name = path.substr(dot + 1);
-  const bool is_of_leg = std::ranges::find(kLegNames, name.substr(0, 2)) != kLegNames.end();
+  const bool is_of_leg = std::ranges::find(kHexapodLegNames, name.substr(0, 2)) !=
+                         kHexapodLegNames.end();  // and a quadruped's
   return is_of_leg || std::ranges::find(kNames, name) != kNames.end() ? path.substr(0, dot) : path;
 }
 

@@ -24,7 +24,12 @@ namespace nb = nanobind;
 template <long... kSizes>
 using View = nb::ndarray<nb::numpy, double, nb::shape<kSizes...>>;
 
-/// "joint positions [rad]" → "joint positions [rad], shape (12,)"
+/// An event, with what names its leg.
+struct NamedEvent : GaitEvent {
+  int num_legs = kNumLegs;
+};
+
+/// "joint positions [rad]" → "joint positions [rad], shape (number of joints,)"
 inline std::string with_shape(std::string_view description, const std::string& shape) {
   return std::string(description) + ", shape (" + shape + ")";
 }
@@ -33,7 +38,7 @@ inline std::string with_shape(std::string_view description, const std::string& s
 /// define the log: the same names, units and frames, written down once.
 ///
 /// Vectors and matrices become arrays that look into the struct, without a copy; what belongs to
-/// legs has a first axis, or is a dict, over LF, RF, LH, RH.
+/// legs has a first axis, or is a dict, over the robot's legs.
 template <typename T>
 class FieldProperties {
  public:
@@ -89,15 +94,17 @@ class FieldProperties {
     const auto get = [place](Self self) -> std::optional<std::string_view> {
       const std::optional<Leg> leg = place.in(self);
       if (!leg) return {};
-      return kLegNames[index(*leg)];
+      return leg_name(*leg, nb::inst_ptr<T>(self)->num_legs);
     };
     type_.def_prop_ro(name, get, doc.c_str());
   }
 
   void add(const char* name, Place<EventList> place, const std::string& doc) {
     const auto get = [place](Self self) {
-      const EventList& events = place.in(self);
-      return std::vector<GaitEvent>(events.begin(), events.end());
+      std::vector<NamedEvent> events;
+      for (const GaitEvent& event : place.in(self))
+        events.push_back({event, static_cast<int>(nb::inst_ptr<T>(self)->feet.size())});
+      return events;
     };
     type_.def_prop_ro(name, get, doc.c_str());
   }
@@ -139,16 +146,18 @@ class FieldProperties {
 
   void add(const char* name, Place<PerLeg<double>> place, const std::string& doc) {
     const auto get = [place](Self self) {
-      return View<kNumLegs>(place.in(self).data(), {kNumLegs}, self);
+      PerLeg<double>& values = place.in(self);
+      return View<-1>(values.data(), {values.size()}, self);
     };
-    type_.def_prop_ro(name, get, with_shape(doc, "4,").c_str());
+    type_.def_prop_ro(name, get, with_shape(doc, "number of legs,").c_str());
   }
 
   void add(const char* name, Place<PerLeg<Vec3>> place, const std::string& doc) {
     const auto get = [place](Self self) {
-      return View<kNumLegs, 3>(place.in(self)[0].data(), {kNumLegs, 3}, self);
+      PerLeg<Vec3>& values = place.in(self);
+      return View<-1, 3>(values[0].data(), {values.size(), 3}, self);
     };
-    type_.def_prop_ro(name, get, with_shape(doc, "4, 3").c_str());
+    type_.def_prop_ro(name, get, with_shape(doc, "number of legs, 3").c_str());
   }
 
   void add(const char* name, Place<std::vector<double>> place, const std::string& doc) {
@@ -163,9 +172,10 @@ class FieldProperties {
   void add(const char* name, Place<PerLeg<Struct>> place, const std::string& doc) {
     const auto get = [place](Self self) {
       nb::typed<nb::dict, std::string, Struct> legs;
-      for (const Leg leg : kLegs) {
-        legs[nb::cast(kLegNames[index(leg)])] =
-            nb::cast(&place.in(self)[index(leg)], nb::rv_policy::reference_internal, self);
+      PerLeg<Struct>& values = place.in(self);
+      for (const Leg leg : values.legs()) {
+        legs[nb::cast(leg_name(leg, static_cast<int>(values.size())))] =
+            nb::cast(&values[index(leg)], nb::rv_policy::reference_internal, self);
       }
       return legs;
     };
@@ -183,13 +193,13 @@ class FieldProperties {
   const T& example_;
 };
 
-/// A class for a signal, with all its fields.
-template <typename T>
+/// A class for a signal, with all fields of what the log describes.
+template <typename T, typename Described = T>
 nb::class_<T> signal(nb::module_& module, const char* name, const char* doc) {
   nb::class_<T> type(module, name, doc);
   const T example{};
   FieldProperties<T> properties(type, example);
-  logged::fields(properties, example);
+  logged::fields(properties, static_cast<const Described&>(example));
   return type;
 }
 

@@ -67,9 +67,9 @@ inline void bind_signals(nb::module_& module) {
   signal<TorsoPlan>(module, "TorsoPlan", "Reference of the torso.");
   signal<ArmPlan>(module, "ArmPlan", "Reference of the tip of an arm, in W.");
   signal<ComPlan>(module, "ComPlan", "Reference of the centre of mass, x and y in W.");
-  signal<GaitEvent>(module, "GaitEvent", "Something that happened at a tick.")
+  signal<NamedEvent, GaitEvent>(module, "GaitEvent", "Something that happened at a tick.")
       .def_prop_ro(
-          "name", [](const GaitEvent& self) { return name(self.kind); }, "`event` in words");
+          "name", [](const NamedEvent& self) { return name(self.kind); }, "`event` in words");
   signal<MotionPlan>(module, "MotionPlan", "Everything that the tasks follow at one tick.");
   signal<ModelRecord>(module, "ModelRecord",
                       "What the controller's model says of the robot at one tick.");

@@ -72,9 +72,8 @@ inline void bind_scenario(nb::module_& module) {
       .def_prop_ro(
           "estimation", [](const config::Scenario& self) { return name(self.estimation); },
           "where the controller's state comes from")
-      .def_prop_ro(
-          "joint_names", &joint_names,
-          "in the order of every array of joints: HAA, HFE, KFE of LF, RF, LH, RH, then arms")
+      .def_prop_ro("joint_names", &joint_names,
+                   "in the order of every array of joints: HAA, HFE, KFE of each leg, then arms")
       .def_prop_ro(
           "torque_limit",
           [](nb::handle_t<config::Scenario> self) {

@@ -34,7 +34,8 @@ std::string text_event(double time, std::string_view kind, std::string_view text
 }
 
 EventFinder::EventFinder(const ViewChannels& channels, std::vector<std::string> bodies)
-    : mode_(find_channel(channels, "command.mode").offset),
+    : num_legs_(channels.num_legs),
+      mode_(find_channel(channels, "command.mode").offset),
       stop_(find_channel(channels, "told.stop").offset),
       rotation_(find_channel(channels, "truth.q_WB").offset),
       force_(find_channel(channels, "truth.xfrc_applied")),
@@ -48,7 +49,7 @@ const std::vector<std::string>& EventFinder::see(const ViewFrame& frame) {
   for (const FrameEvent& event : frame.events) {
     logging::JsonText json(events_.emplace_back());
     json.array().value(frame.time).value(event.kind);
-    event.leg ? json.value(kLegNames[index(*event.leg)]) : json.null();
+    event.leg ? json.value(leg_name(*event.leg, num_legs_)) : json.null();
     json.end_array();
   }
   if (has_last && now[mode_] != last_[mode_]) {

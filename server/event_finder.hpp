@@ -37,6 +37,7 @@ class EventFinder {
  private:
   void see_forces(const ViewFrame& frame);
 
+  int num_legs_;
   std::size_t mode_, stop_, rotation_;  // offsets of channels
   ViewChannel force_;
   std::vector<float> last_;          // floats of the frame before

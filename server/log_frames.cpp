@@ -20,11 +20,11 @@ constexpr double kMostTicks = std::numeric_limits<std::uint32_t>::max();
 
 /// A tick that is being read, message by message.
 struct GrowingTick {
-  explicit GrowingTick(std::size_t joints) : num_joints(joints) {
-    size_joints(record, static_cast<Eigen::Index>(joints));
+  explicit GrowingTick(const logging::LogRobot& of) : robot(of) {
+    size_joints(record, std::ssize(robot.joint_names));
   }
 
-  std::size_t num_joints;
+  const logging::LogRobot& robot;
   TickRecord record;
   logged::Hierarchy hierarchy;
   simulation::GroundTruth truth;
@@ -38,14 +38,14 @@ struct GrowingTick {
     const std::string& topic = message.channel->topic;
     has_begin = has_begin || topic == "/readings";
     has_end = has_end || topic == "/command";
-    if (logging::decode_signal(message, num_joints, record)) return;
+    if (logging::decode_signal(message, robot, record)) return;
     if (topic == "/hierarchy") {
       logged::Decoder::decode(message.data, hierarchy);
       record.hierarchy.status = hierarchy.status;
     }
     if (topic == "/truth") {
-      logged::Decoder::decode(message.data, truth);
-      logged::check_joints(truth, num_joints);
+      logged::Decoder::decode(message.data, truth, robot.num_legs);
+      logged::check_joints(truth, robot.joint_names.size());
     }
     has_truth = has_truth || topic == "/truth";
   }
@@ -60,9 +60,9 @@ double seconds(std::uint64_t nanoseconds) { return 1e-9 * static_cast<double>(na
 }  // namespace
 
 struct LogFrames::Decoded {
-  explicit Decoded(std::size_t joints) : num_joints(joints) {}
+  explicit Decoded(const logging::LogRobot& of) : robot(of) {}
 
-  std::size_t num_joints;
+  const logging::LogRobot& robot;
   std::map<std::uint64_t, GrowingTick> ticks;  // by log time
   std::map<std::uint64_t, logged::Timing> timings;
 
@@ -73,7 +73,7 @@ struct LogFrames::Decoded {
 
 void LogFrames::Decoded::take(const logging::McapMessage& message, LogChunk& chunk) {
   if (message.channel->topic == "/timings") return take_timing(message, chunk);
-  GrowingTick& tick = ticks.try_emplace(message.log_time, num_joints).first->second;
+  GrowingTick& tick = ticks.try_emplace(message.log_time, robot).first->second;
   try {
     tick.take(message);
     if (message.channel->topic != "/changes") return;
@@ -105,7 +105,7 @@ LogFrames::LogFrames(const std::string& path, const logging::LogHeader& header)
     : path_(path),
       file_(path),
       period_(header.control_period),
-      num_joints_(header.robot.joint_names.size()),
+      robot_(header.robot),
       cone_(explain::friction_cone_of(header)) {
   if (!(period_ > 0.0)) throw FileError(path + ": the header's control_period is no time");
   channels_.level_names = header.level_names;
@@ -164,7 +164,7 @@ void LogFrames::learn_channels(const std::string& path, const logging::LogHeader
   bool is_whole = false;
   std::string problem;
   for (std::size_t i = 0; i < places_.size() && !is_whole; ++i) {
-    Decoded decoded(num_joints_);
+    Decoded decoded(robot_);
     LogChunk unused;
     read_place(i, decoded, unused);
     if (!unused.problem.empty()) problem = "; " + unused.problem;
@@ -188,7 +188,7 @@ void LogFrames::learn_channels(const std::string& path, const logging::LogHeader
 }
 
 void LogFrames::find_start() {
-  Decoded decoded(num_joints_);
+  Decoded decoded(robot_);
   LogChunk unused;
   read_place(0, decoded, unused);
   if (decoded.ticks.empty()) return;
@@ -211,7 +211,7 @@ LogChunk LogFrames::decode(std::size_t number) {
   LogChunk chunk;
   chunk.from = seconds(std::max(place.before, file_.chunks()[place.chunk].first_time));
   chunk.to = seconds(place.last);
-  Decoded decoded(num_joints_);
+  Decoded decoded(robot_);
   read_place(number, decoded, chunk);
   for (const auto& [time, tick] : decoded.ticks) {
     if (!tick.is_whole()) continue;

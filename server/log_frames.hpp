@@ -82,7 +82,7 @@ class LogFrames {
   std::string path_;
   logging::McapChunks file_;
   double period_;
-  std::size_t num_joints_;
+  logging::LogRobot robot_;
   std::optional<tasks::FrictionCone> cone_;
   ViewChannels channels_;
   std::optional<evaluation::StartAlignment> start_;

@@ -23,6 +23,7 @@ struct ViewChannel {
 
 /// All channels of a run, in the order of a frame's floats, made from the log's `fields`.
 struct ViewChannels {
+  int num_legs = kNumLegs;
   std::vector<std::string> level_names;  ///< of the hierarchy: each level has its channels
   std::vector<double> level_visible;     ///< of these levels, see `visible_residual`
   std::vector<ViewChannel> channels;
@@ -91,7 +92,8 @@ class ChannelLister {
       add_channel(about,
                   labels(static_cast<int>(content.rows()), static_cast<int>(content.cols())));
     } else if constexpr (kIsPerLeg<T>) {
-      for (const Leg leg : kLegs) below(kLegNames[index(leg)], content[index(leg)], about);
+      for (const Leg leg : first_legs(table_.num_legs))
+        below(leg_name(leg, table_.num_legs), content[index(leg)], about);
     } else if constexpr (kIsByLevel<T>) {
       levels<typename T::value_type>();
     } else if constexpr (std::same_as<T, std::vector<double>>) {
@@ -112,7 +114,7 @@ class ChannelLister {
     }
   }
   void add_channel(std::string_view about, std::vector<std::string> labels);
-  [[nodiscard]] static std::vector<std::string> labels(int rows, int columns);
+  [[nodiscard]] std::vector<std::string> labels(int rows, int columns) const;
 
   server::ViewChannels& table_;
   std::string name_;
@@ -150,7 +152,7 @@ class ChannelWriter {
         for (Eigen::Index j = 0; j < content.cols(); ++j) value(content(i, j));
       }
     } else if constexpr (kIsPerLeg<T>) {
-      for (const auto& of_leg : content) value(of_leg);
+      for (const Leg leg : first_legs(table_.num_legs)) value(content[index(leg)]);
     } else if constexpr (kIsByLevel<T>) {
       levels(content);
     } else if constexpr (std::same_as<T, std::vector<double>>) {

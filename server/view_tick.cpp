@@ -65,9 +65,10 @@ Told told(const KnownTick& tick, const explain::CommandedForces& forces,
   const auto wrong = [&](StopCause group) {
     const GroupHealth& now = *group_of(record.health, group);
     const bool is_wrong = now.fault != SampleFault::none;
-    return is_wrong ? number_of(logging::text_of_stop(group, now.fault, now.joint),
-                                logging::stop_texts())
-                    : 0.0;
+    return is_wrong
+               ? number_of(logging::text_of_stop(group, now.fault, now.joint, channels.num_legs),
+                           logging::stop_texts())
+               : 0.0;
   };
   const explain::UnusedText unused = explain::unused_text(record);
   Told result{.stop = number_of(logging::text_of_stop(record), logging::stop_texts()),
@@ -77,7 +78,7 @@ Told told(const KnownTick& tick, const explain::CommandedForces& forces,
               .unused = number_of(unused.what, explain::unused_texts()),
               .because = number_of(unused.why, explain::unused_reasons()),
               .levels = told_levels(tick, channels)};
-  for (const Leg leg : kLegs)
+  for (const Leg leg : first_legs(channels.num_legs))
     result.beyond[index(leg)] =
         static_cast<double>(explain::beyond_limits(forces, record.plan, leg));
   return result;
@@ -120,6 +121,7 @@ void add_rows(const logged::Hierarchy& hierarchy, const ViewChannels& channels, 
 
 ViewChannels tick_channels(const logging::LogHeader& header, const simulation::GroundTruth& truth) {
   ViewChannels channels;
+  channels.num_legs = header.robot.num_legs;
   channels.level_names = header.level_names;
   channels.level_visible = logging::visible_residuals(header);
   TickRecord tick;

@@ -29,6 +29,7 @@ logging::LogRobot robot_of(const model::RobotModel& model) {
   const model::RobotDescription& description = model.description();
   logging::LogRobot robot;
   robot.name = description.name;
+  robot.num_legs = description.num_legs();
   robot.joint_names = description.joint_names();
   robot.torque_limit = description.torque_limit;
   robot.mass = model.mass();

@@ -11,7 +11,7 @@ namespace surefoot::closed_loop {
 
 void TroubleCounter::add(double time, const TickRecord& record) {
   std::vector<std::string> now;
-  for (logging::FaultText& fault : logging::faults_of(record.health)) {
+  for (logging::FaultText& fault : logging::faults_of(record)) {
     if (std::isfinite(fault.age)) now.push_back(std::move(fault.text));
   }
   const CommandMode mode = record.command.mode;

@@ -7,9 +7,9 @@ namespace surefoot::evaluation {
 
 TruthLog::TruthLog(logging::Recorder& recorder)
     : recorder_(recorder),
-      channel_(
-          recorder.add_channel("/truth", "surefoot.GroundTruth",
-                               logged::schema<simulation::GroundTruth>("surefoot.GroundTruth"))) {}
+      channel_(recorder.add_channel("/truth", "surefoot.GroundTruth",
+                                    logged::schema<simulation::GroundTruth>(
+                                        "surefoot.GroundTruth", "", recorder.num_legs()))) {}
 
 void TruthLog::record(const simulation::GroundTruth& truth) {
   recorder_.record(channel_, truth.time, [truth](std::string& out) { logged::encode(truth, out); });

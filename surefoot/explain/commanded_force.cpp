@@ -13,11 +13,11 @@ constexpr double kUseTolerance = 0.01;   // of a friction use that may be roundi
 
 }  // namespace
 
-PerLeg<Quat> CommandedForces::no_axes() {
-  PerLeg<Quat> axes;
-  axes.fill(Quat(kNaN, kNaN, kNaN, kNaN));
-  return axes;
-}
+CommandedForces::CommandedForces(int num_legs)
+    : normal(num_legs, kNaN),
+      friction_use(num_legs, kNaN),
+      q_WP(num_legs, Quat(kNaN, kNaN, kNaN, kNaN)),
+      pyramid_friction(num_legs, kNaN) {}
 
 std::optional<tasks::FrictionCone> friction_cone_of(const control::StackOptions& stack) {
   for (const control::LevelSpec& level : stack.levels) {
@@ -41,9 +41,9 @@ std::optional<tasks::FrictionCone> friction_cone_of(const logging::LogHeader& he
 
 CommandedForces commanded_forces(const std::optional<tasks::FrictionCone>& cone,
                                  const TickRecord& tick) {
-  CommandedForces result;
+  CommandedForces result(static_cast<int>(tick.plan.feet.size()));
   if (!logging::was_used(tick)) return result;
-  for (const Leg leg : kLegs) {
+  for (const Leg leg : tick.plan.feet.legs()) {
     if (!tick.plan.contact(leg)) continue;
     const std::size_t k = index(leg);
     const Vec3& force = tick.model.force[k];

@@ -13,12 +13,12 @@ namespace surefoot::explain {
 /// Contact forces of a tick's solution, relative to their friction pyramids; NaN for feet without
 /// contact.
 struct CommandedForces {
-  PerLeg<double> normal{kNaN, kNaN, kNaN, kNaN};            ///< along the pyramid's axis [N]
-  PerLeg<double> friction_use{kNaN, kNaN, kNaN, kNaN};      ///< 1: a face of the pyramid is active
-  PerLeg<Quat> q_WP = no_axes();                            ///< axes of the pyramid P in W
-  PerLeg<double> pyramid_friction{kNaN, kNaN, kNaN, kNaN};  ///< its μ'
+  explicit CommandedForces(int num_legs = kNumLegs);
 
-  [[nodiscard]] static PerLeg<Quat> no_axes();
+  PerLeg<double> normal;            ///< along the pyramid's axis [N]
+  PerLeg<double> friction_use;      ///< 1: a face of the pyramid is active
+  PerLeg<Quat> q_WP;                ///< axes of the pyramid P in W
+  PerLeg<double> pyramid_friction;  ///< its μ'
 };
 
 /// The friction task of a stack; empty if the stack has none, or one that this program does not

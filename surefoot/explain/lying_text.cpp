@@ -10,9 +10,11 @@ namespace {
 
 std::string parts_text(const GroundTouch& touch) {
   std::string legs;
-  for (const Leg leg : kLegs) {
+  for (const Leg leg : touch.feet.legs()) {
     const bool touches = ((touch.shanks >> index(leg)) & 1) != 0;
-    if (touches) legs += (legs.empty() ? "" : ", ") + std::string(kLegNames[index(leg)]);
+    if (touches)
+      legs += (legs.empty() ? "" : ", ") +
+              std::string(leg_name(leg, static_cast<int>(touch.feet.size())));
   }
   std::string text = touch.torso ? "its torso" : "";
   if (!legs.empty()) text += (text.empty() ? "" : " and ") + ("thigh, knee or shank of " + legs);
@@ -23,6 +25,7 @@ std::string parts_text(const GroundTouch& touch) {
 }  // namespace
 
 void GroundTouch::see(const simulation::GroundTruth& truth) {
+  feet.resize(static_cast<int>(truth.feet.size()));
   for (std::size_t k = 0; k < feet.size(); ++k) feet[k] = feet[k] || truth.feet[k].touching;
   torso = torso || truth.torso_contact;
   shanks |= truth.shank_contacts;

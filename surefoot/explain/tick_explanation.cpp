@@ -255,11 +255,12 @@ class Search {
 
   void add_plan_events() {
     const auto& names = log_.header().event_names;
+    const int num_legs = log_.header().robot.num_legs;
     for (const GaitEvent& event : tick_.plan.events) {
       const auto kind = static_cast<std::size_t>(event.kind);
       found_.events.push_back({tick_.reading.time,
                                kind < names.size() ? names[kind] : "event " + std::to_string(kind),
-                               event.leg ? std::string(kLegNames[index(*event.leg)]) : ""});
+                               event.leg ? std::string(leg_name(*event.leg, num_legs)) : ""});
     }
   }
 
@@ -279,7 +280,7 @@ class Search {
     const double time = 1e-9 * static_cast<double>(message.log_time);
     if (!(time > time_ - kLyingWindow && time <= nearest_ + 1e-9)) return;
     simulation::GroundTruth truth;
-    logged::Decoder::decode(message.data, truth);
+    logged::Decoder::decode(message.data, truth, log_.header().robot.num_legs);
     if (!found_.touch) found_.touch.emplace();
     found_.touch->see(truth);
     if (std::abs(time - nearest_) <= 1e-9) found_.truth = truth;

@@ -50,7 +50,7 @@ Json feet_json(const TickExplanation& explanation) {
   const TickRecord& tick = explanation.tick;
   const bool is_solved = logging::was_used(tick);
   Json feet = Json::object();
-  for (const Leg leg : kLegs) {
+  for (const Leg leg : tick.plan.feet.legs()) {
     const std::size_t k = index(leg);
     const FootPlan& foot = tick.plan.feet[k];
     Json one = {
@@ -63,7 +63,7 @@ Json feet_json(const TickExplanation& explanation) {
       one["true_normal_force"] = contact.normal.dot(contact.force);
       one["true_friction_use"] = number(true_friction_use(contact));
     }
-    feet[kLegNames[k]] = std::move(one);
+    feet[leg_name(leg, explanation.header.robot.num_legs)] = std::move(one);
   }
   return feet;
 }

@@ -75,9 +75,9 @@ std::string largest_torque(const TickExplanation& explanation) {
          formatted(" of %g", robot.torque_limit[joint]);
 }
 
-std::string faults(const SensorHealth& health) {
+std::string faults(const TickRecord& tick) {
   std::string out;
-  for (const logging::FaultText& fault : logging::faults_of(health))
+  for (const logging::FaultText& fault : logging::faults_of(tick))
     out += (out.empty() ? "" : ", ") + fault.text + formatted(" (last good %.4f s ago)", fault.age);
   return out.empty() ? "sensors are good" : "sensors now: " + out;
 }
@@ -89,7 +89,8 @@ bool is_beyond_limits(const TickExplanation& explanation, Leg leg) {
 bool asks_beyond_limits(const TickExplanation& explanation) {
   return explanation.tick.command.mode == CommandMode::optimal &&
          logging::was_used(explanation.tick) &&
-         std::ranges::any_of(kLegs, [&](Leg leg) { return is_beyond_limits(explanation, leg); });
+         std::ranges::any_of(explanation.forces.normal.legs(),
+                             [&](Leg leg) { return is_beyond_limits(explanation, leg); });
 }
 
 std::string command(const TickExplanation& explanation) {
@@ -98,7 +99,7 @@ std::string command(const TickExplanation& explanation) {
   const std::string why = logging::text_of_stop(tick);
   if (!why.empty()) out += ", as " + why;
   if (asks_beyond_limits(explanation)) out += ", but for contact forces that no ground gives";
-  return out + "; " + largest_torque(explanation) + "; " + faults(tick.health);
+  return out + "; " + largest_torque(explanation) + "; " + faults(tick);
 }
 
 std::string facts(const TickExplanation& explanation) {
@@ -133,12 +134,17 @@ std::string true_force(const simulation::TrueContact& contact) {
   return formatted("%.1f N", rounded(contact.normal.dot(contact.force), 0.1));
 }
 
+template <typename T>
+std::string name_of(Leg leg, const PerLeg<T>& list) {
+  return std::string(leg_name(leg, static_cast<int>(list.size())));
+}
+
 /// Of a tick whose command is no solution: plan and commanded forces mean nothing there.
 std::string true_feet_table(const simulation::GroundTruth& truth) {
   Table table{{"foot", "in truth", "friction used"}};
-  for (const Leg leg : kLegs) {
+  for (const Leg leg : truth.feet.legs()) {
     const simulation::TrueContact& contact = truth.feet[index(leg)];
-    table.push_back({std::string(kLegNames[index(leg)]), true_force(contact),
+    table.push_back({name_of(leg, truth.feet), true_force(contact),
                      known(100.0 * true_friction_use(contact), "%.0f %%")});
   }
   return aligned(table);
@@ -151,11 +157,11 @@ std::string feet_table(const TickExplanation& explanation) {
   if (explanation.truth) {
     for (const char* title : {"in truth", "friction used"}) table[0].emplace_back(title);
   }
-  for (const Leg leg : kLegs) {
+  for (const Leg leg : tick.plan.feet.legs()) {
     const std::size_t k = index(leg);
     const FootPlan& foot = tick.plan.feet[k];
     const bool carries = in_contact(foot.phase);
-    table.push_back({std::string(kLegNames[k]),
+    table.push_back({name_of(leg, tick.plan.feet),
                      std::string(logged::kPhaseNames[static_cast<std::size_t>(foot.phase)]),
                      known(rounded(explanation.forces.normal[k], 0.1), "%.1f N") +
                          (is_marked && is_beyond_limits(explanation, leg) ? " *" : ""),

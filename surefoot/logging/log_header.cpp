@@ -12,6 +12,11 @@ namespace {
 
 void robot_member(JsonText& json, const LogRobot& robot) {
   json.key("robot").object().member("name", std::string_view(robot.name));
+  if (robot.num_legs != kNumLegs) {
+    json.key("legs").array();
+    for (const std::string_view leg : leg_names(robot.num_legs)) json.value(leg);
+    json.end_array();
+  }
   json.member("joint_names", robot.joint_names).key("torque_limit").array();
   for (const double limit : robot.torque_limit) json.value(limit);
   json.end_array();

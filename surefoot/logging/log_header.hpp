@@ -19,6 +19,7 @@ inline constexpr std::string_view kLogVersion = "2.13";
 /// Robot data for the report.
 struct LogRobot {
   std::string name;
+  int num_legs = kNumLegs;
   /// Of the URDF, in the order of a JointVector.
   std::vector<std::string> joint_names = std::vector<std::string>(kNumLegJoints);
   JointVector torque_limit = JointVector::Constant(kNumLegJoints, kNaN);  ///< [N·m]

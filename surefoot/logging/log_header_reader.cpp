@@ -4,6 +4,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+#include <iterator>
 #include <string_view>
 
 namespace surefoot::logging {
@@ -34,12 +36,22 @@ T member(const json& object, const char* name) {
 
 double number_member(const json& object, const char* name) { return member(object, name, number); }
 
+/// The names are those of four or six legs; logs of four don't name them.
+int parse_num_legs(const json& robot) {
+  if (!robot.contains("legs")) return kNumLegs;
+  const auto names = member<std::vector<std::string>>(robot, "legs");
+  for (const int num_legs : {kNumLegs, kMaxLegs})
+    if (std::ranges::equal(names, leg_names(num_legs))) return num_legs;
+  throw BadMember{"robot.legs"};
+}
+
 LogRobot parse_robot(const json& robot) {
   LogRobot result;
   result.name = member<std::string>(robot, "name");
+  result.num_legs = parse_num_legs(robot);
   const auto names = member<json>(robot, "joint_names");
   const auto limits = member<json>(robot, "torque_limit");
-  if (names.size() < kNumLegJoints || names.size() > kMaxJoints)
+  if (std::ssize(names) < kJointsPerLeg * result.num_legs || names.size() > kMaxJoints)
     throw BadMember{"robot.joint_names"};
   result.joint_names = names.get<std::vector<std::string>>();
   result.torque_limit.resize(static_cast<Eigen::Index>(names.size()));

@@ -141,11 +141,11 @@ bool is_own(std::string_view topic) {
 
 }  // namespace
 
-bool decode_signal(const McapMessage& message, std::size_t num_joints, TickRecord& tick) {
+bool decode_signal(const McapMessage& message, const LogRobot& robot, TickRecord& tick) {
   const auto decode = [&](const auto& one) {
     if (message.channel->topic != one.name) return false;
-    logged::Decoder::decode(message.data, tick.*one.signal);
-    logged::check_joints(tick.*one.signal, num_joints);
+    logged::Decoder::decode(message.data, tick.*one.signal, robot.num_legs);
+    logged::check_joints(tick.*one.signal, robot.joint_names.size());
     return true;
   };
   return std::apply([&](const auto&... one) { return (decode(one) || ...); }, kSignals);
@@ -238,7 +238,7 @@ std::uint64_t LogReader::latest_timing() const {
 // True when the message completes a tick.
 bool LogReader::take(const McapMessage& message, TickRecord& tick) {
   const std::string& topic = message.channel->topic;
-  if (decode_signal(message, header_.robot.joint_names.size(), tick)) return topic == "/command";
+  if (decode_signal(message, header_.robot, tick)) return topic == "/command";
   if (topic == "/hierarchy") {
     logged::Hierarchy named;
     logged::Decoder::decode(message.data, named);

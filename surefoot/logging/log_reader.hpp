@@ -16,7 +16,7 @@ namespace surefoot::logging {
 
 /// Decodes a message with a signal of the tick (all of a tick but its hierarchy); false for other
 /// messages. Throws JsonError if the message does not fit its schema.
-[[nodiscard]] bool decode_signal(const McapMessage& message, std::size_t num_joints,
+[[nodiscard]] bool decode_signal(const McapMessage& message, const LogRobot& robot,
                                  TickRecord& tick);
 
 /// Reads a recorder's log tick by tick, and skips unreadable parts of cut-off or damaged logs.

@@ -43,7 +43,7 @@ inline const auto& names(CalibrationStage) { return kCalibrationNames; }
 inline const auto& names(logging::LevelStatus) { return logging::kLevelStatusNames; }
 
 /// Writes a value as JSON: vectors as arrays, matrices row by row, quaternions as w, x, y, z,
-/// per-leg values as an object of LF, RF, LH and RH, enumerations as names, events as numbers.
+/// per-leg values as an object by the legs' names, enumerations as names, events as numbers.
 class Encoder {
  public:
   explicit Encoder(std::string& out) : json_(out) {}
@@ -59,7 +59,7 @@ class Encoder {
     } else if constexpr (std::same_as<T, PlanEvent>) {
       json_.value(static_cast<int>(content));
     } else if constexpr (OptionalLeg<T>) {
-      content ? json_.value(kLegNames[index(*content)]) : json_.null();
+      content ? json_.value(leg_name(*content, num_legs_)) : json_.null();
     } else if constexpr (std::same_as<T, Quat>) {
       json_.array().value(content.w()).value(content.x()).value(content.y()).value(content.z());
       json_.end_array();
@@ -67,8 +67,9 @@ class Encoder {
       matrix(content);
     } else if constexpr (kIsPerLeg<T>) {
       json_.object();
-      for (const Leg leg : kLegs) {
-        json_.key(kLegNames[index(leg)]);
+      num_legs_ = static_cast<int>(content.size());
+      for (const Leg leg : content.legs()) {
+        json_.key(leg_name(leg, num_legs_));
         value(content[index(leg)]);
       }
       json_.end_object();
@@ -106,12 +107,13 @@ class Encoder {
   }
 
   logging::JsonText json_;
+  int num_legs_ = kNumLegs;  // of the last list: a plan's events follow its feet
 };
 
 /// Writes the JSON schema (draft 2020-12) of a value's type.
 class SchemaWriter {
  public:
-  explicit SchemaWriter(std::string& out) : json_(out) {}
+  SchemaWriter(std::string& out, int num_legs) : json_(out), num_legs_(num_legs) {}
 
   template <typename T>
   void schema(const T& example, std::string_view title, std::string_view description) {
@@ -155,7 +157,7 @@ class SchemaWriter {
       }
     } else if constexpr (kIsPerLeg<T>) {
       json_.member("type", "object").key("properties").object();
-      for (const std::string_view leg : kLegNames) (*this)(leg, example[0], "");
+      for (const std::string_view leg : leg_names(num_legs_)) (*this)(leg, example[0], "");
       json_.end_object();
     } else if constexpr (kIsList<T>) {
       array(typename T::value_type(), -1);
@@ -174,6 +176,7 @@ class SchemaWriter {
   }
 
   logging::JsonText json_;
+  int num_legs_;
 };
 
 /// Appends a signal's JSON message.
@@ -184,9 +187,10 @@ void encode(const T& signal, std::string& out) {
 
 /// JSON schema of a signal's messages.
 template <typename T>
-[[nodiscard]] std::string schema(std::string_view title, std::string_view description = "") {
+[[nodiscard]] std::string schema(std::string_view title, std::string_view description = "",
+                                 int num_legs = kNumLegs) {
   std::string out;
-  SchemaWriter(out).schema(T(), title, description);
+  SchemaWriter(out, num_legs).schema(T(), title, description);
   return out;
 }
 

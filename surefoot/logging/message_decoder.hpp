@@ -13,21 +13,21 @@
 namespace surefoot::logged {
 
 /// Reads a signal from its JSON message, by `fields`. Members missing in the message keep their
-/// value and unknown ones are skipped, so that logs of other minor versions are readable. Throws
-/// JsonError for anything else.
+/// value and unknown ones are skipped, so that logs of other minor versions are readable. Lists per
+/// leg get the robot's size. Throws JsonError for anything else.
 class Decoder {
  public:
   template <typename T>
-  static void decode(std::string_view message, T& signal) {
+  static void decode(std::string_view message, T& signal, int num_legs = kNumLegs) {
     logging::JsonCursor json(message);
-    value(json, signal);
+    Decoder(json, num_legs).value(signal);
   }
 
   /// Called by `fields` for each member.
   template <typename T>
   void operator()(std::string_view name, T& content, std::string_view) {
     if (find(name)) {
-      value(json_, content);
+      value(content);
       next_ = json_.position();
     }
   }
@@ -37,15 +37,15 @@ class Decoder {
     const bool is_list = find(name);
     if (!is_list && !find("event")) return;
     std::vector<GaitEvent> read(is_list ? 0 : 1);
-    is_list ? value(json_, read) : value(json_, read.front().kind);
+    is_list ? value(read) : value(read.front().kind);
     for (const GaitEvent& event : read) events.add(event);
     next_ = json_.position();
   }
 
  private:
-  // `json` is after the opening brace.
-  explicit Decoder(logging::JsonCursor& json)
-      : json_(json), first_(json.position()), next_(json.position()) {}
+  // Of an object, `json` is after its opening brace.
+  Decoder(logging::JsonCursor& json, int num_legs)
+      : json_(json), num_legs_(num_legs), first_(json.position()), next_(json.position()) {}
 
   // Goes to a member's value, most likely the next one.
   bool find(std::string_view name) {
@@ -75,92 +75,95 @@ class Decoder {
   }
 
   template <typename T>
-  static void value(logging::JsonCursor& json, T& content) {
+  void value(T& content) {
     if constexpr (std::same_as<T, bool>) {
-      content = json.truth();
+      content = json_.truth();
     } else if constexpr (std::integral<T>) {
-      content = integer<T>(json.number());
+      content = integer<T>(json_.number());
     } else if constexpr (Number<T>) {
-      content = json.number();
+      content = json_.number();
     } else if constexpr (std::same_as<T, std::string>) {
-      content = json.string();
+      content = json_.string();
     } else if constexpr (Name<T>) {
-      content = enumerator(json.string(), content);
+      content = enumerator(json_.string(), content);
     } else if constexpr (std::same_as<T, PlanEvent>) {
-      content = static_cast<PlanEvent>(integer<int>(json.number()));
+      content = static_cast<PlanEvent>(integer<int>(json_.number()));
     } else if constexpr (OptionalLeg<T>) {
-      content = leg(json);
+      content = leg();
     } else if constexpr (std::same_as<T, Quat>) {
       Eigen::Vector4d wxyz;
-      value(json, wxyz);
+      value(wxyz);
       content = Quat(wxyz[0], wxyz[1], wxyz[2], wxyz[3]);
     } else if constexpr (Matrix<T>) {
-      matrix(json, content);
+      matrix(content);
     } else if constexpr (kIsPerLeg<T>) {
-      json.expect('{');
-      Decoder decoder(json);
-      for (const Leg leg : kLegs) decoder(kLegNames[index(leg)], content[index(leg)], "");
+      json_.expect('{');
+      Decoder decoder(json_, num_legs_);
+      if (std::ssize(content) != num_legs_) content = T(num_legs_, content[0]);
+      for (const Leg leg : content.legs())
+        decoder(leg_name(leg, num_legs_), content[index(leg)], "");
       decoder.leave();
     } else if constexpr (kIsList<T>) {
-      list(json, content);
+      list(content);
     } else {
-      json.expect('{');
-      Decoder decoder(json);
+      json_.expect('{');
+      Decoder decoder(json_, num_legs_);
       fields(decoder, content);
       decoder.leave();
     }
   }
 
   template <typename T>
-  static void matrix(logging::JsonCursor& json, T& content) {
-    json.expect('[');
+  void matrix(T& content) {
+    json_.expect('[');
     if constexpr (T::RowsAtCompileTime == Eigen::Dynamic) {
-      joints(json, content);
+      joints(content);
       return;
     }
     for (Eigen::Index i = 0; i < content.rows(); ++i) {
-      if (i > 0) json.expect(',');
+      if (i > 0) json_.expect(',');
       if constexpr (T::ColsAtCompileTime == 1) {
-        content[i] = json.number();
+        content[i] = json_.number();
       } else {
         Eigen::Vector<double, T::ColsAtCompileTime> row;
-        matrix(json, row);
+        matrix(row);
         content.row(i) = row;
       }
     }
-    json.expect(']');
+    json_.expect(']');
   }
 
-  static void joints(logging::JsonCursor& json, JointVector& content) {
+  void joints(JointVector& content) {
     content.resize(0);
     do {
       if (content.size() == kMaxJoints) throw logging::JsonError{"expected fewer joints"};
       content.conservativeResize(content.size() + 1);
-      content[content.size() - 1] = json.number();
-    } while (json.accept(','));
-    json.expect(']');
+      content[content.size() - 1] = json_.number();
+    } while (json_.accept(','));
+    json_.expect(']');
   }
 
   template <typename T>
-  static void list(logging::JsonCursor& json, T& content) {
+  void list(T& content) {
     content.clear();
-    json.expect('[');
-    if (json.accept(']')) return;
+    json_.expect('[');
+    if (json_.accept(']')) return;
     do {
-      value(json, content.emplace_back());
-    } while (json.accept(','));
-    json.expect(']');
+      value(content.emplace_back());
+    } while (json_.accept(','));
+    json_.expect(']');
   }
 
-  static std::optional<Leg> leg(logging::JsonCursor& json) {
-    if (json.peek() == 'n') {
-      static_cast<void>(json.number());
+  std::optional<Leg> leg() {
+    if (json_.peek() == 'n') {
+      static_cast<void>(json_.number());
       return {};
     }
-    const std::string name = json.string();
-    const auto found = std::ranges::find(kLegNames, name);
-    if (found == kLegNames.end()) throw logging::JsonError{"unknown leg \"" + name + "\""};
-    return static_cast<Leg>(found - kLegNames.begin());
+    const std::string name = json_.string();
+    const auto names = leg_names(num_legs_);
+    const auto found = std::ranges::find(names, name);
+    if (found == names.end()) throw logging::JsonError{"unknown leg \"" + name + "\""};
+    return static_cast<Leg>(found - names.begin());
   }
 
   template <typename T>
@@ -180,6 +183,7 @@ class Decoder {
   }
 
   logging::JsonCursor& json_;
+  int num_legs_;
   std::size_t first_, next_;  // after the opening brace, and after the last member read
 };
 

@@ -119,7 +119,7 @@ void fields(Archive& field, T& group) {
         "since the last good sample, or for how long it has been late, frozen or in contradiction "
         "[s]; "
         "null before the first");
-  field("joint", group.joint, "0 to 11, the only one at fault; -1: none, or several");
+  field("joint", group.joint, "the only one at fault, counted from 0; -1: none, or several");
 }
 
 template <typename Archive, Is<SensorHealth> T>
@@ -131,7 +131,7 @@ void fields(Archive& field, T& health) {
 
 template <typename Archive, Is<UserCommand> T>
 void fields(Archive& field, T& user) {
-  field("walk", user.walk, "false: stand on four feet");
+  field("walk", user.walk, "false: stand on all feet");
   field("velocity", user.velocity, "forward and lateral, in C [m/s]");
   field("yaw_rate", user.yaw_rate, "about the z axis of C, to the left [rad/s]");
   field("height", user.height, "offset to the nominal torso height [m]");

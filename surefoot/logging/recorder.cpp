@@ -63,6 +63,7 @@ struct Recorder::Implementation {
       : write_lock(partial_path(path), path),
         writer(partial_path(path), {.profile = "surefoot"}),
         namer({header.level_names, header.row_name}),
+        num_legs(header.robot.num_legs),
         orders{{0, header.level_names}},
         queue(std::max<std::size_t>(options.queue_ticks, 1)) {
     write_header(header);
@@ -103,7 +104,7 @@ struct Recorder::Implementation {
 
   template <typename T>
   std::uint16_t json_channel(std::string_view topic, std::string_view schema_name) {
-    return add_channel(topic, schema_name, logged::schema<T>(schema_name));
+    return add_channel(topic, schema_name, logged::schema<T>(schema_name, "", num_legs));
   }
 
   // Takes a free place of the queue, fills it, and hands it to the writer.
@@ -203,6 +204,7 @@ struct Recorder::Implementation {
   WriteLock write_lock;  // until the file is renamed
   McapWriter writer;
   HierarchyNamer namer;
+  int num_legs;
   TickChannels channels{};
   std::deque<TickTiming> timings;  // grows without moving entries, on the loop's thread
   // Names of the levels, with the index of the first timing that has them.
@@ -240,6 +242,8 @@ void Recorder::record(const TickRecord& tick) {
     job.tick = tick;
   });
 }
+
+int Recorder::num_legs() const { return implementation_->num_legs; }
 
 void Recorder::record(const TickTiming& timing) { implementation_->timings.push_back(timing); }
 

@@ -56,6 +56,8 @@ class Recorder {
   void close_partial(std::string_view summary);
 
   [[nodiscard]] const std::string& path() const { return path_; }
+  /// Of the robot, for the schemas of added channels.
+  [[nodiscard]] int num_legs() const;
 
  private:
   struct Implementation;

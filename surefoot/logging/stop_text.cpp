@@ -30,10 +30,13 @@ std::string verb(SampleFault fault) {
   return "";
 }
 
-std::string joint_name(int joint) {
-  return joint < kNumLegJoints ? leg_joint_name(joint)
-                               : "of arm joint " + std::to_string(joint - kNumLegJoints + 1);
+std::string joint_name(int joint, int num_legs) {
+  const int of_arm = joint - kJointsPerLeg * num_legs;
+  return of_arm < 0 ? leg_joint_name(joint, num_legs)
+                    : "of arm joint " + std::to_string(of_arm + 1);
 }
+
+int num_legs(const TickRecord& tick) { return static_cast<int>(tick.plan.feet.size()); }
 
 /// A log may hold any number.
 bool is_joint(int joint) { return joint >= 0 && joint < kMaxJoints; }
@@ -43,14 +46,14 @@ bool is_of_one_value(SampleFault fault) {
   return fault != SampleFault::none && fault != SampleFault::silent && fault != SampleFault::late;
 }
 
-std::string of_joint(const char* one, const char* all, SampleFault fault, int joint) {
-  if (is_joint(joint)) return one + (" " + joint_name(joint));
+std::string of_joint(const char* one, const char* all, SampleFault fault, int joint, int num_legs) {
+  if (is_joint(joint)) return one + (" " + joint_name(joint, num_legs));
   return all + std::string(is_of_one_value(fault) ? " of several joints" : "");
 }
 
 }  // namespace
 
-std::string text_of_stop(StopCause cause, SampleFault fault, int joint) {
+std::string text_of_stop(StopCause cause, SampleFault fault, int joint, int num_legs) {
   switch (cause) {
     case StopCause::none:
       return "";
@@ -59,9 +62,9 @@ std::string text_of_stop(StopCause cause, SampleFault fault, int joint) {
     case StopCause::failures:
       return "too many ticks without a solution";
     case StopCause::encoders:
-      return of_joint("encoder", "encoders", fault, joint) + " " + verb(fault);
+      return of_joint("encoder", "encoders", fault, joint, num_legs) + " " + verb(fault);
     case StopCause::joint_torques:
-      return of_joint("joint torque", "joint torques", fault, joint) + " " + verb(fault);
+      return of_joint("joint torque", "joint torques", fault, joint, num_legs) + " " + verb(fault);
     case StopCause::imu:
       return "IMU " + verb(fault);
     case StopCause::cannot_stand:
@@ -76,8 +79,8 @@ std::string text_of_stop(const TickRecord& tick) {
   const JointCommand& command = tick.command;
   const GroupHealth* now = group_of(tick.health, command.cause);
   if (now == nullptr || command.fault != SampleFault::none)
-    return text_of_stop(command.cause, command.fault, command.joint);
-  return text_of_stop(command.cause, now->fault, now->joint);
+    return text_of_stop(command.cause, command.fault, command.joint, num_legs(tick));
+  return text_of_stop(command.cause, now->fault, now->joint, num_legs(tick));
 }
 
 std::string mode_text(CommandMode mode, std::string_view why) {
@@ -94,18 +97,20 @@ const std::vector<std::string>& stop_texts() {
     for (std::size_t cause = 0; cause < logged::kCauseNames.size(); ++cause)
       for (std::size_t fault = 0; fault < logged::kFaultNames.size(); ++fault)
         for (int joint = -1; joint < kMaxJoints; ++joint)
-          add(text_of_stop(static_cast<StopCause>(cause), static_cast<SampleFault>(fault), joint));
+          for (const int num_legs : {kNumLegs, kMaxLegs})
+            add(text_of_stop(static_cast<StopCause>(cause), static_cast<SampleFault>(fault), joint,
+                             num_legs));
     return all;
   }();
   return texts;
 }
 
-std::vector<FaultText> faults_of(const SensorHealth& health) {
+std::vector<FaultText> faults_of(const TickRecord& tick) {
   std::vector<FaultText> faults;
   for (const StopCause group : {StopCause::encoders, StopCause::joint_torques, StopCause::imu}) {
-    const GroupHealth& now = *group_of(health, group);
+    const GroupHealth& now = *group_of(tick.health, group);
     if (now.fault != SampleFault::none)
-      faults.push_back({text_of_stop(group, now.fault, now.joint), now.age});
+      faults.push_back({text_of_stop(group, now.fault, now.joint, num_legs(tick)), now.age});
   }
   return faults;
 }

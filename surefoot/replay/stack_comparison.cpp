@@ -47,7 +47,10 @@ class Comparison {
  public:
   Comparison(const logging::LogHeader& header, const control::AskedStack& other,
              StackComparison& result)
-      : names_(header.level_names), other_names_(other.level_names()), result_(result) {
+      : num_legs_(header.robot.num_legs),
+        names_(header.level_names),
+        other_names_(other.level_names()),
+        result_(result) {
     for (std::ptrdiff_t k = 0; k < std::ssize(names_); ++k)
       add_level(header.level_name(k), header.level_unit(k));
     const std::vector<std::string> other_units = other.level_units();
@@ -112,8 +115,8 @@ class Comparison {
     result_.other_unanswered.add(time, why_unanswered(other));
     const JointCommand& command = other.command;
     if (command.cause != StopCause::none)
-      result_.other_stopped.add(time,
-                                logging::text_of_stop(command.cause, command.fault, command.joint));
+      result_.other_stopped.add(
+          time, logging::text_of_stop(command.cause, command.fault, command.joint, num_legs_));
   }
 
   [[nodiscard]] std::string why_unanswered(const control::StackAnswer& other) const {
@@ -164,6 +167,7 @@ class Comparison {
     at = time;
   }
 
+  const int num_legs_;
   const std::vector<std::string> names_, other_names_;
   std::vector<OtherLevel> other_levels_;
   StackComparison& result_;

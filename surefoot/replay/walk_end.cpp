@@ -11,7 +11,7 @@ namespace surefoot::replay {
 void WalkEndWatch::see(const logging::McapMessage& message) {
   if (message.channel->topic != "/truth") return;
   simulation::GroundTruth truth;
-  logged::Decoder::decode(message.data, truth);
+  logged::Decoder::decode(message.data, truth, kMaxLegs);  // any that touches
   if (!torso_down_ && was_torso_up_ && truth.torso_contact) torso_down_ = truth.time;
   was_torso_up_ = !truth.torso_contact;
   if (std::ranges::any_of(truth.feet, &simulation::TrueContact::touching))
