@@ -13,7 +13,6 @@ from surefoot_log.frames import CARRIES
 INK, SOFT, PANEL = (28, 31, 35, 255), (92, 99, 107, 255), (255, 255, 255, 205)
 LEG_COLOURS = {"stance": SOFT, "unloading": SOFT, "swing": (255, 255, 255, 235), "search": (201, 161, 0, 255)}
 LIGHT = (255, 255, 255, 255)
-LEGS = ("LH", "LF", "RH", "RF")  # as they stand, the robot's front to the right
 
 
 @cache
@@ -125,15 +124,14 @@ class Captions:
             draw.text((x + 0.7 * unit, y + (1.4 + 2.2 * i) * unit), line, font=letters, fill=colour, anchor="lm")
 
     def _legs(self, draw, corner, frame):
-        """One field for each leg: grey carries, white is in the air, amber searches for ground."""
+        """One field for each leg, as they stand, the robot's front to the right: grey carries, white is in the air, amber searches for ground."""
         unit, (right, bottom) = self._unit, corner
-        for i, leg in enumerate(LEGS):
-            phase = frame.phases.get(leg)
-            if phase is None:
-                continue
+        sides = [[leg for leg in frame.phases if leg.startswith(side)] for side in "LR"]
+        for leg, row, column in ((leg, row, column) for row, legs in enumerate(sides) for column, leg in enumerate(legs)):
+            phase = frame.phases[leg]
             if phase in CARRIES and leg not in frame.carrying:
                 phase = "swing"
-            x, y = right - 3.9 * unit * (2 - i % 2), bottom - 2.8 * unit * (2 - i // 2)
+            x, y = right - 3.9 * unit * (column + 1), bottom - 2.8 * unit * (2 - row)
             box = (x, y, x + 3.6 * unit, y + 2.5 * unit)
             draw.rounded_rectangle(box, radius=0.5 * unit, fill=LEG_COLOURS[phase], outline=SOFT, width=max(1, round(unit / 8)))
             draw.text(((box[0] + box[2]) / 2, (box[1] + box[3]) / 2), leg, font=font(round(1.4 * unit), True), anchor="mm",

@@ -8,6 +8,7 @@ import numpy as np
 from surefoot_log.log_file import event_text, stop_reason
 
 LEGS = ("LF", "RF", "LH", "RH")
+ALL_LEGS = ("LF", "RF", "LM", "RM", "LH", "RH")  # of a robot with six
 CARRIES = ("stance", "unloading")
 BETWEEN = "; "  # of two events at one tick
 TOPICS = {"/truth", "/plan", "/state", "/hierarchy", "/command"}
@@ -129,6 +130,11 @@ class FrameMaker:
         self._event = BETWEEN.join(texts) or self._event
 
 
+def legs_of(header):
+    """The names of a robot's legs, in its order; logs of four legs don't have them."""
+    return tuple(header["robot"].get("legs", LEGS))
+
+
 def frame_of(tick, header, event):
     decoded = {topic: json.loads(bytes(data)) for topic, data in tick.items()}
     state, truth = decoded.get("/state"), decoded.get("/truth")
@@ -146,9 +152,8 @@ def frame_of(tick, header, event):
 
 def add_truth(frame, truth):
     frame.p_WCom = np.array(truth["p_WCom"])
-    frame.p_WF = {leg: np.array(truth["p_WF"][leg]) for leg in LEGS}
-    for leg in LEGS:
-        foot = truth["feet"][leg]
+    frame.p_WF = {leg: np.array(place) for leg, place in truth["p_WF"].items()}
+    for leg, foot in truth["feet"].items():
         if foot["touching"]:
             frame.forces.append(Touch(leg, *(np.array(foot[name]) for name in ("point", "force", "normal")), foot["friction"]))
     pushes = np.array(truth["xfrc_applied"]).reshape(-1, 6)

@@ -4,7 +4,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from surefoot_log.frames import BETWEEN, CARRIES, LEGS
+from surefoot_log.frames import ALL_LEGS, BETWEEN, CARRIES
 
 STEP = 0.03  # m: feet that carry at heights that differ by more are on different ground
 BEFORE, AFTER = 1.5, 1.5  # s around what is of interest
@@ -26,7 +26,7 @@ class Span:
 def is_quiet(event):
     """Whether every step of a walk has such events."""
     found = [one.partition(": ") for one in event.split(BETWEEN)]
-    return all((what if leg in LEGS else leg + colon + what) in QUIET for leg, colon, what in found)
+    return all((what if leg in ALL_LEGS else leg + colon + what) in QUIET for leg, colon, what in found)
 
 
 def is_of_interest(frame):

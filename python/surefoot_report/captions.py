@@ -45,7 +45,7 @@ def adaptation(run):
 def space(run):
     has_ground = bool(run.header.get("terrain"))
     text = (f"The walk{' on its ground' if has_ground else ''}, as {'it truly was' if run.has_truth else 'the controller believed it'}, both views to the "
-            "same scale. (a) Footprints in the leg's colour (front feet large, hind feet small), path of the centre of mass, and triangles of three feet "
+            "same scale. (a) Footprints in the leg's colour (front feet large), path of the centre of mass, and triangles of three feet "
             "that carry the robot while the fourth swings. (b) Paths of the feet's lowest points, of base and centre of mass")  # fmt: skip
     if not has_ground:
         return f"{text}."

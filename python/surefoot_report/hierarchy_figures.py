@@ -6,7 +6,7 @@ from matplotlib.patches import Patch
 from matplotlib.ticker import FixedLocator, FuncFormatter, MaxNLocator, NullLocator
 
 from surefoot_campaign.text import in_words
-from surefoot_log.frames import LEGS, visible_residuals
+from surefoot_log.frames import visible_residuals
 from surefoot_report.motion_figures import calibration, times_of
 from surefoot_report.plotting import BLUE, BOUND, FLICKER, FOOT, HEAD, LEFT, ORANGE, RIGHT, SOFT, WIDTH, axes_at, legend_over, mark_calibration, thinned
 from surefoot_report.run_data import ROUNDING, STANCE, chosen
@@ -89,35 +89,35 @@ def strips_figure(run, strips, legend=()):
     return figure
 
 
-def leg_of(row):
-    return next((k for k, leg in enumerate(LEGS) if row.startswith(leg)), len(LEGS))
+def leg_of(run, row):
+    return next((k for k, leg in enumerate(run.legs) if row.startswith(leg)), len(run.legs))
 
 
 def informative(run, rows):
     """Which rows say something of the run. At lift-off and touchdown the force follows its ramp to zero, where all sides of the friction cone
     meet: rows are active there in every run."""
     names = rows["row"]
-    legs = np.array([leg_of(name) for name in names], int)
+    legs = np.array([leg_of(run, name) for name in names], int)
     is_force = np.array([name.endswith(" normal force") for name in names], bool)
     is_slip = np.array([" slip " in name for name in names], bool)
-    leg, tick, state = np.minimum(legs, len(LEGS) - 1), rows["tick"], rows["state"].astype(int)
+    leg, tick, state = np.minimum(legs, len(run.legs) - 1), rows["tick"], rows["state"].astype(int)
     least, most = np.moveaxis(run.force_limits[tick, leg], -1, 0)
     load = np.einsum("ni,ni->n", run.R_WC[tick][:, :, 2], run.force[tick, leg])
     pressed = (state < 0) & (run.phase[tick, leg] == STANCE) & (most > 2 * least)
     loaded = ~(load < LOADED * (run.header["robot"].get("mass") or np.nan) * GRAVITY)
-    always = (legs == len(LEGS)) | (np.abs(state) > 1) | ~(is_force | is_slip)
+    always = (legs == len(run.legs)) | (np.abs(state) > 1) | ~(is_force | is_slip)
     return always | np.where(is_force, pressed, loaded)
 
 
 def group_of(run, level, name):
     """Rows of a leg in a level are one group, but its normal force another. In the order of level, leg, and name."""
-    leg = leg_of(name)
+    leg = leg_of(run, name)
     task = in_words(run.levels[level])
     task = task.removesuffix("s") if task.endswith("limits") else task
-    if leg == len(LEGS):
+    if leg == len(run.legs):
         text = f"{task}: {name}"
     else:
-        text = f"least normal force {LEGS[leg]}" if name.endswith(" normal force") else f"{task} {LEGS[leg]}"
+        text = f"least normal force {run.legs[leg]}" if name.endswith(" normal force") else f"{task} {run.legs[leg]}"
     return level, leg, f"{level + 1}  {text}"
 
 

@@ -2,7 +2,6 @@
 
 import numpy as np
 
-from surefoot_log.frames import LEGS
 from surefoot_report.plotting import (AMBER, BLUE, GREEN, INK, LEG_COLOURS, ORANGE, PURPLE, STANCE, Panel, limits_of, time_figure)  # fmt: skip
 from surefoot_report.run_data import SEARCH, matrices, stretches, turns
 from surefoot_report.words import decimal
@@ -92,7 +91,7 @@ def limb_panels(run):
     title = "hip above foot" if limb["form"] == "vertical" else "hip–foot distance"
     return [Panel(f"{leg} {title}", "distance [m]", [line(LEG_COLOURS[k], distances[:, k])], [stance(run, k), search(run, k)],
                   [(limit, "") for limit in shown], f"limits {note}" if note else "", 0.78, y_range=y_range)
-            for k, leg in enumerate(LEGS)]  # fmt: skip
+            for k, leg in enumerate(run.legs)]  # fmt: skip
 
 
 def adaptation_figure(run):
@@ -111,7 +110,7 @@ def torque_figure(run):
     panels = []
     for joint, name in enumerate(JOINTS):
         limit = run.header["robot"]["torque_limit"][joint]
-        curves = [line(LEG_COLOURS[k], run.torque[:, 3 * k + joint], leg) for k, leg in enumerate(LEGS)]
+        curves = [line(LEG_COLOURS[k], run.torque[:, 3 * k + joint], leg) for k, leg in enumerate(run.legs)]
         panels.append(Panel(f"({'abc'[joint]}) {name}", "torque [N·m]", curves, bounds=[] if limit is None else [(limit, "limit"), (-limit, "")]))
     return drawn(run, panels)
 
@@ -122,7 +121,7 @@ def force_figure(run):
     solution = np.einsum("ni,nki->nk", run.R_WC[:, :, 2], run.force)
     return drawn(run, [Panel(leg, "force [N]", [line(LEG_COLOURS[k], run.normal_force[:, k], "true", linewidth=2.2, alpha=0.5),
                                                 line(INK, solution[:, k], "solution", linewidth=0.7)], [stance(run, k)], height=0.7, from_zero=True)
-                       for k, leg in enumerate(LEGS)])  # fmt: skip
+                       for k, leg in enumerate(run.legs)])  # fmt: skip
 
 
 def estimate_errors(run):

@@ -17,9 +17,9 @@ from surefoot_campaign.text import escape
 STYLE = (pathlib.Path(__file__).parent / "page.css").read_text()
 LIGHT = dict(re.findall(r"--(\w+): (#\w{6});", STYLE[: STYLE.index("@media")]))  # colours by the names of page.css, which has them for dark, too
 INK, SOFT, RULE, STANCE, AMBER, BOUND, GROUND = (LIGHT[name] for name in ("ink", "soft", "grid", "stance", "search", "bound", "ground"))
-LEG_COLOURS = [LIGHT[f"c{leg}"] for leg in range(4)]
-BLUE, ORANGE, GREEN, PURPLE = LEG_COLOURS
-BASE = LIGHT["c5"]
+LEG_COLOURS = [LIGHT[f"c{leg}"] for leg in range(6)]
+BLUE, ORANGE, GREEN, PURPLE = LEG_COLOURS[:4]
+BASE = LIGHT["c6"]
 TONES = [LIGHT[f"g{tone}"] for tone in range(5)]
 
 WIDTH = 7.2  # [in]

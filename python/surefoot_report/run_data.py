@@ -10,7 +10,7 @@ import pyarrow.compute as pc
 import pyarrow.json
 
 from surefoot_campaign.errors import InputError
-from surefoot_log.frames import ITERATION_CAP, LEGS
+from surefoot_log.frames import ITERATION_CAP, legs_of
 from surefoot_log.log_file import SUMMARY
 
 STANCE, UNLOADING, _, SEARCH = range(4)
@@ -22,33 +22,38 @@ NUMBER, WHOLE, TEXT, TRUE = pa.float64(), pa.int64(), pa.string(), pa.bool_()
 VECTOR, MATRIX = pa.list_(NUMBER), pa.list_(pa.list_(NUMBER))
 
 
-def of_legs(kind):
-    return pa.struct([(leg, kind) for leg in LEGS])
+def schemas(legs):
+    """What is read of each topic's messages."""
+
+    def of_legs(kind):
+        return pa.struct([(leg, kind) for leg in legs])
+
+    foot = pa.struct([("phase", TEXT), ("force_min", NUMBER), ("force_max", NUMBER)])
+    return {
+        "/state": [("p_WB", VECTOR), ("q_WB", VECTOR), ("v_WB", VECTOR)],
+        "/plan": [("feet", of_legs(foot)), ("torso", pa.struct([("q_WB", VECTOR), ("height", NUMBER)])), ("com", pa.struct([("p", VECTOR)])),
+                  ("R_WC", MATRIX), ("calibration", TEXT), ("events", pa.list_(pa.struct([("event", WHOLE)]))), ("event", WHOLE)],
+        "/model": [("p_WCom", VECTOR), ("p_WF", of_legs(VECTOR)), ("p_WH", of_legs(VECTOR)), ("force", of_legs(VECTOR))],
+        "/hierarchy": [("status", WHOLE), ("failed_level", WHOLE), ("levels", pa.list_(pa.struct([("name", TEXT), ("residual", NUMBER)]))),
+                       ("active", pa.list_(pa.struct([("level", TEXT), ("row", TEXT), ("id", WHOLE), ("state", WHOLE)]))),
+                       ("blocking_is_known", TRUE),
+                       ("blocked_by", pa.list_(pa.struct([("level", TEXT), ("by", TEXT), ("row", TEXT), ("id", WHOLE), ("cost", NUMBER)])))],
+        "/command": [("torque", VECTOR), ("mode", TEXT)],
+        "/truth": [("p_WB", VECTOR), ("q_WB", VECTOR), ("v_WB", VECTOR), ("p_WCom", VECTOR), ("p_WF", of_legs(VECTOR)),
+                   ("feet", of_legs(pa.struct([("force", VECTOR), ("normal", VECTOR)]))), ("torque", VECTOR)],
+        "/timings": [("total", NUMBER)],
+    }  # fmt: skip
 
 
-FOOT = pa.struct([("phase", TEXT), ("force_min", NUMBER), ("force_max", NUMBER)])
-SCHEMAS = {
-    "/state": [("p_WB", VECTOR), ("q_WB", VECTOR), ("v_WB", VECTOR)],
-    "/plan": [("feet", of_legs(FOOT)), ("torso", pa.struct([("q_WB", VECTOR), ("height", NUMBER)])), ("com", pa.struct([("p", VECTOR)])),
-              ("R_WC", MATRIX), ("calibration", TEXT), ("events", pa.list_(pa.struct([("event", WHOLE)]))), ("event", WHOLE)],
-    "/model": [("p_WCom", VECTOR), ("p_WF", of_legs(VECTOR)), ("p_WH", of_legs(VECTOR)), ("force", of_legs(VECTOR))],
-    "/hierarchy": [("status", WHOLE), ("failed_level", WHOLE), ("levels", pa.list_(pa.struct([("name", TEXT), ("residual", NUMBER)]))),
-                   ("active", pa.list_(pa.struct([("level", TEXT), ("row", TEXT), ("id", WHOLE), ("state", WHOLE)]))),
-                   ("blocking_is_known", TRUE),
-                   ("blocked_by", pa.list_(pa.struct([("level", TEXT), ("by", TEXT), ("row", TEXT), ("id", WHOLE), ("cost", NUMBER)])))],
-    "/command": [("torque", VECTOR), ("mode", TEXT)],
-    "/truth": [("p_WB", VECTOR), ("q_WB", VECTOR), ("v_WB", VECTOR), ("p_WCom", VECTOR), ("p_WF", of_legs(VECTOR)),
-               ("feet", of_legs(pa.struct([("force", VECTOR), ("normal", VECTOR)]))), ("torque", VECTOR)],
-    "/timings": [("total", NUMBER)],
-}  # fmt: skip
+TOPICS = schemas(()).keys()
 APART = {"/truth", "/timings"}  # a tick is whole without them
 
 
 class Topic:
     """The messages on a topic, decoded part by part."""
 
-    def __init__(self, name, path):
-        self._name, self._path, self._schema = name, path, pa.schema(SCHEMAS[name])
+    def __init__(self, name, path, schema):
+        self._name, self._path, self._schema = name, path, pa.schema(schema)
         self._times, self._waiting, self._size, self._parts = [], [], 0, []
 
     def add(self, message):
@@ -96,7 +101,8 @@ def numbers(table, path, *shape):
 
 
 def by_leg(table, path, *shape, member=""):
-    return np.stack([numbers(table, f"{path}.{leg}{member}", *shape) for leg in LEGS], axis=1)
+    legs = [leg.name for leg in part_of(table, path).type]
+    return np.stack([numbers(table, f"{path}.{leg}{member}", *shape) for leg in legs], axis=1)
 
 
 def flags(table, path):
@@ -187,9 +193,9 @@ def laid_by_feet(contact, believed, true):
 
 def read_run(log):
     """Throws InputError as LogFile does, and if the log holds no tick."""
-    topics = {name: Topic(name, log.path) for name in SCHEMAS}
+    topics = {name: Topic(name, log.path, schema) for name, schema in schemas(legs_of(log.header)).items()}
     changes = 0
-    for message in log.messages({*SCHEMAS, "/changes"}):
+    for message in log.messages({*TOPICS, "/changes"}):
         if message.topic == "/changes":
             changes += 1
         else:
@@ -199,10 +205,10 @@ def read_run(log):
 
 def of_ticks(log, tables):
     """The times [ns] of the ticks that are whole, and their tables."""
-    times = reduce(np.intersect1d, [tables[name][0] for name in SCHEMAS.keys() - APART])
+    times = reduce(np.intersect1d, [tables[name][0] for name in TOPICS - APART])
     if not len(times):
         raise log.no_tick("report")
-    return times, {name: rows_at(*tables[name], times) for name in SCHEMAS.keys() - {"/timings"}}
+    return times, {name: rows_at(*tables[name], times) for name in TOPICS - {"/timings"}}
 
 
 def rows_at(have, table, times):
@@ -231,6 +237,7 @@ def made_run(log, tables, num_changes):
     times, tick = of_ticks(log, tables)
     plan, model, hierarchy, command, truth = (tick[name] for name in ("/plan", "/model", "/hierarchy", "/command", "/truth"))
     run = SimpleNamespace(header=log.header, time=1e-9 * times, period=log.header["control_period"], num_changes=num_changes, problem=log.problem)
+    run.legs = legs_of(log.header)
     run.span = run.time[0], run.time[-1] + run.period
     run.summary, run.has_truth = log.attachments.get(SUMMARY, b"").decode(errors="replace"), len(tables["/truth"][0]) > 0
     run.events = log.events
@@ -241,9 +248,9 @@ def made_run(log, tables, num_changes):
     run.p_WH, run.force = by_leg(model, "p_WH", 3), by_leg(model, "force", 3)  # hips, and forces of the solution
     force, normal = (by_leg(truth, "feet", 3, member=f".{name}") for name in ("force", "normal"))
     run.normal_force = (normal * force).sum(axis=2)  # the true one [N]
-    run.torque, run.mode = numbers(command, "torque", 12), part_of(command, "mode").to_numpy(zero_copy_only=False).astype(str)
+    run.torque, run.mode = numbers(command, "torque", len(log.header["robot"]["torque_limit"])), part_of(command, "mode").to_numpy(zero_copy_only=False).astype(str)
 
-    run.phase = np.stack([codes(part_of(plan, f"feet.{leg}.phase"), PHASES, STANCE) for leg in LEGS], axis=1)
+    run.phase = np.stack([codes(part_of(plan, f"feet.{leg}.phase"), PHASES, STANCE) for leg in run.legs], axis=1)
     run.contact = run.phase <= UNLOADING
     run.force_limits = np.stack([by_leg(plan, "feet", member=f".{name}") for name in ("force_min", "force_max")], axis=2)
     run.torso_q, run.R_WC = numbers(plan, "torso.q_WB", 4), numbers(plan, "R_WC", 3, 3)

@@ -6,7 +6,6 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.ticker import MaxNLocator
 
-from surefoot_log.frames import LEGS
 from surefoot_report.ground import Ground
 from surefoot_report.motion_figures import source
 from surefoot_report.plotting import (BASE, FOOT, GROUND, HEAD, INK, LEFT, LEG_COLOURS, ORANGE, RIGHT, SOFT, TONES, WIDTH, axes_at, legend_over,
@@ -21,21 +20,21 @@ CREASE = 0.02  # a larger change of slope is a crease
 LEVEL = 1e-3  # ground with a smaller slope is level
 HALVINGS = 8
 SHORTEST = 0.1  # time for which three feet carry [s]
-ROUND = [LEGS.index(leg) for leg in ("LF", "RF", "RH", "LH")]  # the polygon of the feet
 NO_EDGE, IS_CREASE, IS_EDGE = range(3)
 
 
 def footprints(run):
     """Legs, and where each was set down: the foot sphere's centre."""
-    tick, leg = np.nonzero(np.diff(np.vstack([np.zeros(len(LEGS), bool), run.contact]).astype(int), axis=0) == 1)
+    tick, leg = np.nonzero(np.diff(np.vstack([np.zeros(len(run.legs), bool), run.contact]).astype(int), axis=0) == 1)
     return leg, run.seen.p_WF[tick, leg]
 
 
 def support_triangles(run):
     """Triangles of three feet that carry the robot for a while."""
+    around = [0, *range(1, len(run.legs), 2), *range(len(run.legs) - 2, 0, -2)]  # the polygon of the feet: LF, RF, RH, LH
     begins = np.flatnonzero(np.append(True, (np.diff(run.contact.astype(int), axis=0) != 0).any(axis=1)))
     ends = np.append(run.time[begins[1:]], run.time[-1])
-    return [run.seen.p_WF[begin, [leg for leg in ROUND if run.contact[begin, leg]], :2] for begin, end in zip(begins, ends)
+    return [run.seen.p_WF[begin, [leg for leg in around if run.contact[begin, leg]], :2] for begin, end in zip(begins, ends)
             if run.contact[begin].sum() == 3 and end - run.time[begin] >= SHORTEST]  # fmt: skip
 
 
@@ -133,7 +132,7 @@ def draw_above(axes, run, prints, ground):
 
 def profile(run, prints, ground, left, x):
     """Ground along the walk under the feet of one side: between its footprints, from one to the next along x."""
-    track = sorted(tuple(p[:2]) for leg, p in zip(*prints) if LEGS[leg].startswith("L") == left)
+    track = sorted(tuple(p[:2]) for leg, p in zip(*prints) if (leg % 2 == 0) == left)
     return ground.at(x, np.interp(x, *zip(*track)))[1] if track and ground else None
 
 
@@ -145,7 +144,7 @@ def draw_side(axes, run, prints, ground, sole):
             axes.fill_between(x, z, axes.get_ylim()[0], color=SOFT, alpha=0.09, linewidth=0)
     for z in profiles:
         axes.plot(x, z, color=INK, linewidth=1.3)
-    for leg, colour in enumerate(LEG_COLOURS):
+    for leg, colour in zip(range(len(run.legs)), LEG_COLOURS):
         axes.plot(run.seen.p_WF[:, leg, 0], run.seen.p_WF[:, leg, 2] - sole, color=colour, linewidth=0.7)
     draw_prints(axes, prints[0], prints[1][:, 0], prints[1][:, 2] - sole, (22, 9))
     axes.plot(run.seen.p_WCom[:, 0], run.seen.p_WCom[:, 2], color=INK)
@@ -176,5 +175,5 @@ def map_figure(run):
     figure.align_ylabels()
     legend_over(above, [Line2D([], [], color=BASE, label="base (side)"), Line2D([], [], color=INK, label=f"{source(run)} COM"),
                         Line2D([], [], color=ORANGE, linestyle="--", label="desired COM"),
-                        *(Line2D([], [], color=colour, linewidth=3, label=leg) for leg, colour in zip(LEGS, LEG_COLOURS))])  # fmt: skip
+                        *(Line2D([], [], color=colour, linewidth=3, label=leg) for leg, colour in zip(run.legs, LEG_COLOURS))])  # fmt: skip
     return figure

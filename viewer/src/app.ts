@@ -1,6 +1,6 @@
 import { LiveSource } from "./data/live_source.ts";
 import { Player } from "./data/player.ts";
-import { LEG_CHANNELS, Schema } from "./data/schema.ts";
+import { Schema } from "./data/schema.ts";
 import { scalar, type Frame } from "./data/frame.ts";
 import { accountAt, levelStates } from "./data/hierarchy.ts";
 import { asSentence, unreadableText } from "./data/log_words.ts";
@@ -116,7 +116,7 @@ export class App {
     this.letCommand(live);
     this.hierarchy.onOrder = (levels) => this.command("order", { levels }, this.hierarchy.wish);
     this.hierarchy.newest = orderOf(session);
-    if (this.world !== undefined) this.menu = new OverlayMenu(this.world);
+    if (this.world !== undefined) this.menu = new OverlayMenu(this.world, schema.legs.map(({ name }) => name));
     this.drive.onAct = () => this.showNow();
     this.wire();
     link.wire(this);
@@ -410,6 +410,6 @@ export class App {
     this.hierarchy.show(frame, states, account);
     this.levels = account.line;
     this.state.show(frame, account);
-    this.tune.showBelief(LEG_CHANNELS.map(({ friction }) => scalar(frame, friction)));
+    this.tune.showBelief(frame.schema.legs.map(({ name, friction }) => ({ name, friction: scalar(frame, friction) })));
   }
 }

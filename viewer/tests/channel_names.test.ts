@@ -1,6 +1,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { choicesOf, namesOf, unitOf, valueText, wordsOf } from "../src/data/channel_names.ts";
+import { choicesOf, legIn, namesOf, unitOf, valueText, wordsOf } from "../src/data/channel_names.ts";
+import { HEXAPOD_LEGS } from "../src/data/schema.ts";
 import { allOf, rangeOfPast, search } from "../src/panels/plots_panel.ts";
 import type { ChannelInfo } from "../src/protocol/session.ts";
 import { schemaOf } from "./make.ts";
@@ -27,6 +28,13 @@ test("lines are called by what they have in common, and each by the rest", () =>
   assert.deepEqual(namesOf(LEGS.map((leg) => of(`feet.${leg}.force`, 2)), schema), { title: "feet.force.z", labels: LEGS });
   assert.deepEqual(namesOf([of("command.torque", 2), of("state.torque", 2)], schema), { title: "torque.LF_KFE", labels: ["command", "state"] });
   assert.deepEqual(namesOf([of("command.torque", 2), of("time", 0)], schema), { title: "several channels", labels: ["command.torque.LF_KFE", "time"] });
+});
+
+test("a robot has the legs that its channels name", () => {
+  const six = schemaOf(Object.fromEntries(HEXAPOD_LEGS.map((leg) => [`feet.${leg}.friction`, 1])));
+  assert.deepEqual([schema, six].map(({ legs }) => legs.map(({ name }) => name)), [LEGS, HEXAPOD_LEGS]);
+  assert.equal(choicesOf(six.channel("feet.LM.friction") as ChannelInfo, six)[0]?.series.length, 6);
+  assert.equal(legIn("torque.LH_KFE", six), 4);
 });
 
 test("lines have one unit or each its own", () => {

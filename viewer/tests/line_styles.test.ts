@@ -9,6 +9,7 @@ test("no two lines of a plot look the same, as many as it takes", () => {
     assert.equal(different(Array.from({ length: count }, () => undefined)), count);
     assert.equal(different(Array.from({ length: count }, () => 2)), count, "of one leg");
     assert.equal(different(Array.from({ length: count }, (_, k) => k % 4)), count, "of all legs");
+    assert.equal(different(Array.from({ length: count }, (_, k) => k % 6)), count, "of six legs");
   }
   assert.equal(different([0, 0, 0, 0, 0, 1, 1]), 7, "more of one leg than there are dashes");
 });

@@ -34,8 +34,8 @@ const APART = 0.06;
 
 test("legs and marks of the picture are told apart by any eyes", () => {
   for (const dark of [false, true]) {
-    const { legs: [LF, RF, LH, RH], com, plan, zmp, support, plane, ghost, push } = paletteOf(dark);
-    const colours = Object.entries({ LF, RF, LH, RH, com, plan, zmp, support, plane, ghost, push });
+    const { legs: [LF, RF, LM, RM, LH, RH], com, plan, zmp, support, plane, ghost, push } = paletteOf(dark);
+    const colours = Object.entries({ LF, RF, LM, RM, LH, RH, com, plan, zmp, support, plane, ghost, push });
     for (const [name, eyes] of Object.entries(EYES)) {
       colours.forEach(([one, a], k) => {
         for (const [other, b] of colours.slice(k + 1)) {

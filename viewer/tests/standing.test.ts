@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import * as THREE from "three";
-import { LEG_CHANNELS, LEGS } from "../src/data/schema.ts";
+import { channelsOf, LEGS } from "../src/data/schema.ts";
 import { FrameTable } from "../src/data/table.ts";
 import type { Frame } from "../src/data/frame.ts";
 import { CentreOfMass } from "../src/overlays/com.ts";
@@ -11,6 +11,8 @@ import { standing, SupportPolygon, TerrainPlane, ZeroMomentPoint } from "../src/
 import type { Overlay, Picture } from "../src/overlays/overlay.ts";
 import { coloursOf, paletteOf } from "../src/scene/palette.ts";
 import { schemaOf } from "./make.ts";
+
+const LEG_CHANNELS = LEGS.map(channelsOf);
 
 test("a foot carries that is to carry and, where the truth is known, touches the ground", () => {
   const names = LEG_CHANNELS.flatMap(({ phase, touching }) => [phase, touching]);

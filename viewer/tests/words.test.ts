@@ -6,7 +6,7 @@ import { amountOf, rowsOf, boundsMotion, briefOf, metaOf, timeOf, words } from "
 import { calibrationText, modeText } from "../src/panels/head.ts";
 import { logFact } from "../src/live_link.ts";
 import { clockText, runStateOf, endedText, newestText, nextSpeed, pastText, playText } from "../src/panels/transport.ts";
-import { beliefText } from "../src/panels/tune_panel.ts";
+import { beliefText, type Belief } from "../src/panels/tune_panel.ts";
 
 const level: LevelState = {
   level: 1, name: "com_xy", unit: "m/s²", status: "met", residual: 0, rows: 2, freedom: 24, iterations: 1, time: NaN, active: [], missed: [], blocked: [],
@@ -29,9 +29,10 @@ test("any speed that the program takes has a next one of the menu", () => {
 });
 
 test("the friction that was given and what the controller believes are two things", () => {
-  assert.equal(beliefText([0.5, 0.5, 0.5, 0.5], 0.5), "The controller believes μ = 0.50 of every foot now.");
-  assert.equal(beliefText([0.5, 0.31, 0.5, 0.42], 0.5), "The controller believes now, after slips: LF 0.50, RF 0.31, LH 0.50, RH 0.42.");
-  assert.equal(beliefText([NaN, 0.5, 0.5, 0.5], 0.5), "");
+  const feet = (...friction: number[]): Belief[] => friction.map((one, k) => ({ name: ["LF", "RF", "LH", "RH"][k] as string, friction: one }));
+  assert.equal(beliefText(feet(0.5, 0.5, 0.5, 0.5), 0.5), "The controller believes μ = 0.50 of every foot now.");
+  assert.equal(beliefText(feet(0.5, 0.31, 0.5, 0.42), 0.5), "The controller believes now, after slips: LF 0.50, RF 0.31, LH 0.50, RH 0.42.");
+  assert.equal(beliefText(feet(NaN, 0.5, 0.5, 0.5), 0.5), "");
 });
 
 test("a level's second line says what matters most: who holds it back, its limits, its size", () => {

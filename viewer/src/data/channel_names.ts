@@ -1,6 +1,6 @@
 import type { ChannelInfo } from "../protocol/session.ts";
 import { digits, seen } from "./numbers.ts";
-import { hasBodies, LEGS, type Schema } from "./schema.ts";
+import { hasBodies, type Schema } from "./schema.ts";
 import type { Series } from "./source.ts";
 
 /** Name of a component; "": it is the only one. */
@@ -9,8 +9,8 @@ function componentOf({ size, labels }: Pick<ChannelInfo, "size" | "labels">, ind
 }
 
 /** Number of the leg in a name; undefined: none. */
-export function legIn(name: string): number | undefined {
-  const leg = LEGS.findIndex((one) => name.split(/[._]/).includes(one));
+export function legIn(name: string, { legs }: Schema): number | undefined {
+  const leg = legs.findIndex((one) => name.split(/[._]/).includes(one.name));
   return leg < 0 ? undefined : leg;
 }
 
@@ -76,15 +76,15 @@ export function choicesOf(channel: ChannelInfo, schema: Schema): Choice[] {
   if (hasBodies(channel, schema)) return pushChoices(channel, schema);
   const components = Array.from({ length: size }, (_, index) => ({ component: componentOf(channel, index), series: { channel: name, index } }));
   const single: Choice[] = size === 1 ? [] : components.map(({ component, series }) => ({ name: component, series: [series] }));
-  const legs: Choice[] = LEGS.map((leg, k) => ({ name: `${leg} whole`, series: components.filter(({ component }) => legIn(component) === k).map(({ series }) => series) }));
+  const legs: Choice[] = schema.legs.map((leg, k) => ({ name: `${leg.name} whole`, series: components.filter(({ component }) => legIn(component, schema) === k).map(({ series }) => series) }));
   return [...single, ...legs.filter(({ series }) => series.length > 1), ...overLegs(channel, schema)];
 }
 
 /** The same component of all legs, for a channel that each leg has. */
 function overLegs(channel: ChannelInfo, schema: Schema): Choice[] {
-  const leg = legIn(channel.name);
+  const leg = legIn(channel.name, schema);
   if (leg === undefined) return [];
-  const names = LEGS.map((one) => channel.name.split(".").map((part) => (part === LEGS[leg] ? one : part)).join("."));
+  const names = schema.legs.map((one) => channel.name.split(".").map((part) => (part === schema.legs[leg]?.name ? one.name : part)).join("."));
   if (names.some((name) => schema.offset(name) < 0)) return [];
   return Array.from({ length: channel.size }, (_, index) => ({
     name: `${componentOf(channel, index)} of all legs`.trim(),

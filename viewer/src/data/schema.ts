@@ -1,9 +1,15 @@
 import type { ChannelInfo, Order, Session } from "../protocol/session.ts";
 
-export const LEGS = ["LF", "RF", "LH", "RH"] as const;
+/** The names of a quadruped's legs, and of a hexapod's. */
+export const LEGS = ["LF", "RF", "LH", "RH"];
+export const HEXAPOD_LEGS = ["LF", "RF", "LM", "RM", "LH", "RH"];
+export const MOST_LEGS = HEXAPOD_LEGS.length;
+
+/** One for each leg that a robot may have. */
+export const perLeg = <T>(make: () => T): T[] => Array.from({ length: MOST_LEGS }, make);
 
 /** Names of a leg's channels. */
-function channelsOf(name: (typeof LEGS)[number]) {
+export function channelsOf(name: string) {
   return {
     name,
     phase: `plan.feet.${name}.phase`,
@@ -23,7 +29,6 @@ function channelsOf(name: (typeof LEGS)[number]) {
   };
 }
 export type LegChannels = ReturnType<typeof channelsOf>;
-export const LEG_CHANNELS = LEGS.map(channelsOf);
 
 /** Gives a level's residual the unit of its rows, from the header. */
 function withUnit(channel: ChannelInfo, { header }: Session): ChannelInfo {
@@ -54,6 +59,8 @@ export const newtonsOf = ({ mass }: { mass: number }): number => 9.81 * mass;
 /** Layout of a frame, and the names of levels and rows. */
 export class Schema {
   readonly channels: ChannelInfo[];
+  /** Of the robot, in its order. */
+  readonly legs: LegChannels[];
   readonly frameFloats: number;
   /** Of a tick [s]. */
   readonly period: number;
@@ -70,6 +77,8 @@ export class Schema {
 
   constructor(session: Session) {
     this.channels = session.channels.map((channel) => withBodies(withUnit(channel, session), session));
+    const parts = new Set(this.channels.flatMap(({ name }) => name.split(".")));
+    this.legs = (HEXAPOD_LEGS.every((leg) => parts.has(leg)) ? HEXAPOD_LEGS : LEGS).map(channelsOf);
     this.frameFloats = session.frame_floats;
     this.period = session.period;
     this.weight = newtonsOf(session.header.robot);

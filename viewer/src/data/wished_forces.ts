@@ -1,7 +1,7 @@
 import { percent } from "../math/friction.ts";
 import { scalar, word, type Frame } from "./frame.ts";
 import { digits } from "./numbers.ts";
-import { LEG_CHANNELS, type LegChannels } from "./schema.ts";
+import type { LegChannels } from "./schema.ts";
 
 /** Force beyond its limits that the solution asks of a foot; "": none. */
 function wishOf(frame: Frame, leg: LegChannels): string {
@@ -13,6 +13,6 @@ function wishOf(frame: Frame, leg: LegChannels): string {
 /** Note on contact forces of the solution that no ground can give; "": none. */
 export function wishesText(frame: Frame): string {
   if (word(frame, "command.mode") !== "optimal") return "";
-  const wishes = LEG_CHANNELS.map((leg) => wishOf(frame, leg)).filter((wish) => wish !== "");
+  const wishes = frame.schema.legs.map((leg) => wishOf(frame, leg)).filter((wish) => wish !== "");
   return wishes.length === 0 ? "" : `, but for contact forces that no ground gives: ${wishes.join(", ")}`;
 }

@@ -1,7 +1,7 @@
 import * as THREE from "three";
 import { scalar, type Frame } from "../data/frame.ts";
 import { isFollowed } from "../data/hierarchy.ts";
-import { LEG_CHANNELS, LEGS } from "../data/schema.ts";
+import { MOST_LEGS, perLeg } from "../data/schema.ts";
 import { paint } from "./arrow.ts";
 import { TRAIL_SECONDS } from "./com.ts";
 import { Copies } from "./copies.ts";
@@ -18,9 +18,9 @@ export class SwingCurves implements Overlay {
   /** Visible while the robot follows it. */
   private readonly plan = new THREE.Group();
   private readonly real = new Trails(1, 1020);
-  private readonly plannedPens = LEGS.map(() => new Pen(this.planned));
-  private readonly realPens = LEGS.map(() => new Pen(this.real));
-  private readonly targets = new Copies(new THREE.SphereGeometry(0.009, 12, 8), paint(), LEGS.length);
+  private readonly plannedPens = perLeg(() => new Pen(this.planned));
+  private readonly realPens = perLeg(() => new Pen(this.real));
+  private readonly targets = new Copies(new THREE.SphereGeometry(0.009, 12, 8), paint(), MOST_LEGS);
   private readonly foot = new THREE.Vector3();
   private readonly place = new THREE.Matrix4();
 
@@ -33,7 +33,7 @@ export class SwingCurves implements Overlay {
     const { frame, colours } = picture;
     this.plan.visible = isFollowed(frame);
     this.targets.begin();
-    if (this.plan.visible) LEG_CHANNELS.forEach(({ phase, plannedFoot }, k) => {
+    if (this.plan.visible) frame.schema.legs.forEach(({ phase, plannedFoot }, k) => {
       if (scalar(frame, phase) >= 2 && vector(frame, plannedFoot, this.foot)) this.targets.add(this.place.setPosition(this.foot), colours.legs[k] as THREE.Color);
     });
     this.targets.end();
@@ -46,7 +46,7 @@ export class SwingCurves implements Overlay {
     for (const pens of [this.plannedPens, this.realPens]) pens.forEach((pen, k) => pen.begin(colours.legs[k] as THREE.Color));
     source.sample(frame.time - TRAIL_SECONDS, frame.time + TRAIL_SECONDS, 240, (one) => {
       const isPlanned = isFollowed(one);
-      LEG_CHANNELS.forEach(({ plannedFoot, foot }, k) => {
+      one.schema.legs.forEach(({ plannedFoot, foot }, k) => {
         const planned = this.plannedPens[k] as Pen;
         if (!isPlanned) planned.lift();
         else if (vector(one, plannedFoot, this.foot)) planned.to(this.foot);
@@ -62,12 +62,12 @@ export class SwingCurves implements Overlay {
 export class Footholds implements Overlay {
   readonly space = "belief";
   readonly root = new THREE.Group();
-  private readonly perLeg = 6;
-  private readonly discs = new Copies(new THREE.RingGeometry(0.02, 0.031, 28), paint(0.6), this.perLeg * LEGS.length);
+  private readonly eachLeg = 6;
+  private readonly discs = new Copies(new THREE.RingGeometry(0.02, 0.031, 28), paint(0.6), this.eachLeg * MOST_LEGS);
   /** The latest of each leg; the oldest is reused. */
-  private readonly prints = LEGS.map(() => Array.from({ length: this.perLeg }, () => new THREE.Vector3()));
-  private readonly counts = LEGS.map(() => 0);
-  private readonly last = LEGS.map(() => new THREE.Vector3());
+  private readonly prints = perLeg(() => Array.from({ length: this.eachLeg }, () => new THREE.Vector3()));
+  private readonly counts = perLeg(() => 0);
+  private readonly last = perLeg(() => new THREE.Vector3());
   private readonly foot = new THREE.Vector3();
   private readonly place = new THREE.Matrix4();
 
@@ -90,14 +90,14 @@ export class Footholds implements Overlay {
     this.counts.fill(0);
     source.sample(frame.time - 4 * TRAIL_SECONDS, frame.time + TRAIL_SECONDS, 120, (one) => {
       if (!isFollowed(one)) return;
-      LEG_CHANNELS.forEach(({ phase, plannedFoot }, k) => {
+      one.schema.legs.forEach(({ phase, plannedFoot }, k) => {
         if (!(scalar(one, phase) <= 1) || !vector(one, plannedFoot, this.foot)) return;
         const count = this.counts[k] as number;
         const last = this.last[k] as THREE.Vector3;
         if (count > 0 && this.foot.distanceTo(last) < 0.03) return;
         this.counts[k] = count + 1;
         last.copy(this.foot);
-        const print = (this.prints[k] as THREE.Vector3[])[count % this.perLeg] as THREE.Vector3;
+        const print = (this.prints[k] as THREE.Vector3[])[count % this.eachLeg] as THREE.Vector3;
         print.copy(this.foot).setZ(this.foot.z - header.robot.foot_radius + 0.003);
       });
     });
@@ -130,8 +130,8 @@ export function brakeOf({ active, schema }: Frame, leg: string, limits: number):
 export class LimbLimits implements Overlay {
   readonly space = "belief";
   readonly root = new THREE.Group();
-  private readonly shells = LEGS.map(() => ({ min: shell(), max: shell() }));
-  private readonly lines = new Trails(1, LEGS.length);
+  private readonly shells = perLeg(() => ({ min: shell(), max: shell() }));
+  private readonly lines = new Trails(1, MOST_LEGS);
   private readonly hip = new THREE.Vector3();
   private readonly foot = new THREE.Vector3();
 
@@ -143,7 +143,7 @@ export class LimbLimits implements Overlay {
   update({ frame, header, labels, colours, beliefToWorld }: Picture): void {
     const { min, max, form } = header.limb;
     this.lines.begin();
-    LEG_CHANNELS.forEach(({ name, hip, foot }, k) => {
+    frame.schema.legs.forEach(({ name, hip, foot }, k) => {
       const shells = this.shells[k] as { min: Shell; max: Shell };
       const known = vector(frame, hip, this.hip) && vector(frame, foot, this.foot);
       shells.min.visible = known && min !== null;
@@ -181,7 +181,9 @@ function globe(meridians: number, parallels: number, sides: number): THREE.Buffe
 }
 
 function shell(): Shell {
-  return new THREE.LineSegments(GLOBE, new THREE.LineBasicMaterial({ transparent: true, opacity: 0.1, fog: false }));
+  const made = new THREE.LineSegments(GLOBE, new THREE.LineBasicMaterial({ transparent: true, opacity: 0.1, fog: false }));
+  made.visible = false;
+  return made;
 }
 
 function place(shell: Shell, hip: THREE.Vector3, radius: number, room: number, colour: THREE.Color): void {

@@ -3,7 +3,7 @@ import { scalar } from "../data/frame.ts";
 import { isFollowed } from "../data/hierarchy.ts";
 import { digits } from "../data/numbers.ts";
 import { leverOf, pushesOf, type Push } from "../data/pushes.ts";
-import { LEG_CHANNELS } from "../data/schema.ts";
+import { MOST_LEGS } from "../data/schema.ts";
 import { Arrows, paint, paintOverBodies } from "./arrow.ts";
 import { vector, type Overlay, type Picture } from "./overlay.ts";
 
@@ -11,7 +11,7 @@ import { vector, type Overlay, type Picture } from "./overlay.ts";
 export class GroundForces implements Overlay {
   readonly space = "world";
   readonly root = new THREE.Group();
-  private readonly arrows = new Arrows(paint(), 0.0075, LEG_CHANNELS.length);
+  private readonly arrows = new Arrows(paint(), 0.0075, MOST_LEGS);
   private readonly force = new THREE.Vector3();
   private readonly point = new THREE.Vector3();
 
@@ -21,7 +21,7 @@ export class GroundForces implements Overlay {
 
   update({ frame, labels, colours, newton, longest }: Picture): void {
     this.arrows.begin();
-    LEG_CHANNELS.forEach(({ name, touching, trueForce, truePoint }, k) => {
+    frame.schema.legs.forEach(({ name, touching, trueForce, truePoint }, k) => {
       if (!(scalar(frame, touching) > 0) || !vector(frame, trueForce, this.force) || !vector(frame, truePoint, this.point)) return;
       const newtons = this.force.length();
       if (this.arrows.add(this.point, this.force.multiplyScalar(newton), colours.legs[k] as THREE.Color, longest))
@@ -35,7 +35,7 @@ export class GroundForces implements Overlay {
 export class WantedForces implements Overlay {
   readonly space = "belief";
   readonly root = new THREE.Group();
-  private readonly arrows = new Arrows(paint(), 0.003, LEG_CHANNELS.length);
+  private readonly arrows = new Arrows(paint(), 0.003, MOST_LEGS);
   private readonly force = new THREE.Vector3();
   private readonly point = new THREE.Vector3();
 
@@ -45,7 +45,7 @@ export class WantedForces implements Overlay {
 
   update({ frame, header, colours, newton, longest }: Picture): void {
     this.arrows.begin();
-    if (isFollowed(frame)) for (const { force, foot } of LEG_CHANNELS) {
+    if (isFollowed(frame)) for (const { force, foot } of frame.schema.legs) {
       if (!vector(frame, force, this.force) || !vector(frame, foot, this.point)) continue;
       this.point.z -= header.robot.foot_radius;
       this.arrows.add(this.point, this.force.multiplyScalar(newton), colours.com, longest);

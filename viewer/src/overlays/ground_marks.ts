@@ -1,7 +1,7 @@
 import * as THREE from "three";
 import { read, scalar } from "../data/frame.ts";
 import { isFollowed } from "../data/hierarchy.ts";
-import { LEG_CHANNELS } from "../data/schema.ts";
+import { MOST_LEGS } from "../data/schema.ts";
 import { centreOfPressure, convexHull, planeHeight, type Point3 } from "../math/geometry.ts";
 import type { Palette } from "../scene/palette.ts";
 import { ON_GROUND, ON_GROUND_ORDER, paint, paintOnGround } from "./arrow.ts";
@@ -34,7 +34,7 @@ export class BelievedPlane {
 export function standing({ frame, header }: Picture): Point3[] {
   const points: Point3[] = [];
   if (!isFollowed(frame)) return points;
-  for (const leg of LEG_CHANNELS) {
+  for (const leg of frame.schema.legs) {
     const foot: Point3 = [0, 0, 0];
     if (!(scalar(frame, leg.phase) <= 1) || scalar(frame, leg.touching) === 0 || !read(frame, leg.foot, foot)) continue;
     foot[2] += OVER - header.robot.foot_radius;
@@ -49,8 +49,8 @@ export class SupportPolygon implements Overlay {
   readonly root = new THREE.Group();
   private readonly fill = paintOnGround(0.16);
   private readonly line = new THREE.LineBasicMaterial(ON_GROUND);
-  private readonly points = new THREE.BufferAttribute(new Float32Array(12), 3);
-  private readonly area = new THREE.BufferGeometry().setAttribute("position", this.points).setIndex([0, 1, 2, 0, 2, 3]);
+  private readonly points = new THREE.BufferAttribute(new Float32Array(3 * MOST_LEGS), 3);
+  private readonly area = new THREE.BufferGeometry().setAttribute("position", this.points).setIndex(Array.from({ length: MOST_LEGS - 2 }, (_, k) => [0, k + 1, k + 2]).flat());
   private readonly outline = new THREE.BufferGeometry().setAttribute("position", this.points);
 
   constructor() {
@@ -71,7 +71,7 @@ export class SupportPolygon implements Overlay {
     this.root.visible = hull.length >= 2;
     hull.forEach((corner, k) => this.points.setXYZ(k, ...corner));
     this.points.needsUpdate = true;
-    this.area.setDrawRange(0, hull.length === 4 ? 6 : hull.length === 3 ? 3 : 0);
+    this.area.setDrawRange(0, 3 * Math.max(0, hull.length - 2));
     this.outline.setDrawRange(0, hull.length);
   }
 }
@@ -103,7 +103,7 @@ export class ZeroMomentPoint implements Overlay {
     if (known) this.planned.position.set(x, y, this.plane.height(x, y) + 0.002);
     const points: number[][] = [];
     const forces: number[][] = [];
-    for (const { touching, truePoint, trueForce } of LEG_CHANNELS) {
+    for (const { touching, truePoint, trueForce } of picture.frame.schema.legs) {
       const point = [0, 0, 0];
       const force = [0, 0, 0];
       if (!(scalar(picture.frame, touching) > 0) || !read(picture.frame, truePoint, point) || !read(picture.frame, trueForce, force)) continue;

@@ -1,7 +1,7 @@
 import * as THREE from "three";
 import { read, scalar } from "../data/frame.ts";
 import { pyramidUse } from "../data/pyramid_use.ts";
-import { LEG_CHANNELS } from "../data/schema.ts";
+import { MOST_LEGS } from "../data/schema.ts";
 import { percent, pyramidCorners, pyramidHeight, useClass } from "../math/friction.ts";
 import { SEEN_THROUGH } from "./arrow.ts";
 import { vector, type Overlay, type Picture } from "./overlay.ts";
@@ -69,8 +69,8 @@ class Pyramids {
 export class FrictionPyramids implements Overlay {
   readonly space = "belief";
   readonly root = new THREE.Group();
-  private readonly pyramids = new Pyramids(LEG_CHANNELS.length);
-  private readonly alarms = new Pyramids(LEG_CHANNELS.length, true);
+  private readonly pyramids = new Pyramids(MOST_LEGS);
+  private readonly alarms = new Pyramids(MOST_LEGS, true);
   private readonly tip = new THREE.Vector3();
   private readonly outline = Array.from({ length: 5 }, () => new THREE.Vector3());
   private readonly q_WP = [1, 0, 0, 0];
@@ -82,7 +82,7 @@ export class FrictionPyramids implements Overlay {
   update({ frame, header, labels, colours, newton, beliefToWorld }: Picture): void {
     this.pyramids.begin();
     this.alarms.begin();
-    LEG_CHANNELS.forEach((leg, k) => {
+    frame.schema.legs.forEach((leg, k) => {
       const use = pyramidUse(frame, leg);
       if (Number.isNaN(use) || !read(frame, leg.pyramid, this.q_WP) || !vector(frame, leg.foot, this.tip)) return;
       this.tip.z -= header.robot.foot_radius;

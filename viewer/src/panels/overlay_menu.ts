@@ -1,6 +1,5 @@
 import type { World } from "../scene/world.ts";
 import { css } from "../scene/palette.ts";
-import { LEGS } from "../data/schema.ts";
 import { h, part } from "./dom.ts";
 
 const KEYS = "1234567890-";
@@ -16,7 +15,8 @@ export class OverlayMenu {
   private readonly ghost: HTMLInputElement;
   private readonly swatches = new Map<Mark, HTMLElement>();
 
-  constructor(private readonly world: World) {
+  /** `legs`: their names. */
+  constructor(private readonly world: World, private readonly legs: string[]) {
     const menu = part("overlays");
     const open = part<HTMLButtonElement>("overlays-open");
     // Over the whole page, so that a low picture does not cut it off.
@@ -63,7 +63,7 @@ export class OverlayMenu {
 
   /** Updates the colours of menu and legend. */
   legend(): void {
-    const { legs, margin } = this.world.palette;
+    const { legs: colours, margin } = this.world.palette;
     for (const [mark, swatch] of this.swatches) swatch.style.background = css(this.world.palette[mark]);
     const entry = (colour: number, text: string, shape = ""): HTMLElement => {
       const swatch = h("i", { class: shape });
@@ -71,7 +71,7 @@ export class OverlayMenu {
       return h("span", {}, swatch, text);
     };
     part("legend").replaceChildren(
-      h("span", { class: "legend-group", "data-legend": "legs" }, h("b", {}, "Legs"), ...LEGS.map((leg, k) => entry(legs[k] as number, leg))),
+      h("span", { class: "legend-group", "data-legend": "legs" }, h("b", {}, "Legs"), ...this.legs.map((leg, k) => entry(colours[k] as number, leg))),
       h("span", { class: "legend-group", "data-legend": "friction" }, h("b", {}, "Share of the pyramid used"),
         entry(margin.good, "< 60 %", "pyramid"), entry(margin.near, "60 – 90 %", "pyramid"), entry(margin.bad, "> 90 %", "pyramid")),
     );

@@ -61,7 +61,7 @@ export class Plot {
     const hidden = this.lines.filter(({ shown }) => !shown).map((line) => line.series);
     const names = namesOf(series, this.schema);
     const unit = unitOf(series, this.schema);
-    const styles = stylesOf(series.map((one) => legIn(partsOf(one, this.schema).join("."))));
+    const styles = stylesOf(series.map((one) => legIn(partsOf(one, this.schema).join("."), this.schema)));
     this.name.replaceChildren(...breakable(title ?? names.title));
     setText(this.unit, unit ? ` [${unit}]` : "");
     this.lines = series.map((one, k) => ({

@@ -1,7 +1,7 @@
 import type { Frame } from "../data/frame.ts";
 import type { Player } from "../data/player.ts";
 import type { Schema } from "../data/schema.ts";
-import { hasBodies, LEGS } from "../data/schema.ts";
+import { hasBodies } from "../data/schema.ts";
 import type { Series } from "../data/source.ts";
 import { digits } from "../data/numbers.ts";
 import { choicesOf, type Choice } from "../data/channel_names.ts";
@@ -126,7 +126,7 @@ export class PlotsPanel {
   }
 
   private addFirst(): void {
-    this.add(LEGS.map((leg) => ({ channel: `truth.feet.${leg}.force`, index: 2 })), "vertical foot forces");
+    this.add(this.schema.legs.map(({ trueForce }) => ({ channel: trueForce, index: 2 })), "vertical foot forces");
     this.add([0, 1, 2].map((index) => ({ channel: "state.v_WB", index })), "velocity, believed");
   }
 

@@ -1,6 +1,6 @@
 import { read, scalar, word, type Frame } from "../data/frame.ts";
 import { accountAt, type Account } from "../data/hierarchy.ts";
-import { LEG_CHANNELS, type LegChannels } from "../data/schema.ts";
+import type { LegChannels } from "../data/schema.ts";
 import { pushesOf } from "../data/pushes.ts";
 import { pyramidUse } from "../data/pyramid_use.ts";
 import { yawOf } from "../math/geometry.ts";
@@ -39,12 +39,12 @@ function footText(frame: Frame, leg: LegChannels): string {
 /** What the feet should do and do, or that the mode asks nothing of them. */
 function feetText(frame: Frame): string {
   const mode = word(frame, "command.mode");
-  if (!WITHOUT_PLAN.includes(mode)) return LEG_CHANNELS.map((leg) => footText(frame, leg)).join("; ");
-  const touching = LEG_CHANNELS.map((leg) => scalar(frame, leg.touching));
+  if (!WITHOUT_PLAN.includes(mode)) return frame.schema.legs.map((leg) => footText(frame, leg)).join("; ");
+  const touching = frame.schema.legs.map((leg) => scalar(frame, leg.touching));
   const asked = `nothing is asked of them (${mode})`;
   if (touching.some(Number.isNaN)) return asked;
   if (!touching.some((one) => one > 0)) return `${asked}; all are in the air`;
-  return [asked, ...LEG_CHANNELS.map((leg, k) => `${leg.name} ${(touching[k] as number) > 0 ? `touches${sizeText(frame, leg)}` : "is in the air"}`)].join("; ");
+  return [asked, ...frame.schema.legs.map((leg, k) => `${leg.name} ${(touching[k] as number) > 0 ? `touches${sizeText(frame, leg)}` : "is in the air"}`)].join("; ");
 }
 
 /** Velocity of the base in the plane. */
@@ -71,7 +71,7 @@ function estimateError(frame: Frame): string {
 
 /** Friction use of each foot that carries. */
 function pyramidUses(frame: Frame): string {
-  const uses = LEG_CHANNELS.map((leg) => [leg.name, pyramidUse(frame, leg)] as const);
+  const uses = frame.schema.legs.map((leg) => [leg.name, pyramidUse(frame, leg)] as const);
   return uses.filter(([, use]) => !Number.isNaN(use)).map(([leg, use]) => `${leg} ${percent(use)}`).join(", ");
 }
 

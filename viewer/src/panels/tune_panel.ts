@@ -1,17 +1,22 @@
 import type { Ask } from "../protocol/commands.ts";
 import { orderOf, type Session, type TaskInfo, type TaskNumber } from "../protocol/session.ts";
-import { LEGS } from "../data/schema.ts";
 import type { Status } from "../protocol/connection.ts";
 import { h, plain, setText } from "./dom.ts";
 import { NumberField } from "./number_field.ts";
 
 export type Report = (text: string, kind?: "error" | "plain") => void;
 
-/** The controller's friction estimates per foot, starting from the operator's; "": not known. */
-export function beliefText(friction: number[], given: number): string {
-  if (friction.some((mu) => Number.isNaN(mu))) return "";
-  if (friction.every((mu) => Math.abs(mu - given) < 0.005)) return `The controller believes μ = ${given.toFixed(2)} of every foot now.`;
-  return `The controller believes now, after slips: ${LEGS.map((leg, k) => `${leg} ${friction[k]?.toFixed(2)}`).join(", ")}.`;
+/** The controller's friction estimate of a leg's foot. */
+export interface Belief {
+  name: string;
+  friction: number;
+}
+
+/** The estimates of all feet, starting from the operator's; "": not known. */
+export function beliefText(feet: Belief[], given: number): string {
+  if (feet.some(({ friction }) => Number.isNaN(friction))) return "";
+  if (feet.every(({ friction: mu }) => Math.abs(mu - given) < 0.005)) return `The controller believes μ = ${given.toFixed(2)} of every foot now.`;
+  return `The controller believes now, after slips: ${feet.map(({ name, friction }) => `${name} ${friction.toFixed(2)}`).join(", ")}.`;
 }
 
 /** Gains of the tasks, and the friction that the controller assumes. */
@@ -61,9 +66,8 @@ export class TunePanel {
     if (tables.some(({ root }, k) => this.tables.children[k] !== root)) this.tables.replaceChildren(...tables.map(({ root }) => root));
   }
 
-  /** `friction`: estimate per foot. */
-  showBelief(friction: number[]): void {
-    setText(this.belief, beliefText(friction, this.frictionNow));
+  showBelief(feet: Belief[]): void {
+    setText(this.belief, beliefText(feet, this.frictionNow));
   }
 
   /** In a paused run, changes stay shown until they take effect. */

@@ -1,6 +1,6 @@
 import { Color } from "three";
 
-/** Colours of the scene. The legs have Okabe and Ito's, as in the report and the plots; no mark has a leg's colour. All can be distinguished with
+/** Colours of the scene. The first four legs have Okabe and Ito's, as in the report and the plots; no mark has a leg's colour. All can be distinguished with
  * red-green blindness. */
 export interface Palette {
   dark: boolean;
@@ -8,7 +8,8 @@ export interface Palette {
   ground: number;
   groundLine: number;
   edge: number;
-  legs: [number, number, number, number];
+  /** In the robot's order, of as many as a robot may have. */
+  legs: [number, number, number, number, number, number];
   /** For shares of a limit: stronger the less is left, and of no leg's hue. */
   margin: { good: number; near: number; bad: number };
   /** Outline of pyramids that are nearly used up: as bright as the ground, to stand out from any body. */
@@ -31,7 +32,7 @@ const LIGHT: Palette = {
   ground: 0xdfe3e6,
   groundLine: 0xc3c9ce,
   edge: 0x7b848c,
-  legs: [0x0072b2, 0xd55e00, 0x009e73, 0xaa4499],
+  legs: [0x0072b2, 0xd55e00, 0x009e73, 0xaa4499, 0x650c84, 0x3589fd],
   margin: { good: 0x868f98, near: 0xa67f00, bad: 0xe4003a },
   alarmEdge: 0xffffff,
   com: 0x1c1f23,
@@ -51,7 +52,7 @@ const DARK: Palette = {
   ground: 0x23282d,
   groundLine: 0x363e45,
   edge: 0x7b868f,
-  legs: [0x56b4e9, 0xf5934e, 0x3fc99c, 0xd070c0],
+  legs: [0x56b4e9, 0xf5934e, 0x3fc99c, 0xd070c0, 0xa837c2, 0x2661fc],
   margin: { good: 0x66717b, near: 0x9c7a00, bad: 0xff7088 },
   alarmEdge: 0x000000,
   com: 0xf2f4f6,
