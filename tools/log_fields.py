@@ -11,7 +11,7 @@ HEAD = """# The fields of the log
 Version {version}. Made by `tools/log_fields.py` from the schemas in a log.
 [log.md](log.md) says what the topics are for and what holds for all fields.
 
-`<leg>` is LF, RF, LH or RH; `[]` are the elements of a list. A unit alone is a number, `12 [rad]` are 12 of them.
+`<leg>` is LF, RF, LH or RH, of six legs LM or RM, too; `[]` are the elements of a list. A unit alone is a number, `12 [rad]` are 12 of them.
 `event_names` of `header.json` says what the numbers of `event` mean.
 """
 LEGS = {"LF", "RF", "LH", "RH"}

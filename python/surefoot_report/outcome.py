@@ -55,7 +55,7 @@ def asked(criteria):
 def goal_of(goal):
     walk_on = goal.get("walk_on") or 0.0
     further = f", and {decimal(walk_on, 3)} m further" if walk_on > 0 else ""
-    return f"all four feet on the ground beyond x = {decimal(goal['feet_beyond_x'], 3)} m{further}"
+    return f"all feet on the ground beyond x = {decimal(goal['feet_beyond_x'], 3)} m{further}"
 
 
 def flattened(metrics):

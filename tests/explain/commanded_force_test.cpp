@@ -26,7 +26,7 @@ PerLeg<int> friction_states(const TickRecord& tick, const std::vector<std::strin
     const ActiveRow& row = tick.hierarchy.active[static_cast<std::size_t>(i)];
     if (levels.at(static_cast<std::size_t>(row.level)) != "friction_cone") continue;
     if (row.id % tasks::FrictionCone::kRowsPerLeg == tasks::FrictionCone::kRowsPerLeg - 1) continue;
-    int& state = states.at(static_cast<std::size_t>(row.id / tasks::FrictionCone::kRowsPerLeg));
+    int& state = states[static_cast<std::size_t>(row.id / tasks::FrictionCone::kRowsPerLeg)];
     state = std::max(state, std::abs(row.state));
   }
   return states;
@@ -51,7 +51,7 @@ void expect_full_where_a_face_is_active(const std::vector<std::string>& assignme
   for (std::uint32_t number = 0; log.next(tick); ++number) {
     const CommandedForces forces = commanded_forces(cone, tick);
     const PerLeg<int> states = friction_states(tick, log.header().level_names);
-    for (std::size_t k = 0; k < kNumLegs; ++k) {
+    for (std::size_t k = 0; k < states.size(); ++k) {
       const double use = forces.friction_use[k];
       if (std::isnan(use)) continue;
       if (states[k] == 1) at_a_face.push_back(std::abs(use - 1.0));

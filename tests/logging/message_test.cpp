@@ -156,6 +156,21 @@ TEST(Messages, EventsKeepTheirOrderLegPlaceAndForce) {
   EXPECT_TRUE(std::isnan(second.force));
 }
 
+TEST(Messages, ThoseOfSixLegsNameThemInMessageAndSchema) {
+  MotionPlan plan;
+  plan.feet.resize(kMaxLegs);
+  plan.feet[index(Leg{2})].friction = 0.25;
+  plan.events.add({.kind = PlanEvent::touchdown, .leg = Leg{4}});
+  const json message = encoded(plan);
+  EXPECT_EQ(message.at("feet").at("LM").at("friction"), 0.25);
+  EXPECT_EQ(message.at("events").at(0).at("leg"), "LH");
+  EXPECT_TRUE(conforms(json::parse(logged::schema<MotionPlan>("plan", "", kMaxLegs)), message));
+  MotionPlan read;
+  logged::Decoder::decode(message.dump(), read, kMaxLegs);
+  EXPECT_EQ(read.feet.size(), 6u);
+  EXPECT_EQ(encoded(read), message);
+}
+
 TEST(Messages, TheOneEventOfAnOlderLogIsReadWithoutItsLeg) {
   MotionPlan plan;
   logged::Decoder::decode(R"({"time":1.5,"com_zmp_slack":0,"event":5})", plan);

@@ -1,8 +1,10 @@
 #include "surefoot/logging/recorder.hpp"
 
+#include "surefoot/logging/log_header_reader.hpp"
 #include "surefoot/logging/log_reader.hpp"
 #include "surefoot/logging/logged_timing.hpp"
 #include "surefoot/logging/message_decoder.hpp"
+#include "surefoot/signals/per_leg.hpp"
 #include "tests/logging/recorded_run.hpp"
 #include "tests/logging/synthetic_run.hpp"
 #include "tests/logging/temporary_folder.hpp"
@@ -24,6 +26,7 @@ namespace surefoot::logging {
 namespace {
 
 using nlohmann::json;
+using test::bits;
 using test::contents;
 using test::expect_same;
 using test::holds;
@@ -132,6 +135,53 @@ TEST(Recorder, TheHeaderIsReadBack) {
   EXPECT_EQ(json::parse(header.options), json::parse(expected.options));
   ASSERT_EQ(header.attachments.size(), 1u);
   EXPECT_EQ(header.attachments[0].data, expected.attachments[0].data);
+}
+
+/// The header and a tick of a robot with six legs.
+std::pair<LogHeader, TickRecord> hexapod() {
+  LogHeader header = SyntheticRun::header();
+  header.robot.num_legs = kMaxLegs;
+  header.robot.joint_names.resize(kMaxLegs * kJointsPerLeg, "joint");
+  header.robot.torque_limit.setConstant(kMaxLegs * kJointsPerLeg, 40.0);
+  SyntheticRun run;
+  run.step();
+  TickRecord tick = run.tick;
+  size_joints(tick, kMaxLegs * kJointsPerLeg);
+  tick.reading.foot_force = per_leg(90.0, kMaxLegs);
+  tick.state.slips = per_leg(true, kMaxLegs);
+  for (PerLeg<Vec3>* list : {&tick.state.foot_force, &tick.state.slip_velocity, &tick.model.p_WF,
+                             &tick.model.p_WH, &tick.model.force})
+    *list = per_leg(Vec3(1.0, 2.0, 3.0), kMaxLegs);
+  tick.plan.feet.resize(kMaxLegs);
+  tick.plan.feet[5].phase = LegPhase::swing;
+  tick.plan.events = {};
+  tick.plan.events.add({.kind = PlanEvent::lift_off, .leg = Leg{5}});
+  return {header, tick};
+}
+
+TEST(Recorder, ALogOfSixLegsIsReadBack) {
+  const TemporaryFolder folder;
+  const auto [header, tick] = hexapod();
+  Recorder recorder(folder / "run.mcap", header);
+  recorder.record(tick);
+  recorder.close("{}");
+  LogReader log(folder / "run.mcap");
+  EXPECT_EQ(log.header().robot.num_legs, kMaxLegs);
+  TickRecord read;
+  ASSERT_TRUE(log.next(read));
+  EXPECT_EQ(bits(read.reading), bits(tick.reading));
+  EXPECT_EQ(bits(read.state), bits(tick.state));
+  EXPECT_EQ(bits(read.plan), bits(tick.plan));
+  EXPECT_EQ(bits(read.model), bits(tick.model));
+  EXPECT_EQ(read.plan.events.items[0].leg, Leg{5});
+}
+
+TEST(Recorder, TheHeaderNamesLegsOnlyOfARobotWithSix) {
+  EXPECT_FALSE(json::parse(to_json(SyntheticRun::header())).at("robot").contains("legs"));
+  json header = json::parse(to_json(hexapod().first));
+  EXPECT_EQ(header.at("robot").at("legs"), json({"LF", "RF", "LM", "RM", "LH", "RH"}));
+  header["robot"]["legs"] = {"LF", "RF", "LM", "RM", "LH"};
+  EXPECT_THROW((void)read_log_header("run.mcap", header.dump()), FileError);
 }
 
 TEST(Recorder, RunsThatDifferInTheirTimingsAloneAreTheSameBytesUpToTheTimings) {

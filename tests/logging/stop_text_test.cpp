@@ -35,6 +35,16 @@ TEST(StopText, IsThatOfTheTableForEveryCauseAndFault) {
   }
 }
 
+TEST(StopText, NamesTheJointsOfTheRobotsLegs) {
+  const auto text = [](int joint, int num_legs) {
+    return text_of_stop(StopCause::encoders, SampleFault::jump, joint, num_legs);
+  };
+  EXPECT_EQ(text(6, 4), "encoder LH_HAA changed too fast");
+  EXPECT_EQ(text(6, 6), "encoder LM_HAA changed too fast");
+  EXPECT_EQ(text(18, 6), "encoder of arm joint 1 changed too fast");
+  EXPECT_EQ(std::ranges::count(stop_texts(), text(6, 6)), 1);
+}
+
 TEST(StopText, IsOneOfTheTextsThatThePageKnowsByTheirNumbers) {
   const std::vector<std::string>& all = stop_texts();
   EXPECT_EQ(all.front(), "");

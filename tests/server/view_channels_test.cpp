@@ -51,6 +51,20 @@ TEST(ViewChannels, a_list_whose_numbers_have_several_units_has_none_and_says_whi
   EXPECT_EQ(channel(table, "truth.ctrl").unit, "N·m");
 }
 
+TEST(ViewChannels, six_legs_have_theirs) {
+  MotionPlan plan;
+  plan.feet.resize(kMaxLegs);
+  plan.feet[index(Leg{3})].friction = 0.25;
+  ViewChannels table;
+  table.num_legs = kMaxLegs;
+  logged::ChannelLister(table).add("plan", plan);
+  constexpr float kUnwritten = 1234.5F;
+  std::vector<float> floats(table.floats, kUnwritten);
+  logged::ChannelWriter(table, floats).add(plan);
+  EXPECT_EQ(floats.at(channel(table, "plan.feet.RM.friction").offset), 0.25F);
+  EXPECT_EQ(std::ranges::count(floats, kUnwritten), 0);
+}
+
 TEST(ViewChannels, channels_lie_one_behind_the_other) {
   const ViewChannels table = table_of_plan();
   std::size_t next = 0;
@@ -70,7 +84,8 @@ TEST(ViewChannels, the_floats_of_a_signal_stand_where_its_channels_say) {
   plan.R_WC(1, 2) = 7.0;
   plan.com_zmp_slack = kNaN;
   plan.arm.arm = 2;
-  std::vector<float> floats(table.floats, -1.0F);
+  constexpr float kUnwritten = 1234.5F;
+  std::vector<float> floats(table.floats, kUnwritten);
   logged::ChannelWriter(table, floats).add(plan);
   const auto at = [&](const std::string& name, std::size_t place) {
     return floats[channel(table, name).offset + place];
@@ -81,7 +96,7 @@ TEST(ViewChannels, the_floats_of_a_signal_stand_where_its_channels_say) {
   EXPECT_EQ(at("plan.torso.q_WB", 3), 0.75F);
   EXPECT_EQ(at("plan.R_WC", 5), 7.0F);
   EXPECT_TRUE(std::isnan(at("plan.com_zmp_slack", 0)));
-  EXPECT_EQ(std::ranges::count(floats, -1.0F), 0) << "all are written";
+  EXPECT_EQ(std::ranges::count(floats, kUnwritten), 0) << "all are written";
 }
 
 TEST(ViewChannels, levels_have_their_channels_by_name_whatever_their_order) {

@@ -67,7 +67,7 @@ export class DrivePanel {
       this.axis("forward", "Forward", "m/s", "w", "s"), this.axis("left", "To the left", "m/s", "a", "d"),
       this.axis("turn", "Turn left", "rad/s", "q", "e"), this.axis("height", "Torso height", "m", "PgUp", "PgDn"),
       h("div", { class: "row" },
-        h("button", { id: "stand", title: "stand on four feet (x)", onclick: () => this.stand() }, "Stand"),
+        h("button", { id: "stand", title: "stand on all feet (x)", onclick: () => this.stand() }, "Stand"),
         h("button", { id: "give-back", title: "the scenario commands again (g)", onclick: () => this.giveBack() }, "Back to the scenario")),
     );
     root.append(this.viewOnly, this.controls);

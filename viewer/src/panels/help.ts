@@ -22,7 +22,7 @@ const DRIVING: Key[] = [
   ["w s a d", "walk forward, backward, to the left, to the right: 0.01 m/s a press, held on and on"],
   ["q e", "turn to the left, to the right"],
   ["PgUp PgDn", "torso higher or lower"],
-  ["x", "stand on four feet"],
+  ["x", "stand on all feet"],
   ["g", "back to the scenario's commands"],
   ["p", "push, as the panel Drive says"],
 ];
