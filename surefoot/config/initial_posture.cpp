@@ -64,7 +64,7 @@ JointVector posture_of(const model::RobotModel& model, const gaits::StanceOption
   JointVector q = model.description().q_nominal;
   for (const Leg leg : kLegs) {
     Vec3 p_BF;
-    p_BF << gaits::nominal_offset(stance, leg), -stance.height;
+    p_BF << gaits::nominal_offset(stance, leg, model.description().num_legs()), -stance.height;
     Vec3 q_leg = Vec3::Zero();
     if (!model.inverse_kinematics(leg, p_BF, knee_side(model.description(), leg, stance.knees),
                                   q_leg)) {

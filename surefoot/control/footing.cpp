@@ -123,7 +123,7 @@ JointVector Footing::posture_at(const model::RobotModel& model, double height) c
     const double knee = kGuessKnee * knees_[index(leg)];
     const double hip = std::copysign(kGuessHip, nominal.y() * nominal.z() * knee);
     Vec3 p_BF, q_leg;
-    p_BF << gaits::nominal_offset(stance_, leg), -height;
+    p_BF << gaits::nominal_offset(stance_, leg, robot.num_legs()), -height;
     (void)model.inverse_kinematics(leg, p_BF, Vec3(nominal.x(), hip, knee), q_leg);
     result.segment<3>(first_joint(leg)) = q_leg;
   }

@@ -38,7 +38,7 @@ std::string urdf_seen_from(const Diagnosis& robot, const std::filesystem::path& 
 const Foot& foot_of_all(const PerLeg<FoundLeg>& legs) {
   const auto has_sphere = [](const FoundLeg& leg) { return leg.foot.guessed_from.empty(); };
   const auto found = std::ranges::find_if(legs, has_sphere);
-  return found == legs.end() ? legs.front().foot : found->foot;
+  return found == legs.end() ? legs[0].foot : found->foot;
 }
 
 std::string arm_lines(const Anatomy& anatomy) {

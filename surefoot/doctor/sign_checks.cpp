@@ -66,7 +66,7 @@ void check_joint(Diagnosis& robot, std::size_t joint) {
 /// Legs whose knees bend to one side only, told together.
 void tell_knees(Diagnosis& robot, const char* side, const std::string& legs) {
   if (legs.empty()) return;
-  const model::UrdfJoint& knee = robot.anatomy.legs->front().joints[2];
+  const model::UrdfJoint& knee = (*robot.anatomy.legs)[0].joints[2];
   const bool never = std::string_view(side) == name(KneeSides{});
   robot.findings.push_back(
       {never ? Severity::error : Severity::note, Confidence::certain, "knees", knee.line,

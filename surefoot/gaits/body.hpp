@@ -37,7 +37,7 @@ struct Body {
         scale(robot),
         legs(given, control_period, robot),
         footholds(given.stance, given.foothold, robot),
-        grip(given.grip, given.force.friction, control_period, robot),
+        grip(given.grip, given.force.friction, control_period, robot, given.gait.num_legs()),
         balance(given.push, control_period),
         com(given.com, given.force, robot) {}
 
@@ -48,7 +48,7 @@ struct Body {
   /// Forgets all of the ground but the present footholds.
   void learn_ground() {
     footholds.forget();
-    for (const Leg k : kLegs) footholds.remember(k, legs[k].foothold());
+    for (const Leg k : legs.all()) footholds.remember(k, legs[k].foothold());
     fit_plane();
   }
   /// Factor ≥ 1 on the gait's durations for low friction; accelerations fall with its square.

@@ -8,7 +8,7 @@ ComHorizon::ComHorizon(const Situation& now, bool recovers)
   const Body& body = now.body;
   const Vec2 com = now.dynamics.com.p.head<2>();
   if (recovers || body.balance.is_pushed()) phase_.zmp_margin_max = body.options.push.zmp_margin;
-  for (const Leg k : kLegs) {
+  for (const Leg k : feet_.legs()) {
     const std::size_t i = index(k);
     const LegMotion& leg = body.legs[k];
     const Vec3& hip = now.dynamics.hip[i].p;

@@ -29,7 +29,7 @@ class ComHorizon {
  private:
   double ground_;  // under the COM [m]
   PerLeg<Vec3> feet_;
-  SupportPhase phase_;
+  SupportPhase phase_{static_cast<int>(feet_.size())};
   ComProblem problem_;
 };
 

@@ -34,7 +34,7 @@ void carry_out(const Action& action, const Situation& now, Body& body) {
     body.fit_plane();
   }
   if (action.reloads) body.legs[*action.reloads].reload(now.time);
-  for (const Leg k : kLegs) {
+  for (const Leg k : body.legs.all()) {
     const Vec3& v_WF = now.dynamics.foot[index(k)].v;
     if (action.searches[index(k)])
       body.legs[k].search(now.time, now.foot(k), v_WF, body.plane.normal);
@@ -56,7 +56,7 @@ bool observe_grip(const Situation& now, Body& body) {
 }  // namespace
 
 void Gait::observe(Situation& now, Body& body) {
-  for (const Leg k : kLegs) {
+  for (const Leg k : body.legs.all()) {
     const LegEvent event = observe_leg(k, now, body);
     now.gait = status(body);
     if (const auto action = react_to_leg(event, now, k)) act(*action, now, body);

@@ -17,7 +17,10 @@ Planner::Planner(const PlannerOptions& options, double period, const Scale& scal
       torso_(options.torso, period),
       friction_frame_(options.friction_frame, period),
       calibration_(options.calibration, scale),
-      rest_(scale) {}
+      rest_(scale),
+      hips_(options.gait.num_legs(), Vec2::Zero()) {
+  plan_.feet.resize(options.gait.num_legs());
+}
 
 void Planner::begin_anew(const Planner& fresh) {
   const int steps_taken = body_.steps_taken;
@@ -52,7 +55,7 @@ void Planner::initialise(const RobotState& state, const model::Dynamics& dynamic
   restarts_ = false;
   calibration_.begin(state.time);
   yaw_ = surefoot::yaw(state.R_WB());
-  for (const Leg k : kLegs) {
+  for (const Leg k : body_.legs.all()) {
     body_.legs[k].plant(state.time, dynamics.foot[index(k)].p, true);
     const Vec3 hip = rotation_about_z(-yaw_) * (dynamics.hip[index(k)].p - state.p_WB);
     hips_[index(k)] = hip.head<2>();
@@ -122,7 +125,7 @@ void Planner::finish_calibration(const RobotState& state) {
 
 void Planner::write_plan(const Situation& now) {
   plan_.time = now.time;
-  for (const Leg k : kLegs) {
+  for (const Leg k : body_.legs.all()) {
     plan_.feet[index(k)] = body_.legs[k].plan(now.time);
     plan_.feet[index(k)].friction = body_.grip.friction(k);
   }
@@ -139,7 +142,8 @@ void Planner::write_plan(const Situation& now) {
 }
 
 bool Planner::is_undisturbed(const RobotState& state) const {
-  return plan_.num_contacts() == kNumLegs && std::ranges::none_of(state.slips, std::identity{}) &&
+  return plan_.num_contacts() == body_.options.gait.num_legs() &&
+         std::ranges::none_of(state.slips, std::identity{}) &&
          state.external_force.head<2>().isZero();
 }
 

@@ -17,10 +17,11 @@ constexpr NumberRange kMaxTilt{.min = 0.0, .max = 1.5, .words = "from 0 to 1.5 r
 constexpr NumberRange kTilt{.min = 0.0, .max = 0.3, .words = "from 0 to 0.3 rad"};
 
 Order order_of(PerLeg<Leg>& order) {
-  Order result{.names = {kLegNames.begin(), kLegNames.end()},
+  const auto names = leg_names(static_cast<int>(order.size()));
+  Order result{.names = {names.begin(), names.end()},
                .set =
                    [&order](const std::vector<std::size_t>& legs) {
-                     for (std::size_t i = 0; i < order.size(); ++i) order[i] = kLegs[legs[i]];
+                     for (std::size_t i = 0; i < order.size(); ++i) order[i] = kAllLegs[legs[i]];
                    },
                .given = {},
                .what = "leg"};
@@ -241,6 +242,14 @@ void check_hip_height(const PlannerOptions& o, const Given& given) {
 }
 
 }  // namespace
+
+PerLeg<Leg> usual_order(int num_legs) {
+  PerLeg<Leg> result(num_legs, Leg::LF);
+  const int pairs = num_legs / 2;
+  for (int i = 0; i < num_legs; ++i)
+    result[static_cast<std::size_t>(i)] = static_cast<Leg>(2 * (pairs - 1 - i % pairs) + i / pairs);
+  return result;
+}
 
 Group fields(PlannerOptions& o) {
   return Group{{"calibration", fields(o.calibration), "turning on the spot, for the estimator"},

@@ -21,11 +21,16 @@ struct StanceOptions {
   KneeConfiguration knees = KneeConfiguration::x;
 };
 
+/// From the hind leg to the front one, first on the left side.
+[[nodiscard]] PerLeg<Leg> usual_order(int num_legs);
+
 /// Order and timing of the walk.
 struct GaitOptions {
-  PerLeg<Leg> order{Leg::LH, Leg::LF, Leg::RH, Leg::RF};
+  PerLeg<Leg> order = usual_order(kNumLegs);
   double swing_duration = 0.5;
   double same_side_duration = 0.3, switch_duration = 0.6, start_duration = 1.0;
+
+  [[nodiscard]] int num_legs() const { return static_cast<int>(order.size()); }
 };
 
 /// Contact forces at phase changes, Eq. (30).

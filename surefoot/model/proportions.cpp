@@ -48,13 +48,14 @@ double longest(double from, double to, const std::function<double(double q_knee)
 
 Proportions proportions_of(const RobotModel& model) {
   Proportions result;
+  result.num_legs = model.description().num_legs();
   result.leg = kInfinity;
-  for (const Leg leg : kLegs) {
+  for (const Leg leg : first_legs(result.num_legs)) {
     const Vec3 hip = model.hip_in_base(leg, Vec3::Zero());
     result.leg = std::min(result.leg, leg_length(model, leg));
-    result.half_length += std::abs(hip.x()) / kNumLegs;
-    result.half_width += std::abs(model.foot_in_base(leg, Vec3::Zero()).y()) / kNumLegs;
-    result.hip_height += hip.z() / kNumLegs;
+    if (is_front(leg) || is_hind(leg, result.num_legs)) result.half_length += std::abs(hip.x()) / 4;
+    result.half_width += std::abs(model.foot_in_base(leg, Vec3::Zero()).y()) / result.num_legs;
+    result.hip_height += hip.z() / result.num_legs;
   }
   result.mass = model.mass();
   return result;
@@ -68,7 +69,9 @@ Scale scale_of(const Proportions& robot) {
   scale.half_width = ratio(robot.half_width, kReference.half_width);
   const double hip_height = robot.hip_height - scale.length * kReference.hip_height;
   scale.hip_height = std::abs(hip_height) < kRounding ? 0.0 : hip_height;
-  scale.stride = std::min(1.0, scale.half_length / scale.length);
+  const int pairs = robot.num_legs / 2;  // hips stand closer, and a cycle has more swings
+  const double gap = scale.half_length / (pairs - 1);
+  scale.stride = std::min(1.0, gap / scale.length) * (2.0 / pairs);
   return scale;
 }
 

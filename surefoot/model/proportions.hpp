@@ -9,10 +9,11 @@ namespace surefoot::model {
 
 /// The lengths and the mass of a robot that its walk goes with.
 struct Proportions {
+  int num_legs = kNumLegs;
   double leg = 0.0;   ///< HFE axis to sphere centre, across the axis, the knee as straight as its
                       ///< limits allow [m]
   double mass = 0.0;  ///< [kg]
-  double half_length = 0.0;  ///< |x| of the HFE axes in B, mean of the legs [m]
+  double half_length = 0.0;  ///< |x| of the HFE axes in B, mean of the front and hind legs [m]
   double half_width = 0.0;   ///< |y| of the feet in B at q = 0, mean of the legs [m]
   double hip_height = 0.0;   ///< z of the HFE axes in B, mean of the legs [m]
 };

@@ -106,9 +106,10 @@ using GeneralizedVector =
 }
 /// Is it one of the foremost pair?
 [[nodiscard]] constexpr bool is_front(Leg leg) { return static_cast<int>(leg) < 2; }
+[[nodiscard]] constexpr bool is_hind(Leg leg, int num_legs) {
+  return static_cast<int>(leg) >= num_legs - 2;
+}
 [[nodiscard]] constexpr bool is_left(Leg leg) { return static_cast<int>(leg) % 2 == 0; }
-/// The next leg before a hind one, on its side.
-[[nodiscard]] constexpr Leg before(Leg leg) { return static_cast<Leg>(static_cast<int>(leg) - 2); }
 /// The leg on the same side, as far from the other end.
 [[nodiscard]] constexpr Leg same_side(Leg leg, int num_legs = kNumLegs) {
   const int k = static_cast<int>(leg);

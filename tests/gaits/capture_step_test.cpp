@@ -13,7 +13,7 @@ constexpr double kReach = 0.3;  // [m]
 /// The feet of a nominal stance, hips over them, and a robot that tips to the left by `out`.
 CaptureProblem tipping_left(double out) {
   CaptureProblem problem;
-  for (const Leg leg : kLegs) problem.feet[index(leg)] = nominal_offset({}, leg);
+  for (const Leg leg : kLegs) problem.feet[index(leg)] = nominal_offset({}, leg, kNumLegs);
   const double edge = problem.feet[index(Leg::LF)].y();
   problem.capture_point = {0.0, edge + out};
   problem.reach = kReach;

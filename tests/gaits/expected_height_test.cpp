@@ -18,7 +18,7 @@ struct OnTwoLevels {
       : planner({}, {.bounded_by_feet = bounded}) {
     for (const Leg leg : kLegs) {
       const double z = is_front(leg) ? rise : 0.0;
-      feet[index(leg)] << nominal_offset({}, leg), z;
+      feet[index(leg)] << nominal_offset({}, leg, kNumLegs), z;
       planner.remember(leg, feet[index(leg)] - Vec3(0.15, 0.0, z));
       planner.remember(leg, feet[index(leg)]);
     }
@@ -67,7 +67,7 @@ TEST(FootholdPlanner, OnASlopeInAnyDirectionGroundIsExpectedWhereItIs) {
     FootholdPlanner planner({}, {});
     PerLeg<Vec3> feet;
     for (const Leg leg : kLegs) {
-      const Vec2 place = turned(yaw, nominal_offset({}, leg));
+      const Vec2 place = turned(yaw, nominal_offset({}, leg, kNumLegs));
       planner.remember(leg, on_slope(place - turned(yaw, {0.12, 0.0})));
       feet[index(leg)] = on_slope(place);
       planner.remember(leg, feet[index(leg)]);

@@ -22,10 +22,10 @@ const FootholdOptions kWithoutPrints{.hind_use_front_prints = false};
 
 TEST(FootholdPlanner, TheNominalStanceIsARectangle) {
   const StanceOptions stance{.half_length = 0.3, .half_width = 0.2};
-  EXPECT_EQ(nominal_offset(stance, Leg::LF), Vec2(0.3, 0.2));
-  EXPECT_EQ(nominal_offset(stance, Leg::RF), Vec2(0.3, -0.2));
-  EXPECT_EQ(nominal_offset(stance, Leg::LH), Vec2(-0.3, 0.2));
-  EXPECT_EQ(nominal_offset(stance, Leg::RH), Vec2(-0.3, -0.2));
+  EXPECT_EQ(nominal_offset(stance, Leg::LF, kNumLegs), Vec2(0.3, 0.2));
+  EXPECT_EQ(nominal_offset(stance, Leg::RF, kNumLegs), Vec2(0.3, -0.2));
+  EXPECT_EQ(nominal_offset(stance, Leg::LH, kNumLegs), Vec2(-0.3, 0.2));
+  EXPECT_EQ(nominal_offset(stance, Leg::RH, kNumLegs), Vec2(-0.3, -0.2));
 }
 
 TEST(FootholdPlanner, SteppingOnTheSpotStaysOnTheSpot) {
@@ -166,7 +166,7 @@ struct Hind {
   explicit Hind(const std::vector<Vec3>& prints, const FootholdOptions& options = {})
       : walker(options) {
     walker.ground = 0.0;
-    walker.stand(-nominal_offset(walker.stance, Leg::LH), 0.0);
+    walker.stand(-nominal_offset(walker.stance, Leg::LH, kNumLegs), 0.0);
     for (const Vec3& print : prints) walker.planner.remember(Leg::LF, print);
   }
   /// Nominally at x = 0.15.

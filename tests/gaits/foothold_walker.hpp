@@ -28,7 +28,8 @@ struct Walker {
   void stand(const Vec2& center, double heading) {
     yaw = heading;
     for (const Leg leg : kLegs) {
-      feet[index(leg)] << center + turned(yaw, gaits::nominal_offset(stance, leg)), ground;
+      feet[index(leg)] << center + turned(yaw, gaits::nominal_offset(stance, leg, kNumLegs)),
+          ground;
     }
   }
   [[nodiscard]] estimation::TerrainPlane plane() const {
@@ -51,7 +52,7 @@ struct Walker {
   }
   /// Where the stance's middle is, from a foot's own place in it.
   [[nodiscard]] Vec2 center_by(Leg leg) const {
-    return feet[index(leg)].head<2>() - turned(yaw, gaits::nominal_offset(stance, leg));
+    return feet[index(leg)].head<2>() - turned(yaw, gaits::nominal_offset(stance, leg, kNumLegs));
   }
   [[nodiscard]] Vec2 center() const {
     Vec2 sum = Vec2::Zero();

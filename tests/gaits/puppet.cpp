@@ -37,7 +37,8 @@ Puppet::Puppet(const gaits::PlannerOptions& options, Ground terrain, const Vec2&
   double mean = 0.0;
   for (const Leg leg : kLegs) {
     Vec3& p = dynamics_.foot[index(leg)].p;
-    p.head<2>() = position + R.topLeftCorner<2, 2>() * gaits::nominal_offset(options.stance, leg);
+    p.head<2>() =
+        position + R.topLeftCorner<2, 2>() * gaits::nominal_offset(options.stance, leg, kNumLegs);
     p.z() = ground(p.head<2>());
     dynamics_.hip[index(leg)].p = p + leg_length * Vec3::UnitZ();
     mean += 0.25 * p.z();

@@ -40,7 +40,7 @@ bool Crawl::waits(const Body& body) const {
 }
 
 bool Crawl::has_lost_contact(const Body& body) const {
-  return std::ranges::any_of(kLegs, [&](Leg k) {
+  return std::ranges::any_of(body.legs.all(), [&](Leg k) {
     const bool swings = state_ == CrawlState::swing && k == steps_.next();
     return !swings && !body.legs[k].down();
   });
@@ -185,7 +185,7 @@ void Crawl::plan_com(const Situation& now, Body& body) {
   ComHorizon ahead(now, recovers_);
   const bool swings = state_ == CrawlState::swing;
   if (swings) ahead.add(std::max(deadline_ - now.time, body.period), true);
-  for (const Leg k : kLegs) {
+  for (const Leg k : body.legs.all()) {
     const bool is_next = swings && k == steps_.next();
     if (!ahead.is_down(k)) ahead.land(k, is_next ? body.legs[k].target().goal : now.foot(k));
   }

@@ -15,11 +15,11 @@ constexpr double kMinWidening = 0.01;  // of the support, by another leg's step 
 
 /// Throws Error unless the order has each leg once: a search for a missing leg would not end.
 const GaitOptions& checked(const GaitOptions& gait) {
-  for (const Leg k : kLegs) {
+  for (const Leg k : gait.order.legs()) {
     const auto count = std::ranges::count(gait.order, k);
     if (count == 1) continue;
-    throw Error("gait.order has " + std::string(kLegNames[index(k)]) + " " + std::to_string(count) +
-                " times; it must have each of LF, RF, LH, RH once");
+    throw Error("gait.order has " + std::string(leg_name(k, gait.num_legs())) + " " +
+                std::to_string(count) + " times; it must have each leg once");
   }
   return gait;
 }
@@ -42,18 +42,18 @@ StepSequence::StepSequence(const GaitOptions& gait, const ProbeOptions& probe)
     : gait_(checked(gait)), probe_(probe) {}
 
 Leg StepSequence::next(int ahead) const {
-  const Leg k = gait_.order[static_cast<std::size_t>((cursor_ + ahead) % kNumLegs)];
-  return backward_ ? same_side(k) : k;
+  const Leg k = gait_.order[static_cast<std::size_t>((cursor_ + ahead) % gait_.num_legs())];
+  return backward_ ? same_side(k, gait_.num_legs()) : k;
 }
 
 double StepSequence::support_duration(double pace, int ahead) const {
-  const bool same_side = is_left(next(ahead)) == is_left(next(ahead + kNumLegs - 1));
+  const bool same_side = is_left(next(ahead)) == is_left(next(ahead + gait_.num_legs() - 1));
   return pace * (same_side ? gait_.same_side_duration : gait_.switch_duration);
 }
 
 double StepSequence::cycle_duration(double pace) const {
   double sum = 0.0;
-  for (int i = 0; i < kNumLegs; ++i)
+  for (int i = 0; i < gait_.num_legs(); ++i)
     sum += support_duration(pace, i) + swing_duration(pace, next(i));
   return sum;
 }
@@ -63,14 +63,13 @@ std::optional<Leg> leg_for_wider_support(const Situation& now, const StepSequenc
   const double enough = body.options.com.rest_margin;
   const Leg next = steps.next();
   const PerLeg<Vec3> feet = body.legs.footholds();
-  PerLeg<Vec2> places;
-  for (const Leg k : kLegs) places[index(k)] = feet[index(k)].head<2>();
+  const PerLeg<Vec2> places = on_the_ground(feet);
   double widest = inradius_without(next, places);
   if (widest > enough) return {};
   widest += body.scale.length * kMinWidening;
   const double cycle = steps.cycle_duration(body.pace());
   std::optional<Leg> first;
-  for (const Leg k : kLegs) {
+  for (const Leg k : feet.legs()) {
     if (k == next || inradius_without(k, places) < enough) continue;
     PerLeg<Vec2> after = places;
     after[index(k)] =

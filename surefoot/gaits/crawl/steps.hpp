@@ -13,7 +13,7 @@ class StepSequence {
 
   /// The present or next swing leg, or the one `ahead` swings later.
   [[nodiscard]] Leg next(int ahead = 0) const;
-  void advance() { cursor_ = (cursor_ + 1) % kNumLegs; }
+  void advance() { cursor_ = (cursor_ + 1) % gait_.num_legs(); }
   /// Makes this leg the next one.
   void go_on_with(Leg leg) {
     while (next() != leg) advance();
@@ -35,8 +35,8 @@ class StepSequence {
   bool backward_ = false;
 };
 
-/// If the support triangle is too thin for the next swing: another leg whose step to its nominal
-/// place is possible and widens the triangle.
+/// If the support of the other feet is too thin for the next swing: another leg whose step to its
+/// nominal place is possible and widens it.
 [[nodiscard]] std::optional<Leg> leg_for_wider_support(const Situation& now,
                                                        const StepSequence& steps);
 

@@ -45,7 +45,7 @@ solver::Hierarchy make_hierarchy(std::size_t num_phases) {
   solver::Hierarchy hierarchy(kUnknownsPerKnot * phases);
   const int region_rows = samples * SupportRegion::kMaxEdges;
   hierarchy.add_level("zmp in the support region",
-                      region_rows + samples * (kFrictionRows + kNumLegs));
+                      region_rows + samples * (kFrictionRows + kMaxLegs));
   hierarchy.add_level("capture point in the support region", region_rows);
   hierarchy.add_level("least acceleration", phases * kGaussPoints * 2 + kUnknownsPerKnot);
   return hierarchy;
@@ -176,7 +176,7 @@ void ComPlanner::write_reach_rows(solver::Level& level, std::size_t phase,
   const SupportPhase& support = problem_.phases[phase];
   const HermiteWeights w = hermite_position(t, support.duration);
   const Vec2 com = evaluate(phase, t).p;
-  for (std::size_t leg = 0; leg < kNumLegs; ++leg) {
+  for (std::size_t leg = 0; leg < support.feet.size(); ++leg) {
     const Vec2 from_foot = com + support.hips[leg] - support.feet[leg];
     if (!support.down[leg] || from_foot.norm() < kReachShare * support.reach[leg]) continue;
     const Vec2 direction = from_foot.normalized();
@@ -240,8 +240,8 @@ double ComPlanner::share(const SupportPhase& phase, std::size_t leg, double t,
 }
 
 SupportRegion ComPlanner::region_at(const SupportPhase& phase, double t) const noexcept {
-  PerLeg<double> shares{};
-  for (std::size_t leg = 0; leg < kNumLegs; ++leg)
+  PerLeg<double> shares = phase.heights;
+  for (std::size_t leg = 0; leg < shares.size(); ++leg)
     shares[leg] = share(phase, leg, t, problem_.weight);
   return SupportRegion(phase.feet, shares, phase.heights);
 }

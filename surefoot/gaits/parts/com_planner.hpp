@@ -16,16 +16,26 @@ namespace surefoot::gaits {
 /// A phase of the gait with one set of feet down. Places are x and y in W [m], times are relative
 /// to the phase's begin [s].
 struct SupportPhase {
+  SupportPhase() : SupportPhase(kNumLegs) {}
+  explicit SupportPhase(int num_legs)
+      : feet(num_legs, Vec2::Zero()),
+        heights(num_legs, 0.0),
+        down(num_legs, false),
+        loaded_for(num_legs, 0.0),
+        lifts_in(num_legs, kNever),
+        hips(num_legs, Vec2::Zero()),
+        reach(num_legs, kInfinity) {}
+
   double duration = 0.0;
-  PerLeg<Vec2> feet = per_leg(Vec2(0.0, 0.0));  ///< footholds
-  PerLeg<double> heights{};     ///< of the footholds over the reference of `height` [m]
-  PerLeg<bool> down{};          ///< carries force for (part of) this phase
-  PerLeg<double> loaded_for{};  ///< since touchdown; ramps f_max up
-  PerLeg<double> lifts_in = per_leg(kNever);    ///< to lift-off; ramps down
-  PerLeg<Vec2> hips = per_leg(Vec2(0.0, 0.0));  ///< from the COM
-  PerLeg<double> reach = per_leg(kInfinity);    ///< of a foot from its hip, horizontally [m]
-  double zmp_margin_max = kInfinity;            ///< upper limit of zmp_margin [m]
-  bool must_rest = false;  ///< capture point stays inside, as the phase may last longer
+  PerLeg<Vec2> feet;                  ///< footholds
+  PerLeg<double> heights;             ///< of the footholds over the reference of `height` [m]
+  PerLeg<bool> down;                  ///< carries force for (part of) this phase
+  PerLeg<double> loaded_for;          ///< since touchdown; ramps f_max up
+  PerLeg<double> lifts_in;            ///< to lift-off; ramps down
+  PerLeg<Vec2> hips;                  ///< from the COM
+  PerLeg<double> reach;               ///< of a foot from its hip, horizontally [m]
+  double zmp_margin_max = kInfinity;  ///< upper limit of zmp_margin [m]
+  bool must_rest = false;             ///< capture point stays inside, as the phase may last longer
 };
 
 /// External load on the robot besides weight and contact: moves the ZMP by h · force + moment.

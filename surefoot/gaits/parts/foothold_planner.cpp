@@ -62,13 +62,16 @@ Vec3 FootholdPlanner::foothold(Leg leg, const PerLeg<Vec3>& footholds,
                                const UserCommand& user, double cycle_duration) const {
   const Mat2 R = rotation_about_z(yaw).topLeftCorner<2, 2>();
   Vec2 center = Vec2::Zero();
-  for (const Leg other : kLegs) {
-    center += (footholds[index(other)].head<2>() - R * nominal_offset(stance_, other)) / kNumLegs;
+  const int num_legs = static_cast<int>(footholds.size());
+  for (const Leg other : footholds.legs()) {
+    center += (footholds[index(other)].head<2>() - R * nominal_offset(stance_, other, num_legs)) /
+              num_legs;
   }
   const double ahead = kStrideShare * cycle_duration;
   const Mat2 R_ahead = rotation_about_z(yaw + ahead * user.yaw_rate).topLeftCorner<2, 2>();
   const Vec3& from = footholds[index(leg)];
-  const Vec2 goal = center + R_ahead * nominal_offset(stance_, leg) + ahead * (R * user.velocity);
+  const Vec2 goal =
+      center + R_ahead * nominal_offset(stance_, leg, num_legs) + ahead * (R * user.velocity);
   const Vec2 near = limit_stretch(leg, goal, footholds, R.col(0));
   const Vec2 step = clip_norm<2>(near - from.head<2>(), options_.max_step);
   Vec3 nominal;
@@ -101,12 +104,15 @@ double FootholdPlanner::last_slope(const Prints& prints) const {
   return kInfinity;
 }
 
-// Keeps a front foot near the hind foot that steps in its prints.
+// Keeps a front foot near the next foot on its side, which steps in its prints.
 Vec2 FootholdPlanner::limit_stretch(Leg leg, const Vec2& goal, const PerLeg<Vec3>& footholds,
                                     const Vec2& heading) const {
   if (!is_front(leg) || !options_.hind_use_front_prints) return goal;
-  const double ahead = heading.dot(goal - footholds[index(same_side(leg))].head<2>());
-  return goal - std::max(0.0, ahead - 2.0 * stance_.half_length - options_.stretch_max) * heading;
+  const int num_legs = static_cast<int>(footholds.size());
+  const Leg next = static_cast<Leg>(static_cast<int>(leg) + 2);
+  const double ahead = heading.dot(goal - footholds[index(next)].head<2>());
+  const double apart = 2.0 * stance_.half_length / (num_legs / 2 - 1);
+  return goal - std::max(0.0, ahead - apart - options_.stretch_max) * heading;
 }
 
 void FootholdPlanner::avoid(const Vec3& p_WF) {

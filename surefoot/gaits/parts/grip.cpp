@@ -6,7 +6,7 @@ bool Grip::update(const RobotState& state, const PerLeg<Vec3>& normals_W) {
   began_.fill(false);
   bool changed = false;
   if (!options_.enabled) return false;
-  for (std::size_t k = 0; k < kNumLegs; ++k) {
+  for (std::size_t k = 0; k < friction_.size(); ++k) {
     began_[k] = state.slips[k] && !slid_[k];
     changed = changed || state.slips[k] != slid_[k];
     slid_[k] = state.slips[k];
@@ -29,7 +29,7 @@ void Grip::adapt(double& friction, const Vec3& force, const Vec3& normal_W) cons
 double Grip::mean_friction(const PerLeg<bool>& stands) const {
   double sum = 0.0;
   int standing = 0;
-  for (const Leg k : kLegs) {
+  for (const Leg k : friction_.legs()) {
     if (!stands[index(k)]) continue;
     sum += friction(k);
     ++standing;

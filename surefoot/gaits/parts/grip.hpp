@@ -15,8 +15,14 @@ namespace surefoot::gaits {
 class Grip {
  public:
   /// `period` of the control loop [s], `scale` of the robot.
-  Grip(const GripOptions& options, double friction, double period, const Scale& scale = {})
-      : options_(options), period_(period), scale_(scale) {
+  Grip(const GripOptions& options, double friction, double period, const Scale& scale = {},
+       int num_legs = kNumLegs)
+      : options_(options),
+        period_(period),
+        scale_(scale),
+        friction_(num_legs, friction),
+        slid_(num_legs, false),
+        began_(num_legs, false) {
     expect(friction);
   }
 
@@ -44,8 +50,8 @@ class Grip {
   GripOptions options_;
   double configured_ = 0.0, period_;
   Scale scale_;
-  PerLeg<double> friction_{};
-  PerLeg<bool> slid_{}, began_{};
+  PerLeg<double> friction_;
+  PerLeg<bool> slid_, began_;
 };
 
 }  // namespace surefoot::gaits

@@ -14,10 +14,23 @@ namespace surefoot::gaits {
 /// A time that is never reached [s].
 inline constexpr double kNever = kInfinity;
 
+/// Place of a leg along the torso: 1 for the front pair, −1 for the hind one, evenly between.
+[[nodiscard]] inline double along(Leg leg, int num_legs) {
+  const int pair = static_cast<int>(leg) / 2, last = num_legs / 2 - 1;
+  return 1.0 - 2.0 * pair / last;
+}
+
 /// Foot of the nominal stance relative to the stance's centre, in heading axes [m].
-[[nodiscard]] inline Vec2 nominal_offset(const StanceOptions& stance, Leg leg) {
-  return {is_front(leg) ? stance.half_length : -stance.half_length,
+[[nodiscard]] inline Vec2 nominal_offset(const StanceOptions& stance, Leg leg, int num_legs) {
+  return {along(leg, num_legs) * stance.half_length,
           is_left(leg) ? stance.half_width : -stance.half_width};
+}
+
+/// Feet as seen from above.
+[[nodiscard]] inline PerLeg<Vec2> on_the_ground(const PerLeg<Vec3>& feet) {
+  PerLeg<Vec2> result(static_cast<int>(feet.size()), Vec2::Zero());
+  for (std::size_t k = 0; k < feet.size(); ++k) result[k] = feet[k].head<2>();
+  return result;
 }
 
 /// Height of the hips over the feet in the nominal stance [m].

@@ -125,23 +125,26 @@ class LegMotion {
 class Legs {
  public:
   Legs(const PlannerOptions& options, double period, const Scale& scale)
-      : legs_(per_leg(LegMotion(options, period, scale))) {}
+      : legs_(options.gait.num_legs(), LegMotion(options, period, scale)) {}
 
   [[nodiscard]] LegMotion& operator[](Leg leg) { return legs_[index(leg)]; }
   [[nodiscard]] const LegMotion& operator[](Leg leg) const { return legs_[index(leg)]; }
+  [[nodiscard]] std::span<const Leg> all() const { return legs_.legs(); }
   [[nodiscard]] PerLeg<bool> down() const {
-    PerLeg<bool> result{};
-    for (const Leg k : kLegs) result[index(k)] = (*this)[k].down();
+    PerLeg<bool> result(num_legs(), false);
+    for (const Leg k : all()) result[index(k)] = (*this)[k].down();
     return result;
   }
   [[nodiscard]] bool all_down() const { return std::ranges::all_of(legs_, &LegMotion::down); }
   [[nodiscard]] PerLeg<Vec3> footholds() const {
-    PerLeg<Vec3> result;
-    for (const Leg k : kLegs) result[index(k)] = (*this)[k].foothold();
+    PerLeg<Vec3> result(num_legs(), Vec3::Zero());
+    for (const Leg k : all()) result[index(k)] = (*this)[k].foothold();
     return result;
   }
 
  private:
+  [[nodiscard]] int num_legs() const { return static_cast<int>(legs_.size()); }
+
   PerLeg<LegMotion> legs_;
 };
 

@@ -18,8 +18,9 @@ constexpr double kLagGain = 3.0;        // on what is left of this lag: slows th
 // Direction from the middle of the hind feet to that of the front feet [rad].
 double heading_of(const PerLeg<Vec3>& footholds) {
   Vec2 forward = Vec2::Zero();
-  for (const Leg leg : kLegs)
-    forward += (is_front(leg) ? 0.5 : -0.5) * footholds[index(leg)].head<2>();
+  for (const Leg leg : footholds.legs())
+    forward +=
+        0.5 * along(leg, static_cast<int>(footholds.size())) * footholds[index(leg)].head<2>();
   return std::atan2(forward.y(), forward.x());
 }
 
@@ -37,9 +38,10 @@ double Strides::feasible_share(const UserCommand& user, const PerLeg<Vec2>& hips
                                double cycle_duration) const {
   const double reach = horizontal_reach(swing_, height);
   double share = 1.0;
-  for (const Leg leg : kLegs) {
-    const Vec2 step = stride(leg, user, cycle_duration);
-    const Vec2 from_hip = nominal_offset(stance_, leg) - hips[index(leg)];
+  for (const Leg leg : hips.legs()) {
+    const Vec2 foot = nominal_offset(stance_, leg, static_cast<int>(hips.size()));
+    const Vec2 step = stride(foot, user, cycle_duration);
+    const Vec2 from_hip = foot - hips[index(leg)];
     const double within_reach = longest_stride(from_hip, step.normalized(), reach);
     const double longest = std::min({foothold_.max_step, foothold_.max_stride,
                                      swing_.speed_max * swing_duration_, within_reach});
@@ -50,8 +52,7 @@ double Strides::feasible_share(const UserCommand& user, const PerLeg<Vec2>& hips
   return share;
 }
 
-Vec2 Strides::stride(Leg leg, const UserCommand& user, double cycle_duration) const {
-  const Vec2 foot = nominal_offset(stance_, leg);
+Vec2 Strides::stride(const Vec2& foot, const UserCommand& user, double cycle_duration) {
   const Vec2 turning = user.yaw_rate * Vec2(-foot.y(), foot.x());
   return cycle_duration * (user.velocity + turning);
 }
@@ -60,9 +61,10 @@ double Strides::tallest(const UserCommand& user, const PerLeg<Vec2>& hips,
                         double cycle_duration) const {
   const double length = swing_.reach_max - length_ * kReachReserve;
   double height = length;
-  for (const Leg leg : kLegs) {
-    const Vec2 half = 0.5 * stride(leg, user, cycle_duration);
-    const Vec2 from_hip = nominal_offset(stance_, leg) - hips[index(leg)];
+  for (const Leg leg : hips.legs()) {
+    const Vec2 foot = nominal_offset(stance_, leg, static_cast<int>(hips.size()));
+    const Vec2 half = 0.5 * stride(foot, user, cycle_duration);
+    const Vec2 from_hip = foot - hips[index(leg)];
     const Vec2 most = from_hip.cwiseAbs() + half.cwiseAbs() + Vec2(0.0, length_ * kSway);
     const double furthest = most.norm();
     height = std::min(height, std::sqrt(std::max(0.0, length * length - furthest * furthest)));
@@ -90,14 +92,15 @@ bool Strides::turns_slower(double yaw_rate, double cycle_duration) const {
 // Sideways, in heading axes: there a leg has the least room, and can hit the leg next to it.
 double Strides::side_lag(double side, const PerLeg<Vec3>& footholds, const PerLeg<bool>& down,
                          double yaw) const {
+  const int num_legs = static_cast<int>(footholds.size());
   Vec2 center = Vec2::Zero();
-  for (const Vec3& foothold : footholds) center += foothold.head<2>() / kNumLegs;
+  for (const Vec3& foothold : footholds) center += foothold.head<2>() / num_legs;
   const Vec2 left = rotation_about_z(yaw).col(1).head<2>();
   double furthest = 0.0;
-  for (const Leg leg : kLegs) {
+  for (const Leg leg : footholds.legs()) {
     const Vec2 from_center = footholds[index(leg)].head<2>() - center;
-    const double aside = left.dot(from_center) - nominal_offset(stance_, leg).y();
-    const double behind = side * (is_front(leg) ? -aside : aside);
+    const double aside = left.dot(from_center) - nominal_offset(stance_, leg, num_legs).y();
+    const double behind = -side * along(leg, num_legs) * aside;
     if (down[index(leg)]) furthest = std::max(furthest, behind);
   }
   return furthest;

@@ -47,7 +47,8 @@ class Strides {
 
  private:
   /// In heading axes [m].
-  [[nodiscard]] Vec2 stride(Leg leg, const UserCommand& user, double cycle_duration) const;
+  [[nodiscard]] static Vec2 stride(const Vec2& foot, const UserCommand& user,
+                                   double cycle_duration);
   /// Largest sideways lag of a stance foot in a turn to `side`, 1 or −1 [m].
   [[nodiscard]] double side_lag(double side, const PerLeg<Vec3>& footholds,
                                 const PerLeg<bool>& down, double yaw) const;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <optional>
 
 namespace surefoot::gaits {
 namespace {
@@ -14,18 +15,27 @@ constexpr double kCoincident = 1e-6;  // [m]
 constexpr double kParallel = 1e-6;    // sine of the angle between two edges
 constexpr double kMinTotal = 1.02;    // at 1 the region would be a single point without edges
 
-}  // namespace
-
-double inradius_without(Leg lifted, const PerLeg<Vec2>& feet) {
-  std::array<Vec2, kNumLegs - 1> corner;
-  std::size_t n = 0;
-  for (const Leg k : kLegs) {
-    if (k != lifted) corner[n++] = feet[index(k)];
-  }
-  const Vec2 a = corner[1] - corner[0], b = corner[2] - corner[0];
+double inradius(const Vec2& first, const Vec2& second, const Vec2& third) {
+  const Vec2 a = second - first, b = third - first;
   const double circumference = a.norm() + b.norm() + (b - a).norm();
   const double twice_area = std::abs(a.x() * b.y() - a.y() * b.x());
   return circumference > kCoincident ? twice_area / circumference : 0.0;
+}
+
+}  // namespace
+
+double inradius_without(Leg lifted, const PerLeg<Vec2>& feet) {
+  double widest = 0.0;
+  for (std::size_t i = 0; i < feet.size(); ++i) {
+    for (std::size_t j = i + 1; j < feet.size(); ++j) {
+      for (std::size_t k = j + 1; k < feet.size(); ++k) {
+        const std::size_t without = index(lifted);
+        if (i == without || j == without || k == without) continue;
+        widest = std::max(widest, inradius(feet[i], feet[j], feet[k]));
+      }
+    }
+  }
+  return widest;
 }
 
 SupportRegion::SupportRegion(const PerLeg<Vec2>& feet, const PerLeg<double>& share,
@@ -47,7 +57,7 @@ SupportRegion::SupportRegion(const PerLeg<Vec2>& feet, const PerLeg<double>& sha
 Vec2 SupportRegion::inward() const {
   Vec2 middle = Vec2::Zero(), carrying = Vec2::Zero();
   for (std::size_t i = 0; i < feet_.size(); ++i) {
-    middle += feet_[i] / kNumLegs;
+    middle += feet_[i] / static_cast<double>(feet_.size());
     if (share_[i] > kSmallShare) carrying = feet_[i];
   }
   const Vec2 offset = middle - carrying;
@@ -99,20 +109,31 @@ void SupportRegion::add_edges_between(std::size_t i, std::size_t j) {
 }
 
 void SupportRegion::add_edge(const Vec2& normal, double height) {
-  if (num_edges_ == kMaxEdges) return;
+  if (num_edges_ == kMaxEdges || has_edge(normal)) return;
   edges_[static_cast<std::size_t>(num_edges_++)] = {normal, support(normal), height};
 }
 
+// A third foot in line with two others gives the same edge again.
+bool SupportRegion::has_edge(const Vec2& normal) const {
+  for (int i = 0; i < num_edges_; ++i) {
+    if ((edge(i).normal - normal).cwiseAbs().maxCoeff() < kParallel) return true;
+  }
+  return false;
+}
+
 double SupportRegion::support(const Vec2& normal) const {
-  std::array<std::size_t, kNumLegs> order{0, 1, 2, 3};
-  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    return normal.dot(feet_[a]) > normal.dot(feet_[b]);
-  });
+  const auto ahead = [&](Leg k) { return normal.dot(feet_[index(k)]); };
+  PerLeg<bool> taken(static_cast<int>(feet_.size()), false);
   double left = 1.0, sum = 0.0;
-  for (const std::size_t k : order) {
-    const double taken = std::min(left, share_[k]);
-    sum += taken * normal.dot(feet_[k]);
-    left -= taken;
+  for (std::size_t i = 0; i < feet_.size(); ++i) {
+    std::optional<Leg> next;
+    for (const Leg k : feet_.legs()) {
+      if (!taken[index(k)] && (!next || ahead(k) > ahead(*next))) next = k;
+    }
+    taken[index(*next)] = true;
+    const double carries = std::min(left, share_[index(*next)]);
+    sum += carries * ahead(*next);
+    left -= carries;
   }
   return sum;
 }

@@ -13,7 +13,7 @@ struct HalfPlane {
   double height = 0.0;  ///< mean height of the two feet that the edge runs between [m]
 };
 
-/// Inradius of the triangle of the other three feet: twice its area over its perimeter [m].
+/// Largest inradius of a triangle of the other feet: twice its area over its perimeter [m].
 [[nodiscard]] double inradius_without(Leg lifted, const PerLeg<Vec2>& feet);
 
 /// Where the zero-moment point can be while each foot carries at most a share α_i of the weight:
@@ -21,11 +21,11 @@ struct HalfPlane {
 ///     { Σ w_i p_i :  0 ≤ w_i ≤ α_i,  Σ w_i = 1 }
 ///
 /// With α = 1 for all feet down it is the support polygon; while f_max of a foot ramps down before
-/// a lift-off it shrinks to the triangle of the other three. Its edges are parallel to lines
+/// a lift-off it shrinks to the polygon of the others. Its edges are parallel to lines
 /// between two feet.
 class SupportRegion {
  public:
-  static constexpr int kMaxEdges = 14;
+  static constexpr int kMaxEdges = kMaxLegs * (kMaxLegs - 1) + 2;
 
   SupportRegion() = default;
   /// `share[i]` = α_i ≥ 0, zero for a foot in the air. Shares whose sum is less than 1.02 are
@@ -43,6 +43,7 @@ class SupportRegion {
   void add_edges_between(std::size_t i, std::size_t j);
   void add_edge(const Vec2& normal, double height);
   void close();
+  [[nodiscard]] bool has_edge(const Vec2& normal) const;
   [[nodiscard]] Vec2 inward() const;
   [[nodiscard]] double support(const Vec2& normal) const;
 

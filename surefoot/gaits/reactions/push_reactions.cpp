@@ -16,11 +16,9 @@ constexpr double kMaxSlowDown = 2.0;       // about the largest factor on a swin
 
 /// Region of all feet at their present places, in contact or not, except one.
 SupportRegion region_of_feet(const Situation& now, std::optional<Leg> without = {}) {
-  PerLeg<Vec2> feet;
-  for (const Leg k : kLegs) feet[index(k)] = now.foot(k).head<2>();
-  PerLeg<double> share = per_leg(1.0);
+  PerLeg<double> share = per_leg(1.0, now.num_legs());
   if (without) share[index(*without)] = 0.0;
-  return SupportRegion(feet, share);
+  return SupportRegion(now.feet(), share);
 }
 
 /// Margin of the capture point in the region of all feet [m].
@@ -34,7 +32,7 @@ CaptureStep capture_step(const Situation& now, Leg k, double duration) {
   CaptureProblem problem;
   problem.heading = now.yaw;
   problem.foot_room = body.scale.length * kFootRoom;
-  for (const Leg other : kLegs) problem.feet[index(other)] = now.foot(other).head<2>();
+  problem.feet = now.feet();
   if (!body.legs[k].down())  // prefers goals near where a foot in the air would come to rest
     problem.feet[index(k)] += 0.5 * duration * now.before.feet[index(k)].v_WF.head<2>();
   problem.capture_point = body.balance.capture_point_after(region_of_feet(now, k), duration);
@@ -76,7 +74,7 @@ bool tips_before_landing(const Situation& now, Leg swings) {
 /// The capture step with the best margin, and its leg; none while a foot's force ramps up.
 std::optional<std::pair<Leg, CaptureStep>> best_step(const Situation& now) {
   std::pair<Leg, CaptureStep> best{Leg::LF, {}};
-  for (const Leg k : kLegs) {
+  for (const Leg k : now.body.legs.all()) {
     if (now.body.legs[k].since(now.time) < now.body.options.force.ramp_up) return {};
     const CaptureStep found = capture_step(now, k, now.body.options.push.step_duration);
     if (found.margin > best.second.margin) best = {k, found};
@@ -175,7 +173,7 @@ std::optional<Action> on_slip(const Situation& now) {
     const bool flies = now.body.legs[k].phase() == LegPhase::swing;
     if (flies && !is_balanced_without(k, now)) action = put_foot_down(now, k);
   }
-  for (const Leg k : kLegs) {
+  for (const Leg k : now.body.legs.all()) {
     if (now.body.grip.began(k)) action.events.add(now.event(PlanEvent::slip, k));
   }
   action.replans = true;

@@ -31,7 +31,14 @@ struct Situation {
   const Body& body;
   GaitStatus gait{};
 
+  [[nodiscard]] int num_legs() const { return body.options.gait.num_legs(); }
   [[nodiscard]] const Vec3& foot(Leg leg) const { return dynamics.foot[index(leg)].p; }
+  /// All feet, in contact or not, x and y in W [m].
+  [[nodiscard]] PerLeg<Vec2> feet() const {
+    PerLeg<Vec2> result(num_legs(), Vec2::Zero());
+    for (const Leg k : body.legs.all()) result[index(k)] = foot(k).head<2>();
+    return result;
+  }
   /// An event of a leg, with the place of its foot and its normal force.
   [[nodiscard]] GaitEvent event(PlanEvent kind, Leg leg) const {
     return {.kind = kind,

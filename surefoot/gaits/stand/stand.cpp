@@ -9,7 +9,7 @@ void Stand::begin(Situation& now, Body& body, const std::optional<Action>&) { pl
 
 void Stand::plan_com(const Situation& now, Body& body) {
   ComHorizon ahead(now, false);
-  for (const Leg k : kLegs) {
+  for (const Leg k : body.legs.all()) {
     if (!ahead.is_down(k)) ahead.land(k, now.foot(k));
   }
   ahead.come_to_rest(body);
