@@ -9,8 +9,8 @@ static_assert(estimation::KinematicCalibration::kFadeIn <= gaits::CalibrationMot
 Calibration::Calibration(const estimation::LinkMassOptions& options,
                          const model::RobotDescription& robot, double base_mass, double period)
     : kinematics_(robot, period),
-      link_masses_(options, period, robot.scale),
-      com_(period, base_mass) {}
+      link_masses_(options, period, robot.scale, robot.num_legs()),
+      com_(period, base_mass, robot.num_legs()) {}
 
 void Calibration::update(const RobotState& state, const model::Dynamics& dynamics,
                          const Vec3& gyro_B, const LastTick& last, bool is_quiet) noexcept {

@@ -43,11 +43,12 @@ UserCommand limited(const UserCommand& user) {
   return result;
 }
 
-ModelRecord unknown_model() {
+ModelRecord unknown_model(int num_legs) {
   const Vec3 unknown = Vec3::Constant(kNaN);
   ModelRecord model{
       .p_WCom = unknown, .v_WCom = unknown, .load = {.mass = kNaN, .first_moment = unknown}};
-  for (PerLeg<Vec3>* vectors : {&model.p_WF, &model.p_WH, &model.force}) vectors->fill(unknown);
+  for (PerLeg<Vec3>* vectors : {&model.p_WF, &model.p_WH, &model.force})
+    *vectors = per_leg(unknown, num_legs);
   return model;
 }
 
@@ -125,7 +126,7 @@ Controller::Implementation::Implementation(
       stack(options, robot),
       safety(options.safety, robot, stack.tasks().first_free_level(),
              lying_posture(model, options.safety.sit_height), options.period) {
-  size_joints(record, robot.num_joints());
+  size_joints(record, robot.num_joints(), robot.num_legs());
   record.command.torque.setZero();
   memory.last = at_start.last = remember({});
 }
@@ -150,7 +151,7 @@ void Controller::Implementation::begin_tick(const SensorReading& reading,
                                             const UserCommand& user) noexcept {
   if (observer != nullptr) observer->tick_begins();
   record.reading = reading;
-  size_joints(record, model.description().num_joints());
+  size_joints(record, model.description().num_joints(), model.description().num_legs());
   record.user = limited(user);
 }
 
@@ -175,7 +176,7 @@ const estimation::ReadingGuard& Controller::Implementation::sense() noexcept {
 void Controller::Implementation::guard_reading(SensorReading reading) noexcept {
   const KinematicErrors& errors = memory.last.kinematics;
   const Quat imu = exp_rotation(errors.imu);
-  reading.q.head<kNumLegJoints>() -= errors.zero;
+  reading.q.head(errors.zero.size()) -= errors.zero;
   reading.gyro = imu * reading.gyro;
   reading.accelerometer = imu * reading.accelerometer;
   memory.guard.update(reading, memory.last.joint_velocity, record.reading);
@@ -189,6 +190,7 @@ void Controller::Implementation::restart() noexcept {
   safety.restart();
   stack.restart();
   record.plan = {};
+  record.plan.feet.resize(model.description().num_legs());
   guard_reading(record.reading);
 }
 
@@ -269,7 +271,7 @@ const JointCommand& Controller::Implementation::command_off_its_feet() noexcept 
   record.plan.time = record.state.time;
   record.plan.calibration = CalibrationStage::none;
   const LegPosture posture = memory.footing.posture(memory.estimation.lift());
-  for (const Leg leg : kLegs) {
+  for (const Leg leg : posture.stands.legs()) {
     const bool stands = posture.stands[index(leg)];
     record.plan.feet[index(leg)].phase = stands ? LegPhase::stance : LegPhase::swing;
   }
@@ -307,17 +309,19 @@ RobotMode Controller::Implementation::mode() const {
 }
 
 LastTick Controller::Implementation::remember(const HierarchyOutcome& outcome) const noexcept {
-  return {.plan = record.plan,
-          .terrain_normal_W = memory.planner.terrain_normal(),
-          .foot_force = record.state.foot_force,
-          .slips = record.state.slips,
-          .joint_velocity = memory.estimation.joint_velocity(),
-          .torque = record.command.torque,
-          .kinematics = memory.calibration.kinematics(),
-          .load = memory.calibration.load(),
-          .outcome = outcome,
-          .imu_step = memory.estimation.imu_step(),
-          .restarts = memory.planner.restarts() || memory.footing.restarts()};
+  LastTick last{.plan = record.plan,
+                .terrain_normal_W = memory.planner.terrain_normal(),
+                .foot_force = record.state.foot_force,
+                .slips = record.state.slips,
+                .joint_velocity = memory.estimation.joint_velocity(),
+                .torque = record.command.torque,
+                .kinematics = memory.calibration.kinematics(),
+                .load = memory.calibration.load(),
+                .outcome = outcome,
+                .imu_step = memory.estimation.imu_step(),
+                .restarts = memory.planner.restarts() || memory.footing.restarts()};
+  last.outcome.pyramid_normal.resize(model.description().num_legs());
+  return last;
 }
 
 void Controller::Implementation::describe(const model::Dynamics& dynamics,
@@ -330,7 +334,7 @@ void Controller::Implementation::describe(const model::Dynamics& dynamics,
   record.model.p_WCom = dynamics.com.p;
   record.model.v_WCom = dynamics.com.v;
   record.model.load = memory.last.load;
-  for (const Leg leg : kLegs) {
+  for (const Leg leg : dynamics.foot.legs()) {
     const std::size_t k = index(leg);
     record.model.p_WF[k] = dynamics.foot[k].p;
     record.model.p_WH[k] = dynamics.hip[k].p;
@@ -340,7 +344,7 @@ void Controller::Implementation::describe(const model::Dynamics& dynamics,
 
 // The results of the last tick must not be logged again.
 void Controller::Implementation::describe_unsolved() noexcept {
-  record.model = unknown_model();
+  record.model = unknown_model(model.description().num_legs());
   level_times.fill(0.0);
   const std::int32_t num_levels = record.hierarchy.num_levels;
   record.hierarchy = HierarchyReport{};

@@ -27,11 +27,13 @@ constexpr double kMaxSpeed = 0.3;         // of a joint at rest [rad/s]
 
 void Footing::look_at_start(const model::RobotModel& model, const JointVector& q) noexcept {
   if (!stands() || !q.allFinite()) return;
+  const int num_legs = model.description().num_legs();
+  knees_.resize(num_legs);
   double height = 0.0;
-  for (const Leg leg : kLegs) {
+  for (const Leg leg : knees_.legs()) {
     const Vec3 q_leg = q.segment<3>(first_joint(leg));
     knees_[index(leg)] = std::copysign(1.0, q_leg.z());
-    height -= model.foot_in_base(leg, q_leg).z() / kNumLegs;
+    height -= model.foot_in_base(leg, q_leg).z() / num_legs;
   }
   if (!is_low(height)) return;
   const double folded = kMinFoldedHeight * gaits::hip_height(stance_, scale_) - scale_.hip_height;
@@ -69,9 +71,9 @@ PlanEvent Footing::update_rise(const model::RobotModel& model, const RobotState&
   if (lift.is_lifted() && (stood_for_ > 0.0 || has_arrived)) return hang(model, state.q);
   has_failed_ = state.R_WB()(2, 2) < std::cos(kMaxTilt);
   if (!has_arrived) return PlanEvent::none;
-  const bool is_there = (state.q - to_).head<kNumLegJoints>().cwiseAbs().maxCoeff() < kMaxError;
-  const bool is_at_rest =
-      state.qd.head<kNumLegJoints>().cwiseAbs().maxCoeff() < scale_.rate() * kMaxSpeed;
+  const int n = model.description().num_leg_joints();
+  const bool is_there = (state.q - to_).head(n).cwiseAbs().maxCoeff() < kMaxError;
+  const bool is_at_rest = state.qd.head(n).cwiseAbs().maxCoeff() < scale_.rate() * kMaxSpeed;
   if (is_there && is_at_rest && lift.is_down() && !has_failed_) {
     state_ = State::stands;
     restarts_ = true;
@@ -88,7 +90,7 @@ bool Footing::is_low(double height) const {
 bool Footing::lies(const model::RobotModel& model, const RobotState& state) const {
   const Mat3 R_WB = state.R_WB();
   double lowest = 0.0;
-  for (const Leg leg : kLegs) {
+  for (const Leg leg : model.description().legs.legs()) {
     const Vec3 p_BF = model.foot_in_base(leg, state.q.segment<3>(first_joint(leg)));
     lowest = std::min(lowest, R_WB.row(2).dot(p_BF));
   }
@@ -118,7 +120,7 @@ void Footing::go(State state, const JointVector& q, const JointVector& to) {
 JointVector Footing::posture_at(const model::RobotModel& model, double height) const {
   const model::RobotDescription& robot = model.description();
   JointVector result = robot.q_nominal;
-  for (const Leg leg : kLegs) {
+  for (const Leg leg : robot.legs.legs()) {
     const Vec3 nominal = robot.q_nominal.segment<3>(first_joint(leg));
     const double knee = kGuessKnee * knees_[index(leg)];
     const double hip = std::copysign(kGuessHip, nominal.y() * nominal.z() * knee);
@@ -134,7 +136,8 @@ LegPosture Footing::posture(const estimation::LiftDetector& lift) const {
   const double share = std::min(1.0, time_ / duration_);
   const JointVector way = to_ - from_;
   LegPosture result{.q = from_ + ease(share) * way, .qd = ease_slope(share) / duration_ * way};
-  for (const Leg leg : kLegs) {
+  result.stands.resize(static_cast<int>(knees_.size()));
+  for (const Leg leg : knees_.legs()) {
     result.stands[index(leg)] = state_ != State::folds && lift.bears(leg);
   }
   if (state_ == State::rises) {

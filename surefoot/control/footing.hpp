@@ -5,6 +5,7 @@
 #include "surefoot/estimation/lift_detector.hpp"
 #include "surefoot/gaits/planner_options.hpp"
 #include "surefoot/model/robot_model.hpp"
+#include "surefoot/signals/per_leg.hpp"
 #include "surefoot/signals/plan_event.hpp"
 
 namespace surefoot::control {
@@ -65,7 +66,7 @@ class Footing {
   double period_;
   Scale scale_;
   State state_ = State::stands;
-  PerLeg<double> knees_{1.0, 1.0, 1.0, 1.0};  // side at the start: ±1
+  PerLeg<double> knees_ = per_leg(1.0);  // side at the start: ±1
   JointVector from_, to_;
   double time_ = 0.0, duration_ = 1.0;  // of the motion [s]
   double borne_ = 0.0;                  // initial share of the weight on the feet

@@ -5,6 +5,7 @@
 #include "surefoot/signals/hierarchy_outcome.hpp"
 #include "surefoot/signals/kinematic_errors.hpp"
 #include "surefoot/signals/motion_plan.hpp"
+#include "surefoot/signals/per_leg.hpp"
 
 #include <optional>
 
@@ -14,13 +15,13 @@ namespace surefoot::control {
 struct LastTick {
   MotionPlan plan;
   Vec3 terrain_normal_W = Vec3::UnitZ();  ///< unit
-  PerLeg<Vec3> foot_force{Vec3::Constant(kNaN), Vec3::Constant(kNaN), Vec3::Constant(kNaN),
-                          Vec3::Constant(kNaN)};  ///< estimated, in W [N]
-  PerLeg<bool> slips{};                           ///< the foot slides
-  JointVector joint_velocity;                     ///< observed [rad/s]
-  JointVector torque;                             ///< commanded [N·m]
-  KinematicErrors kinematics;                     ///< calibrated
-  BaseLoad load;                                  ///< payload of the base, calibrated
+  /// Estimated, in W [N].
+  PerLeg<Vec3> foot_force = per_leg<Vec3>(Vec3::Constant(kNaN));
+  PerLeg<bool> slips{};        ///< the foot slides
+  JointVector joint_velocity;  ///< observed [rad/s]
+  JointVector torque;          ///< commanded [N·m]
+  KinematicErrors kinematics;  ///< calibrated
+  BaseLoad load;               ///< payload of the base, calibrated
   HierarchyOutcome outcome;
   std::optional<estimation::ImuStep> imu_step;  ///< the legs' verdict on a step of the IMU
   bool restarts = false;                        ///< the estimate restarts, all feet standing

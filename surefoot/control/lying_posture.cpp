@@ -14,7 +14,7 @@ constexpr double kFoldedKnee = 2.4;
 JointVector lying_posture(const model::RobotModel& model, double height) {
   const model::RobotDescription& robot = model.description();
   JointVector result = robot.q_nominal;
-  for (const Leg leg : kLegs) {
+  for (const Leg leg : robot.legs.legs()) {
     const Vec3 nominal = robot.q_nominal.segment<3>(first_joint(leg));
     const Vec3 hip = model.hip_in_base(leg, nominal);
     const Vec3 p_BF(hip.x(), model.foot_in_base(leg, nominal).y(), hip.z() - height);

@@ -34,8 +34,8 @@ JointVector finite_or_zero(const JointVector& v) {
 }
 
 /// Of the legs: wrists may turn further.
-bool is_posture(const JointVector& q) {
-  return (q.head<kNumLegJoints>().array().abs() <= kMaxAngle).all();  // false for NaN
+bool is_posture(const JointVector& q, int num_leg_joints) {
+  return (q.head(num_leg_joints).array().abs() <= kMaxAngle).all();  // false for NaN
 }
 
 double uprightness(const RobotState& state) {
@@ -72,6 +72,7 @@ Safety::Safety(const SafetyOptions& options, const model::RobotDescription& robo
       hold_kd_(robot.hold_kd),
       damping_kd_(robot.damping_kd),
       scale_(robot.scale),
+      num_leg_joints_(robot.num_leg_joints()),
       period_(period),
       first_free_level_(first_free_level),
       lying_q_(lying) {
@@ -79,12 +80,11 @@ Safety::Safety(const SafetyOptions& options, const model::RobotDescription& robo
   stopped_q_ = good_q_ = bearing_torque_ = unknown;
   command_.torque = fading_torque_ = good_torque_ = JointVector::Zero(robot.num_joints());
   stiffness_ = JointVector::Ones(robot.num_joints());
-  const double strongest = torque_limit_.head<kNumLegJoints>().maxCoeff();
-  for (Eigen::Index i = kNumLegJoints; i < stiffness_.size(); ++i) {
+  const double strongest = torque_limit_.head(num_leg_joints_).maxCoeff();
+  for (Eigen::Index i = num_leg_joints_; i < stiffness_.size(); ++i) {
     stiffness_[i] = std::min(1.0, torque_limit_[i] / strongest);
   }
-  stands_now_.fill(true);
-  stands_.fill(true);
+  stands_now_ = stands_ = PerLeg<bool>(robot.num_legs(), true);
 }
 
 const JointCommand& Safety::command(const RobotState& state, const solver::Solution* solution,
@@ -205,7 +205,7 @@ void Safety::note_lame_joints(const RobotState& state, const SensorHealth& healt
 
 bool Safety::can_sit(const RobotState& state) const {
   int lame_legs = 0;
-  for (const Leg leg : kLegs) {
+  for (const Leg leg : stands_.legs()) {
     bool is_lame = false;
     for (int i = first_joint(leg); i < first_joint(leg) + kJointsPerLeg; ++i) {
       const bool lame = lame_[static_cast<std::size_t>(i)];
@@ -220,8 +220,8 @@ bool Safety::can_sit(const RobotState& state) const {
 // Covers sensors that never had a sample; others count as lost earlier.
 void Safety::stop_after_failures(const RobotState& state, const SensorHealth& health) {
   const StopCause cause = missing_sensor(state, health);
-  const bool sits = is_sensor(cause) && is_posture(state.q);
-  stopped_q_ = is_posture(good_q_) ? good_q_ : state.q;  // the held posture
+  const bool sits = is_sensor(cause) && is_posture(state.q, num_leg_joints_);
+  stopped_q_ = is_posture(good_q_, num_leg_joints_) ? good_q_ : state.q;  // the held posture
   stop(sits ? CommandMode::sit : CommandMode::damping, cause, health);
 }
 
@@ -252,14 +252,14 @@ void Safety::follow(const RobotState& state, const solver::Solution& solution) {
 
 void Safety::hold(const RobotState& state) {
   command_.mode = CommandMode::hold;
-  if (!good_q_.allFinite() && is_posture(state.q)) good_q_ = state.q;
+  if (!good_q_.allFinite() && is_posture(state.q, num_leg_joints_)) good_q_ = state.q;
   command_.torque = good_torque_ + pull(state, good_q_, JointVector::Zero(good_q_.size()));
 }
 
 JointVector Safety::pull(const RobotState& state, const JointVector& q, const JointVector& qd,
                          double softness, double spring) const {
   JointVector kp = hold_kp_ * stiffness_, kd = hold_kd_ * stiffness_;
-  for (const Leg leg : kLegs) {
+  for (const Leg leg : stands_.legs()) {
     const double soft = stands_[index(leg)] ? softness : 1.0;
     kp.segment<3>(first_joint(leg)).setConstant(hold_kp_ * (1.0 - soft * (1.0 - kSoftSpring)));
     kd.segment<3>(first_joint(leg)).setConstant(hold_kd_ * (1.0 - soft * (1.0 - kSoftDamping)));

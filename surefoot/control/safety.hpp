@@ -125,6 +125,7 @@ class Safety {
   double hold_kp_, hold_kd_, damping_kd_;
   JointVector stiffness_;  // of each joint, as a share of a leg's
   Scale scale_;            // of the robot
+  int num_leg_joints_;
   double period_;
   int first_free_level_;
   JointVector lying_q_;
@@ -145,7 +146,7 @@ class Safety {
   JointVector stopped_q_, good_q_;
   JointVector good_torque_, bearing_torque_;
   double borne_ = 0.0;  // share of `bearing_torque_` while sitting down
-  PerLeg<bool> stands_now_{}, stands_{};
+  PerLeg<bool> stands_now_, stands_;
   JointCommand command_;
 };
 

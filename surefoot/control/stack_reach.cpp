@@ -45,7 +45,7 @@ double StackReach::greatest(std::string_view task, std::string_view number) cons
 
 StackReach reach_of(const model::RobotModel& model) {
   StackReach reach{.leg = 0.0, .base = 0.0};
-  for (const Leg leg : kLegs) {
+  for (const Leg leg : model.description().legs.legs()) {
     const double length = leg_length(model, leg);
     reach.leg = std::max(reach.leg, length);
     reach.base = std::max(reach.base, length + model.hip_in_base(leg, Vec3::Zero()).norm());

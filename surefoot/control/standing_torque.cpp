@@ -9,16 +9,20 @@ namespace {
 
 /// Vertical foot forces [N] with Σ f = m g and, unless one would pull, without moment about the
 /// COM.
-Eigen::Vector4d bearing_forces(const model::Dynamics& dynamics) {
-  Eigen::Matrix<double, 3, kNumLegs> balance;
-  for (const Leg leg : kLegs) {
+template <int kCount>
+PerLeg<double> bearing_forces(const model::Dynamics& dynamics) {
+  Eigen::Matrix<double, 3, kCount> balance;
+  for (const Leg leg : first_legs(kCount)) {
     const Vec3 arm = dynamics.contact[index(leg)].p - dynamics.com.p;
     balance.col(static_cast<Eigen::Index>(index(leg))) << 1.0, arm.x(), arm.y();
   }
   const Vec3 weight(dynamics.mass * kGravity, 0.0, 0.0);
   const Mat3 gram = balance * balance.transpose();
-  const Eigen::Vector4d forces = (balance.transpose() * gram.ldlt().solve(weight)).cwiseMax(0.0);
-  return weight.x() / forces.sum() * forces;
+  const Eigen::Matrix<double, kCount, 1> forces =
+      (balance.transpose() * gram.ldlt().solve(weight)).cwiseMax(0.0);
+  PerLeg<double> result(kCount, 0.0);
+  Eigen::Map<Eigen::Matrix<double, kCount, 1>>(result.data()) = weight.x() / forces.sum() * forces;
+  return result;
 }
 
 }  // namespace
@@ -36,11 +40,12 @@ RobotState level_at_rest(const JointVector& q) {
 
 JointVector standing_torque(model::RobotModel& model, const JointVector& q) noexcept {
   const model::Dynamics& dynamics = model.update(level_at_rest(q), Vec3::UnitZ());
-  const Eigen::Vector4d force = bearing_forces(dynamics);
+  const PerLeg<double> force = dynamics.num_legs() == kNumLegs ? bearing_forces<kNumLegs>(dynamics)
+                                                               : bearing_forces<kMaxLegs>(dynamics);
   JointVector torque = dynamics.h.tail(q.size());
-  for (const Leg leg : kLegs) {
+  for (const Leg leg : force.legs()) {
     const model::Jacobian3& J = dynamics.contact[index(leg)].J;
-    torque -= force[static_cast<Eigen::Index>(index(leg))] * J.row(2).tail(q.size()).transpose();
+    torque -= force[index(leg)] * J.row(2).tail(q.size()).transpose();
   }
   return torque;
 }
@@ -50,7 +55,7 @@ Vec3 borne_force(model::RobotModel& model, const JointVector& q,
   const model::Dynamics& dynamics = model.update(level_at_rest(q), Vec3::UnitZ());
   const JointVector by_ground = dynamics.h.tail(q.size()) - torque;
   Vec3 force = Vec3::Zero();
-  for (const Leg leg : kLegs) {
+  for (const Leg leg : dynamics.contact.legs()) {
     const Mat3 inverse = model::damped_inverse(
         model::leg_jacobian(dynamics.contact[index(leg)], leg), dynamics.scale);
     force += inverse.transpose() * by_ground.segment<kJointsPerLeg>(first_joint(leg));

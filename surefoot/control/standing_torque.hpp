@@ -7,7 +7,7 @@ namespace surefoot::control {
 /// State at rest with a level torso, the base at W's origin, and joint angles q [rad].
 [[nodiscard]] RobotState level_at_rest(const JointVector& q);
 
-/// Joint torques that carry a robot at rest on its four feet, without a base state [N·m]. Assumes a
+/// Joint torques that carry a robot at rest on its feet, without a base state [N·m]. Assumes a
 /// level torso and the vertical foot forces of least norm that balance the weight. A foot that
 /// would have to pull gets no force; then the moments don't balance. Not finite if q [rad] isn't.
 /// Leaves the model at this posture. Does not allocate.

@@ -33,7 +33,8 @@ TickContext context(const estimation::ReadingGuard& seen, const LastTick& last,
                      .kinematics = last.kinematics,
                      .restarts = last.restarts,
                      .off_its_feet = !mode.stands};
-  for (const Leg leg : kLegs) {
+  result.contacts.resize(static_cast<int>(last.plan.feet.size()));
+  for (const Leg leg : result.contacts.legs()) {
     const std::size_t k = index(leg);
     result.contacts[k] = {.carries = last.plan.contact(leg),
                           .normal_force = last.terrain_normal_W.dot(last.foot_force[k]),
@@ -49,15 +50,18 @@ StateEstimation::StateEstimation(const ControllerOptions& options,
     : estimator_(&estimator),
       model_(&model),
       bridge_time_(options.safety.bridge_time),
-      rest_check_(options.period, model.description().scale),
+      rest_check_(options.period, model.description().scale, model.description().num_legs()),
       contact_force_(options.contact_force, options.period, model.description().scale,
-                     model.description().num_joints()),
+                     model.description().num_joints(), model.description().num_legs()),
       slip_(options.slip, options.period),
       external_force_(options.external_force),
       consistency_(options.consistency, options.period,
-                   {.min = model.description().q_min, .max = model.description().q_max}),
+                   {.min = model.description().q_min, .max = model.description().q_max},
+                   model.description().num_legs()),
       lift_(options.period, model.description().scale),
-      joint_velocity_(JointVector::Zero(model.description().num_joints())) {
+      joint_velocity_(JointVector::Zero(model.description().num_joints())),
+      kinematics_before_(no_errors(model.description().num_legs())) {
+  state_.size_legs(model.description().num_legs());
   state_.q = state_.qd = state_.torque =
       JointVector::Constant(model.description().num_joints(), kNaN);
 }
@@ -137,8 +141,8 @@ void StateEstimation::compare_sensors(const estimation::ReadingGuard& seen,
     return;
   }
   const PerLeg<bool> stands = last.plan.standing();
-  PerLeg<Vec3> v_WF;
-  for (std::size_t k = 0; k < kNumLegs; ++k) v_WF[k] = last.plan.feet[k].v_WF;
+  PerLeg<Vec3> v_WF(static_cast<int>(stands.size()), Vec3::Zero());
+  for (std::size_t k = 0; k < v_WF.size(); ++k) v_WF[k] = last.plan.feet[k].v_WF;
   consistency_.update(seen.repaired(), seen.offered(),
                       {.state = state_,
                        .dynamics = dynamics,

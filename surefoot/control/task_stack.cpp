@@ -91,9 +91,10 @@ double TaskStack::tilt_shortfall(const solver::Solution& solution) const noexcep
 }
 
 PerLeg<Vec3> TaskStack::pyramid_normals(const MotionPlan& plan) const noexcept {
-  PerLeg<Vec3> normals = HierarchyOutcome{}.pyramid_normal;
+  PerLeg<Vec3> normals(robot_.num_legs(), Vec3::Constant(kNaN));
   if (friction_cone_ == nullptr) return normals;
-  for (const Leg leg : kLegs) normals[index(leg)] = friction_cone_->pyramid(plan, leg).normal();
+  for (const Leg leg : normals.legs())
+    normals[index(leg)] = friction_cone_->pyramid(plan, leg).normal();
   return normals;
 }
 

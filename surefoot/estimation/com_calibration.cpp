@@ -104,8 +104,8 @@ void ComCalibration::end_weighing(const model::Dynamics& dynamics) {
 }
 
 ComCalibration::Slope ComCalibration::slope(const model::Dynamics& dynamics) const {
-  Slope result;
-  for (const Leg leg : kLegs) {
+  Slope result(3, slope_.cols());
+  for (const Leg leg : dynamics.contact.legs()) {
     const model::PointKinematics& contact = dynamics.contact[index(leg)];
     const Mat3 inverse = model::damped_inverse(model::leg_jacobian(contact, leg), dynamics.scale);
     const Mat3 forces = -inverse.transpose() * dynamics.links[index(leg)].free_rate;

@@ -29,8 +29,13 @@ namespace surefoot::estimation {
 class ComCalibration {
  public:
   /// `base_mass` without a load [kg] bounds the result.
-  ComCalibration(double period, double base_mass)
-      : period_(period), base_mass_(base_mass), height_(period) {}
+  ComCalibration(double period, double base_mass, int num_legs = kNumLegs)
+      : period_(period),
+        base_mass_(base_mass),
+        height_(period),
+        slope_(Slope::Zero(3, kJointsPerLeg * num_legs)),
+        heavier_(Shares::Zero(slope_.cols())),
+        heavier_in_use_(heavier_) {}
 
   /// One tick: turns or weighs, by stage; forces in W [N]. `is_quiet`: the robot stands on all
   /// feet, undisturbed. Other ticks are not weighed and restart the turn. `dynamics` include the
@@ -49,7 +54,8 @@ class ComCalibration {
 
  private:
   using Shares = LinkMassEstimator::Shares;
-  using Slope = Eigen::Matrix<double, 3, LinkMassEstimator::kNumLinks>;
+  using Slope =
+      Eigen::Matrix<double, 3, Eigen::Dynamic, Eigen::ColMajor, 3, Shares::MaxRowsAtCompileTime>;
 
   void weigh(const model::Dynamics& dynamics, const GroundReaction& reaction);
   void end_weighing(const model::Dynamics& dynamics);
@@ -66,9 +72,9 @@ class ComCalibration {
   Vec3 F_ = Vec3::Zero(), centre_ = Vec3::Zero();
   // The result in use, without the links' masses.
   BaseLoad before_, weighed_;
-  double share_ = 1.0;           // of `weighed_`
-  Slope slope_ = Slope::Zero();  // of the first moment over the links' shares [kg·m]
-  Shares heavier_ = Shares::Zero(), heavier_in_use_ = Shares::Zero();
+  double share_ = 1.0;  // of `weighed_`
+  Slope slope_;         // of the first moment over the links' shares [kg·m]
+  Shares heavier_, heavier_in_use_;
 };
 
 }  // namespace surefoot::estimation

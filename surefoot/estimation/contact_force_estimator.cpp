@@ -19,13 +19,13 @@ int leg_rows(Leg leg) { return 6 + first_joint(leg); }
 }  // namespace
 
 ContactForceEstimator::ContactForceEstimator(const ContactForceOptions& options, double period,
-                                             const Scale& scale, int num_joints)
+                                             const Scale& scale, int num_joints, int num_legs)
     : options_(options),
       period_(period),
       force_observer_(2.0 * kPi * options.bandwidth_hz, period, num_joints),
       velocity_observer_(force_observer_),
-      tare_(options.tare, 2.0 * kPi * options.bandwidth_hz, period, scale),
-      foot_sensors_(per_leg(FootSensorTrust(period, scale))) {}
+      tare_(options.tare, 2.0 * kPi * options.bandwidth_hz, period, scale, num_legs),
+      foot_sensors_(num_legs, FootSensorTrust(period, scale)) {}
 
 // Whole periods, so that a rounded clock changes nothing; 1 if a time is NaN.
 int ContactForceEstimator::periods_until(double time) const {
@@ -88,7 +88,7 @@ void ContactForceEstimator::update(const model::Dynamics& dynamics, const PerLeg
   const JointVector& torque = torques_.ago(-torque_lag_);
   // Torques say little of the light bodies of arms: these are expected to move on.
   JointVector free = JointVector::Zero(torque.size()), constrained = free;
-  for (const Leg leg : kLegs) {
+  for (const Leg leg : foot_sensors_.legs()) {
     const Vec3 a = free_acceleration(dynamics, leg, torque);
     free.segment<3>(first_joint(leg)) = a;
     constrained.segment<3>(first_joint(leg)) =
@@ -102,7 +102,7 @@ void ContactForceEstimator::update(const model::Dynamics& dynamics, const PerLeg
   tare_.update(stands, missing, torque, force_observer_.velocity(),
                free + force_observer_.disturbance());
   const LegJointVector by_ground = missing - tare_.tare();
-  for (const Leg leg : kLegs) {
+  for (const Leg leg : foot_sensors_.legs()) {
     const std::size_t k = index(leg);
     Vec3& force = state.foot_force[k];
     force = model::damped_inverse(model::leg_jacobian(dynamics.contact[k], leg), dynamics.scale)
@@ -140,8 +140,8 @@ Vec3 ContactForceEstimator::stance_acceleration(const model::Dynamics& dynamics,
 }
 
 LegJointVector ContactForceEstimator::missing_torque(const model::Dynamics& dynamics) const {
-  LegJointVector result;
-  for (const Leg leg : kLegs) {
+  LegJointVector result(kJointsPerLeg * dynamics.num_legs());
+  for (const Leg leg : dynamics.foot.legs()) {
     const int first = leg_rows(leg);
     result.segment<3>(first_joint(leg)) =
         dynamics.M.block<3, 3>(first, first) *

@@ -44,9 +44,9 @@ struct JointDelays {
 /// of the ground on the foot [N]. Does not allocate.
 class ContactForceEstimator {
  public:
-  /// `period` of the control loop [s], `scale` and number of joints of the robot.
+  /// `period` of the control loop [s]; `scale` and numbers of joints and legs of the robot.
   ContactForceEstimator(const ContactForceOptions& options, double period, const Scale& scale = {},
-                        int num_joints = kNumLegJoints);
+                        int num_joints = kNumLegJoints, int num_legs = kNumLegs);
 
   /// First in a tick: takes encoders and joint torques, returns joint velocities [rad/s]. Forces
   /// belong to the later of the two samples. `delays` are the samples' usual ages.

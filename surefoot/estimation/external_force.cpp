@@ -45,7 +45,7 @@ void ExternalForceEstimator::update(const model::Dynamics& dynamics, const PerLe
   const Vec3 momentum = dynamics.mass * dynamics.com.v;
   const Vec3 angular = model::angular_momentum(dynamics);
   Vec3 ground = -dynamics.mass * kGravity * Vec3::UnitZ(), turning = Vec3::Zero();
-  for (const Leg leg : kLegs) {
+  for (const Leg leg : stands.legs()) {
     if (!stands[index(leg)]) continue;
     const Vec3& f = state.foot_force[index(leg)];
     ground += f;

@@ -28,7 +28,7 @@ void FrozenJoints::update(const SensorReading& reading, const model::Dynamics& d
                           const PerLeg<bool>& stands, const PerLeg<Vec3>& v_WF,
                           const JointVector& command) noexcept {
   JointVector motion = JointVector::Zero(q_.size());
-  for (const Leg leg : kLegs) {
+  for (const Leg leg : stands.legs()) {
     const std::size_t k = index(leg);
     motion.segment<kJointsPerLeg>(first_joint(leg)) =
         period_ * desired_velocity(dynamics, stands[k], v_WF[k], leg);

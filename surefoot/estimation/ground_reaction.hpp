@@ -19,16 +19,17 @@ struct GroundReaction {
   }
 };
 
-/// Sum of the forces on the four contact points.
+/// Sum of the forces on the contact points.
 [[nodiscard]] inline GroundReaction ground_reaction(const model::Dynamics& dynamics,
                                                     const PerLeg<Vec3>& foot_force) noexcept {
+  const auto count = static_cast<double>(foot_force.size());
   GroundReaction result;
-  for (const Leg leg : kLegs) {
+  for (const Leg leg : foot_force.legs()) {
     const Vec3& f = foot_force[index(leg)];
     const Vec3& p = dynamics.contact[index(leg)].p;
     result.force += f;
     result.moment += p.cross(f);
-    result.ground += p.z() / kNumLegs;
+    result.ground += p.z() / count;
   }
   return result;
 }

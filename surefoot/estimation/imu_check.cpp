@@ -24,16 +24,18 @@ int even_ticks(double duration, double period) {
 
 }  // namespace
 
-ImuCheck::ImuCheck(const ImuCheckOptions& options, double period)
-    : options_(options), period_(period) {
+ImuCheck::ImuCheck(const ImuCheckOptions& options, double period, int num_legs)
+    : options_(options),
+      period_(period),
+      R_IS_(num_legs, Mat3::Identity()),
+      arm_(num_legs, Vec3::Zero()),
+      rolled_(arm_),
+      firm_ticks_(num_legs, 0) {
   for (std::size_t i = 0; i < kParts.size(); ++i)
     ticks_[i] = even_ticks(kParts[i] * options.window, period);
   Moment zero;
-  zero.x.fill(Vec3::Zero());
+  zero.x = per_leg<Vec3>(Vec3::Zero(), num_legs);
   moments_.assign(static_cast<std::size_t>(ticks_.back()) + 1, zero);
-  R_IS_.fill(Mat3::Identity());
-  arm_.fill(Vec3::Zero());
-  rolled_.fill(Vec3::Zero());
 }
 
 void ImuCheck::forget() noexcept {
@@ -79,7 +81,7 @@ void ImuCheck::move(const SensorReading& reading, const RobotState& state,
   now.v_imu = v;
   now.jump = (reading.accelerometer - accelerometer_before_).norm();
   accelerometer_before_ = reading.accelerometer;
-  for (const Leg leg : kLegs) {
+  for (const Leg leg : arm_.legs()) {
     const std::size_t k = index(leg);
     const Mat3 R_IS = R_IW * dynamics.shank[k].R;
     const Vec3 rolling = log_rotation(Quat(Mat3(R_IS * R_IS_[k].transpose())));
@@ -94,7 +96,7 @@ void ImuCheck::move(const SensorReading& reading, const RobotState& state,
 bool ImuCheck::is_shaken(const SensorReading& reading, const RobotState& state,
                          const model::Dynamics& dynamics, const PerLeg<bool>& stands) const {
   Vec3 by_feet = kGravityVector;
-  for (std::size_t k = 0; k < kNumLegs; ++k)
+  for (std::size_t k = 0; k < stands.size(); ++k)
     if (stands[k]) by_feet += state.foot_force[k] / dynamics.mass;
   return tumbles(reading) || by_feet.norm() > options_.max_acceleration;
 }
@@ -106,7 +108,7 @@ bool ImuCheck::tumbles(const SensorReading& reading) const {
 
 void ImuCheck::count_firm_feet(const RobotState& state, const PerLeg<bool>& stands,
                                const Vec3& normal_W) {
-  for (const Leg leg : kLegs) {
+  for (const Leg leg : arm_.legs()) {
     const std::size_t k = index(leg);
     const bool is_firm =
         stands[k] && normal_W.dot(state.foot_force[k]) >= options_.force;  // not if it is NaN
@@ -134,7 +136,7 @@ double ImuCheck::unseen_displacement(int ticks) const {
 double ImuCheck::least_displacement(const Vec3& second_difference, const PerLeg<bool>& firm,
                                     int ticks) const {
   double least = kUnlimited;
-  for (std::size_t k = 0; k < kNumLegs; ++k) {
+  for (std::size_t k = 0; k < firm.size(); ++k) {
     if (!firm[k]) continue;
     const Vec3 of_foot = before(0).x[k] - 2.0 * before(ticks / 2).x[k] + before(ticks).x[k];
     least = std::min(least, (second_difference + of_foot).norm());
@@ -144,7 +146,7 @@ double ImuCheck::least_displacement(const Vec3& second_difference, const PerLeg<
 
 double ImuCheck::largest_turn(const PerLeg<bool>& firm, int from, int to) const {
   double result = 0.0;
-  for (std::size_t i = 0; i < kNumLegs; ++i) {
+  for (std::size_t i = 0; i < firm.size(); ++i) {
     for (std::size_t k = 0; k < i; ++k) {
       if (!firm[i] || !firm[k]) continue;
       const Vec3 now = before(to).x[i] - before(to).x[k],
@@ -159,9 +161,10 @@ ImuCheck::Disagreement ImuCheck::compare(int ticks) const {
   Disagreement result;
   const int settled = static_cast<int>(std::lround(options_.settle / period_));
   const int half = ticks / 2;
-  PerLeg<bool> firm{};
+  PerLeg<bool> firm;
+  firm.resize(static_cast<int>(arm_.size()));
   const Vec3 second_difference = imu_second_difference(half);
-  for (const Leg leg : kLegs) {
+  for (const Leg leg : arm_.legs()) {
     const std::size_t k = index(leg);
     firm[k] = firm_ticks_[k] > ticks + settled;
     result.feet += firm[k] ? 1 : 0;
@@ -178,7 +181,7 @@ ImuCheck::Disagreement ImuCheck::compare(int ticks) const {
   const bool goes_on = first.angle.dot(second.angle) > 0.0;
   result.turn = goes_on ? 2.0 * std::max(0.0, std::min(sure(first), sure(second))) : 0.0;
   // A foot that slides off an edge looks like a turn about the others, so these must turn, too.
-  for (std::size_t k = 0; k < kNumLegs; ++k) {
+  for (std::size_t k = 0; k < firm.size(); ++k) {
     if (!firm[k]) continue;
     PerLeg<bool> others = firm;
     others[k] = false;
@@ -193,14 +196,14 @@ ImuCheck::Turn ImuCheck::turn(const PerLeg<bool>& firm, int from, int to) const 
   const auto count = static_cast<double>(std::ranges::count(firm, true));
   Vec3 mean_arm = Vec3::Zero(), mean_moved = Vec3::Zero();
   const auto moved = [&](std::size_t k) { return Vec3(before(to).x[k] - before(from).x[k]); };
-  for (std::size_t k = 0; k < kNumLegs; ++k) {
+  for (std::size_t k = 0; k < firm.size(); ++k) {
     if (!firm[k]) continue;
     mean_arm += arm_[k] / count;
     mean_moved += moved(k) / count;
   }
   Mat3 information = Mat3::Zero();
   Vec3 moments = Vec3::Zero();
-  for (std::size_t k = 0; k < kNumLegs; ++k) {
+  for (std::size_t k = 0; k < firm.size(); ++k) {
     if (!firm[k]) continue;
     const Vec3 arm = arm_[k] - mean_arm, own = moved(k) - mean_moved;
     result.spread += own.squaredNorm() / count;
@@ -209,7 +212,7 @@ ImuCheck::Turn ImuCheck::turn(const PerLeg<bool>& firm, int from, int to) const 
     moments += arm.cross(own);
   }
   result.angle = information.ldlt().solve(moments);
-  for (std::size_t k = 0; k < kNumLegs; ++k) {
+  for (std::size_t k = 0; k < firm.size(); ++k) {
     if (!firm[k]) continue;
     const Vec3 arm = arm_[k] - mean_arm, own = moved(k) - mean_moved;
     result.misfit += (own - result.angle.cross(arm)).squaredNorm() / count;

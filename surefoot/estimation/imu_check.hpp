@@ -33,7 +33,7 @@ class ImuCheck {
  public:
   static constexpr int kNumSpans = 4;
 
-  ImuCheck(const ImuCheckOptions& options, double period);
+  ImuCheck(const ImuCheckOptions& options, double period, int num_legs = kNumLegs);
 
   /// One tick, with the dynamics at the state. `stands`: the feet planned to carry load; `normal_W`
   /// of the terrain.
@@ -103,7 +103,7 @@ class ImuCheck {
   PerLeg<Mat3> R_IS_;    // shanks
   PerLeg<Vec3> arm_;     // from the base to the feet in I [m]
   PerLeg<Vec3> rolled_;  // [m]
-  PerLeg<int> firm_ticks_{};
+  PerLeg<int> firm_ticks_;
   std::array<double, kNumSpans> shares_{};
   double disagrees_for_ = 0.0, wrong_for_ = 0.0;  // [s]
 };

@@ -47,7 +47,9 @@ void ImuStepCheck::begin(const SensorReading& reading, const RobotState& state,
   offered_ = {.R = state.R_WB(), .p = dynamics.base.p, .v = state.v_WB, .gyro = reading.gyro};
   held_ = offered_;
   const double least = dynamics.scale.force() * kMinForce;
-  for (std::size_t k = 0; k < kNumLegs; ++k) {
+  p_WF_.resize(static_cast<int>(stands.size()));
+  is_witness_.resize(static_cast<int>(stands.size()));
+  for (std::size_t k = 0; k < stands.size(); ++k) {
     p_WF_[k] = dynamics.foot[k].p;
     is_witness_[k] = stands[k] && normal_W.dot(state.foot_force[k]) >= least;  // not if NaN
   }
@@ -67,7 +69,7 @@ void ImuStepCheck::judge(const model::Dynamics& dynamics, const PerLeg<bool>& st
   const Mat3 R_BW = dynamics.base_rotation.R.transpose();
   const double least = dynamics.scale.length * kMinDifference;
   int witnesses = 0, against = 0, in_favour = 0;
-  for (std::size_t k = 0; k < kNumLegs; ++k) {
+  for (std::size_t k = 0; k < is_witness_.size(); ++k) {
     is_witness_[k] = is_witness_[k] && stands[k];
     if (!is_witness_[k]) continue;
     const Vec3 h_B = R_BW * (dynamics.foot[k].p - dynamics.base.p);

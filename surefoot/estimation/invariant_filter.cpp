@@ -39,9 +39,9 @@ void InvariantFilter::start(const Vec3& specific_force, const Vec3& gyro_bias, d
   // Heading and position of W are chosen, not estimated: no variance.
   P_.diagonal().segment<2>(kTheta).setConstant(square(doubt * options_.initial_tilt));
   P_.diagonal().segment<3>(kVelocity).setConstant(square(doubt * options_.initial_velocity));
-  P_.diagonal().segment<3>(kGyroBias).setConstant(square(doubt * options_.initial_gyro_bias));
+  P_.diagonal().segment<3>(gyro_bias_row()).setConstant(square(doubt * options_.initial_gyro_bias));
   P_.diagonal()
-      .segment<3>(kAccelerometerBias)
+      .segment<3>(accelerometer_bias_row())
       .setConstant(square(options_.initial_accelerometer_bias));
 }
 
@@ -51,13 +51,13 @@ void InvariantFilter::start(const Vec3& specific_force, const Vec3& gyro_bias, d
 //     ξ̇_d = −S(d) R ξ_g
 InvariantFilter::Covariance InvariantFilter::advanced(const Covariance& P, double dt) const {
   Covariance result = P;
-  const Rows turn = dt * R_ * P.middleRows<3>(kGyroBias);
+  const Rows turn = dt * R_ * P.middleRows<3>(gyro_bias_row());
   result.middleRows<3>(kTheta) -= turn;
   result.middleRows<3>(kVelocity) += dt * skew(kGravityVector) * P.middleRows<3>(kTheta) -
                                      skew(v_) * turn -
-                                     dt * R_ * P.middleRows<3>(kAccelerometerBias);
+                                     dt * R_ * P.middleRows<3>(accelerometer_bias_row());
   result.middleRows<3>(kPosition) += dt * P.middleRows<3>(kVelocity) - skew(p_) * turn;
-  for (const Leg leg : kLegs) {
+  for (const Leg leg : d_.legs()) {
     if (stands(leg)) result.middleRows<3>(foot(leg)) -= skew(p_WF(leg)) * turn;
   }
   return result;
@@ -65,11 +65,11 @@ InvariantFilter::Covariance InvariantFilter::advanced(const Covariance& P, doubl
 
 // Gyroscope noise enters like the bias: through Ad_X (R, S(v) R, S(p) R, S(d) R).
 void InvariantFilter::add_process_noise(double dt) {
-  Eigen::Matrix<double, kSize, 3> turn = Eigen::Matrix<double, kSize, 3>::Zero();
+  Columns turn = Columns::Zero(size(), 3);
   turn.middleRows<3>(kTheta).setIdentity();
   turn.middleRows<3>(kVelocity) = skew(v_);
   turn.middleRows<3>(kPosition) = skew(p_);
-  for (const Leg leg : kLegs) {
+  for (const Leg leg : d_.legs()) {
     if (stands(leg)) turn.middleRows<3>(foot(leg)) = skew(p_WF(leg));
   }
   P_.noalias() += dt * square(options_.gyro_noise) * turn * turn.transpose();
@@ -77,8 +77,8 @@ void InvariantFilter::add_process_noise(double dt) {
     P_.diagonal().segment<3>(first).array() += dt * square(density);
   };
   add(kVelocity, options_.accelerometer_noise);
-  add(kGyroBias, options_.gyro_bias_walk);
-  add(kAccelerometerBias, options_.accelerometer_bias_walk);
+  add(gyro_bias_row(), options_.gyro_bias_walk);
+  add(accelerometer_bias_row(), options_.accelerometer_bias_walk);
 }
 
 void InvariantFilter::propagate(const Vec3& gyro, const Vec3& accelerometer, double dt) noexcept {
@@ -105,7 +105,7 @@ void InvariantFilter::turn_imu(const Mat3& T) noexcept {
   R_ = rotation_about_z(yaw(R_) - yaw(turned)) * turned;
   gyro_bias_ = T * gyro_bias_;
   accelerometer_bias_ = T * accelerometer_bias_;
-  for (const int bias : {kGyroBias, kAccelerometerBias}) {
+  for (const int bias : {gyro_bias_row(), accelerometer_bias_row()}) {
     P_.middleRows<3>(bias) = (T * P_.middleRows<3>(bias)).eval();
     P_.middleCols<3>(bias) = (P_.middleCols<3>(bias) * T.transpose()).eval();
   }
@@ -133,8 +133,8 @@ void InvariantFilter::move(Leg leg, const Vec3& step, double walk) noexcept {
 }
 
 void InvariantFilter::turn_feet(double turn) noexcept {
-  Eigen::Matrix<double, kSize, 1> moved = Eigen::Matrix<double, kSize, 1>::Zero();
-  for (const Leg leg : kLegs) {
+  Error moved = Error::Zero(size());
+  for (const Leg leg : d_.legs()) {
     if (stands(leg)) {
       moved.segment<3>(foot(leg)) = turn * Vec3::UnitZ().cross(d_[index(leg)] - p_);
     }
@@ -148,7 +148,7 @@ void InvariantFilter::correct(Leg leg, const Vec3& h, const Mat3& J) noexcept {
   const Rows HP = P_.middleRows<3>(kPosition) - P_.middleRows<3>(k);
   const Mat3 S = HP.middleCols<3>(kPosition) - HP.middleCols<3>(k) + measurement_noise(J);
   const double distance = innovation.dot(S.ldlt().solve(innovation));
-  Eigen::Matrix<double, kSize, 3> PHt = HP.transpose();
+  Columns PHt = HP.transpose();
   Mat3 S_used = S;
   if (distance > options_.gate) {
     // The implausible part of the motion becomes variance of the foot, as a slip of that size.
@@ -157,26 +157,26 @@ void InvariantFilter::correct(Leg leg, const Vec3& h, const Mat3& J) noexcept {
     PHt.middleRows<3>(k).diagonal().array() -= slip;
     S_used.diagonal().array() += slip;
   }
-  const Eigen::Matrix<double, kSize, 3> K = S_used.ldlt().solve(PHt.transpose()).transpose();
+  const Columns K = S_used.ldlt().solve(PHt.transpose()).transpose();
   P_.noalias() -= K * PHt.transpose();
   P_ = 0.5 * (P_ + P_.transpose()).eval();
   retract(K * innovation);
 }
 
-void InvariantFilter::retract(const Eigen::Matrix<double, kSize, 1>& xi) {
+void InvariantFilter::retract(const Error& xi) {
   const Vec3 theta = -xi.segment<3>(kTheta);
   const Mat3 turn = exp_rotation(theta).toRotationMatrix();
   const Mat3 J = left_jacobian(theta);
   R_ = turn * R_;
   v_ = turn * v_ - J * xi.segment<3>(kVelocity);
   p_ = turn * p_ - J * xi.segment<3>(kPosition);
-  for (const Leg leg : kLegs) {
+  for (const Leg leg : d_.legs()) {
     if (stands(leg)) {
       d_[index(leg)] = turn * d_[index(leg)] - J * xi.segment<3>(foot(leg));
     }
   }
-  gyro_bias_ -= xi.segment<3>(kGyroBias);
-  accelerometer_bias_ -= xi.segment<3>(kAccelerometerBias);
+  gyro_bias_ -= xi.segment<3>(gyro_bias_row());
+  accelerometer_bias_ -= xi.segment<3>(accelerometer_bias_row());
 }
 
 }  // namespace surefoot::estimation

@@ -25,17 +25,21 @@ struct InvariantFilterOptions {
 ///     Ṙ = R S(ω − b_g),   v̇ = R (a − b_a) + g,   ṗ = v,   ḋ_k = 0       (each with white noise)
 ///     measured:  R h_k(q) = d_k − p                                      (a foot k that stands)
 ///
-/// The error ξ = (θ, ξ_v, ξ_p, ξ_d1 … ξ_d4, ξ_g, ξ_a) is defined by X̂ = exp(ξ) X and b̂ = b + ξ, so
+/// The error ξ = (θ, ξ_v, ξ_p, ξ_d1 … ξ_dn, ξ_g, ξ_a) is defined by X̂ = exp(ξ) X and b̂ = b + ξ, so
 /// the measurement is linear in it: R̂ h − (d̂ − p̂) = ξ_p − ξ_d. Position and heading of W start with
 /// the robot's and drift, as they are not observable. Does not allocate.
 class InvariantFilter {
  public:
   static constexpr int kTheta = 0, kVelocity = 3, kPosition = 6, kFeet = 9;
-  static constexpr int kGyroBias = kFeet + 3 * kNumLegs, kAccelerometerBias = kGyroBias + 3;
-  static constexpr int kSize = kAccelerometerBias + 3;
-  using Covariance = Eigen::Matrix<double, kSize, kSize>;
+  static constexpr int kMaxSize = kFeet + 3 * kMaxLegs + 6;
+  using Covariance =
+      Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, kMaxSize, kMaxSize>;
 
-  explicit InvariantFilter(const InvariantFilterOptions& options = {}) : options_(options) {}
+  explicit InvariantFilter(const InvariantFilterOptions& options = {}, int num_legs = kNumLegs)
+      : options_(options),
+        d_(num_legs, Vec3::Zero()),
+        stands_(num_legs, false),
+        P_(Covariance::Zero(size(), size())) {}
 
   /// Starts at the origin with a heading [rad] and a velocity in B [m/s], level by the mean
   /// specific force in B at rest [m/s²]. Multiplies the initial deviations of tilt, velocity and
@@ -76,11 +80,18 @@ class InvariantFilter {
   [[nodiscard]] bool stands(Leg leg) const { return stands_[index(leg)]; }
   [[nodiscard]] const Vec3& gyro_bias() const { return gyro_bias_; }
   [[nodiscard]] const Vec3& accelerometer_bias() const { return accelerometer_bias_; }
+  /// Places of ξ_g and ξ_a.
+  [[nodiscard]] int gyro_bias_row() const { return kFeet + 3 * static_cast<int>(d_.size()); }
+  [[nodiscard]] int accelerometer_bias_row() const { return gyro_bias_row() + 3; }
   /// Of ξ; rows and columns of feet that don't stand are zero.
   [[nodiscard]] const Covariance& covariance() const { return P_; }
 
  private:
-  using Rows = Eigen::Matrix<double, 3, kSize>;
+  using Rows = Eigen::Matrix<double, 3, Eigen::Dynamic, Eigen::ColMajor, 3, kMaxSize>;
+  using Columns = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::ColMajor, kMaxSize, 3>;
+  using Error = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, kMaxSize, 1>;
+
+  [[nodiscard]] int size() const { return gyro_bias_row() + 6; }
 
   [[nodiscard]] static int foot(Leg leg) { return kFeet + 3 * static_cast<int>(leg); }
   /// P + dt A P for the error's dynamics ξ̇ = A ξ.
@@ -88,15 +99,15 @@ class InvariantFilter {
   void add_process_noise(double dt);
   [[nodiscard]] Mat3 measurement_noise(const Mat3& J) const;
   /// X ← exp(−ξ) X.
-  void retract(const Eigen::Matrix<double, kSize, 1>& xi);
+  void retract(const Error& xi);
 
   InvariantFilterOptions options_;
   Mat3 R_ = Mat3::Identity();
   Vec3 v_ = Vec3::Zero(), p_ = Vec3::Zero();
-  PerLeg<Vec3> d_{Vec3::Zero(), Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
-  PerLeg<bool> stands_{};
+  PerLeg<Vec3> d_;
+  PerLeg<bool> stands_;
   Vec3 gyro_bias_ = Vec3::Zero(), accelerometer_bias_ = Vec3::Zero();
-  Covariance P_ = Covariance::Zero();
+  Covariance P_;
 };
 
 }  // namespace surefoot::estimation

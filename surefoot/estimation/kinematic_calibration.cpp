@@ -34,9 +34,24 @@ KinematicCalibration::KinematicCalibration(const model::RobotDescription& robot,
       ticks_per_sample_(std::max(
           1, static_cast<int>(std::lround(robot.scale.time() * kSampleInterval / period)))),
       foot_radius_(robot.foot_radius),
-      scale_(robot.scale) {
+      scale_(robot.scale),
+      num_legs_(robot.num_legs()),
+      imu_(kErrorsPerLeg * num_legs_),
+      bias_(imu_ + 3),
+      delay_(bias_ + 3),
+      num_errors_(delay_ + 1),
+      rolled_(num_legs_, Vec3::Zero()),
+      W_(Weights::Zero(3 * num_legs_, 3 * num_legs_)),
+      sum_y_(Coordinates::Zero(3 * num_legs_)),
+      sum_H_(Sensitivity::Zero(3 * num_legs_, num_errors_)),
+      sum_HWH_(Information::Zero(num_errors_, num_errors_)),
+      sum_HWy_(Errors::Zero(num_errors_)),
+      before_(sum_HWy_),
+      after_(sum_HWy_),
+      in_use_(no_errors(num_legs_)) {
   const model::BodyTree tree = model::make_body_tree(robot, model::read_urdf(robot));
-  for (const Leg leg : kLegs) chains_[index(leg)] = tree.legs[index(leg)].chain;
+  chains_.resize(num_legs_);
+  for (const Leg leg : chains_.legs()) chains_[index(leg)] = tree.legs[index(leg)].chain;
 }
 
 void KinematicCalibration::forget() noexcept {
@@ -64,7 +79,7 @@ void KinematicCalibration::update(double time, const model::Dynamics& dynamics, 
   if (ticks_ == 0) start(dynamics.base_rotation.R);
   const double dt = periods * period_;
   turn(gyro_B, dt);
-  for (const Leg leg : kLegs) {
+  for (const Leg leg : rolled_.legs()) {
     rolled_[index(leg)] += dt * dynamics.shank[index(leg)].w.cross(foot_radius_ * normal);
   }
   if (ticks_++ % ticks_per_sample_ == 0) add_sample(dynamics);
@@ -89,10 +104,10 @@ void KinematicCalibration::turn(const Vec3& gyro_B, double dt) noexcept {
 }
 
 void KinematicCalibration::add_sample(const model::Dynamics& dynamics) noexcept {
-  Coordinates y;
-  Sensitivity H = Sensitivity::Zero();
+  Coordinates y(3 * num_legs_);
+  Sensitivity H = Sensitivity::Zero(3 * num_legs_, num_errors_);
   const Mat3 R_from_W = R_ * dynamics.base_rotation.R.transpose();
-  for (const Leg leg : kLegs) {
+  for (const Leg leg : rolled_.legs()) {
     const Eigen::Index k = 3 * static_cast<Eigen::Index>(index(leg));
     const Eigen::Index first = kErrorsPerLeg * static_cast<Eigen::Index>(index(leg));
     const Vec3 q = dynamics.q.segment<kJointsPerLeg>(first_joint(leg));
@@ -101,17 +116,18 @@ void KinematicCalibration::add_sample(const model::Dynamics& dynamics) noexcept 
     H.block<3, 2>(k, first) = R_ * chains_[index(leg)].lengthening_in_base(q);
     H.block<3, 3>(k, first + 2) = -R_from_W * model::leg_jacobian(dynamics.foot[index(leg)], leg);
     const Vec3 f = R_.transpose() * lever;
-    H.block<3, 3>(k, kImu) = R_ * skew(f) - skew(lever) * R_start_;
-    H.block<3, 3>(k, kBias) = skew(lever) * turned_;
-    H.block<3, 1>(k, kDelay) = R_ * gyro_.cross(f);
+    H.block<3, 3>(k, imu_) = R_ * skew(f) - skew(lever) * R_start_;
+    H.block<3, 3>(k, bias_) = skew(lever) * turned_;
+    H.block<3, 1>(k, delay_) = R_ * gyro_.cross(f);
   }
   Vec3 mean = Vec3::Zero();
-  Eigen::Matrix<double, 3, kNumErrors> mean_H = Eigen::Matrix<double, 3, kNumErrors>::Zero();
-  for (int k = 0; k < kNumLegs; ++k) {
-    mean += y.segment<3>(3 * k) / kNumLegs;
-    mean_H += H.middleRows<3>(3 * k) / kNumLegs;
+  using Rows = Eigen::Matrix<double, 3, Eigen::Dynamic, Eigen::ColMajor, 3, kMaxErrors>;
+  Rows mean_H = Rows::Zero(3, num_errors_);
+  for (int k = 0; k < num_legs_; ++k) {
+    mean += y.segment<3>(3 * k) / num_legs_;
+    mean_H += H.middleRows<3>(3 * k) / num_legs_;
   }
-  for (int k = 0; k < kNumLegs; ++k) {
+  for (int k = 0; k < num_legs_; ++k) {
     y.segment<3>(3 * k) -= mean;
     H.middleRows<3>(3 * k) -= mean_H;
   }
@@ -126,9 +142,9 @@ void KinematicCalibration::add_sample(const model::Dynamics& dynamics) noexcept 
 
 KinematicCalibration::Weights KinematicCalibration::weights(const Coordinates& y) const {
   const double creep = scale_.length * kCreep, sinking = scale_.length * kSinking;
-  Eigen::Matrix<double, kNumCoordinates, 3> B;
-  Coordinates variance;
-  for (int k = 0; k < kNumLegs; ++k) {
+  Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::ColMajor, kMaxCoordinates, 3> B(y.size(), 3);
+  Coordinates variance(y.size());
+  for (int k = 0; k < num_legs_; ++k) {
     B.middleRows<3>(3 * k) = kTurnError * skew(y.segment<3>(3 * k));
     variance.segment<3>(3 * k) << creep * creep, creep * creep, sinking * sinking;
   }
@@ -136,20 +152,20 @@ KinematicCalibration::Weights KinematicCalibration::weights(const Coordinates& y
 }
 
 double KinematicCalibration::prior(int error) const {
-  if (error == kDelay) return kDelayPrior;
-  if (error >= kBias) return kBiasPrior;
+  if (error == delay_) return kDelayPrior;
+  if (error >= bias_) return kBiasPrior;
   return is_length(error) ? scale_.length * kLengthPrior : kZeroPrior;
 }
 
 void KinematicCalibration::finish() noexcept {
   Information A = sum_HWH_ - sum_H_.transpose() * W_ * sum_H_ / samples_;
   const Errors b = sum_HWy_ - sum_H_.transpose() * (W_ * sum_y_) / samples_;
-  for (int i = 0; i < kNumErrors; ++i) A(i, i) += 1.0 / (prior(i) * prior(i));
+  for (int i = 0; i < num_errors_; ++i) A(i, i) += 1.0 / (prior(i) * prior(i));
   const Errors found = -A.ldlt().solve(b);
   knows_legs_ = true;
   before_ = after_;
   share_ = 0.0;
-  for (int i = 0; i < kBias; ++i) {
+  for (int i = 0; i < bias_; ++i) {
     const double most = is_length(i) ? scale_.length * kMaxLength : kMaxAngle;
     after_[i] = std::clamp(before_[i] + found[i], -most, most);
   }
@@ -159,13 +175,13 @@ void KinematicCalibration::fade() noexcept {
   if (share_ >= 1.0) return;
   share_ = std::min(1.0, share_ + period_ / (scale_.time() * kFadeIn));
   const Errors now = before_ + smoothstep(share_) * (after_ - before_);
-  for (const Leg leg : kLegs) {
+  for (const Leg leg : rolled_.legs()) {
     const Eigen::Index first = kErrorsPerLeg * static_cast<Eigen::Index>(index(leg));
     in_use_.thigh[index(leg)] = now[first];
     in_use_.shank[index(leg)] = now[first + 1];
     in_use_.zero.segment<kJointsPerLeg>(first_joint(leg)) = now.segment<3>(first + 2);
   }
-  in_use_.imu = now.segment<3>(kImu);
+  in_use_.imu = now.segment<3>(imu_);
 }
 
 }  // namespace surefoot::estimation

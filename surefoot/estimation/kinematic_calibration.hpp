@@ -14,9 +14,9 @@ namespace surefoot::estimation {
 ///
 /// With R the base's orientation by the gyroscope, f_k the leg's forward kinematics and ρ_k the
 /// rolled way of foot k, the vectors R f_k(q_k; θ_k) − ρ_k between the stance feet are constant.
-/// Let y be these twelve numbers minus their mean over the feet, and H = ∂y/∂θ, both minus their
-/// mean over time. The errors θ are two lengths and three zeros a leg, the rotation m of B against
-/// the IMU's axes, the gyroscope's bias and its delay τ. They minimize
+/// Let y be these numbers, three a foot, minus their mean over the feet, and H = ∂y/∂θ, both minus
+/// their mean over time. The errors θ are two lengths and three zeros a leg, the rotation m of B
+/// against the IMU's axes, the gyroscope's bias and its delay τ. They minimize
 ///
 ///     min Σ_t ‖y + H θ‖²_W + ‖θ‖²_Π
 ///
@@ -35,7 +35,7 @@ class KinematicCalibration {
   /// `period` of the control loop [s].
   KinematicCalibration(const model::RobotDescription& robot, double period);
 
-  /// One tick at its time [s]; `is_turning` while the torso turns on four feet. `dynamics` contain
+  /// One tick at its time [s]; `is_turning` while the torso turns on all feet. `dynamics` contain
   /// errors(). A few missed ticks are bridged with this tick's rate; a longer gap restarts the
   /// motion.
   void update(double time, const model::Dynamics& dynamics, const Vec3& gyro_B,
@@ -50,16 +50,16 @@ class KinematicCalibration {
   [[nodiscard]] const KinematicErrors& errors() const { return in_use_; }
 
  private:
-  static constexpr int kNumCoordinates = 3 * kNumLegs;
   static constexpr int kErrorsPerLeg = 2 + kJointsPerLeg;  // thigh, shank, the encoders' zeros
-  static constexpr int kNumLegErrors = kErrorsPerLeg * kNumLegs;
-  static constexpr int kImu = kNumLegErrors, kBias = kImu + 3, kDelay = kBias + 3;
-  static constexpr int kNumErrors = kDelay + 1;
-  using Coordinates = Eigen::Matrix<double, kNumCoordinates, 1>;
-  using Weights = Eigen::Matrix<double, kNumCoordinates, kNumCoordinates>;
-  using Sensitivity = Eigen::Matrix<double, kNumCoordinates, kNumErrors>;
-  using Errors = Eigen::Matrix<double, kNumErrors, 1>;
-  using Information = Eigen::Matrix<double, kNumErrors, kNumErrors>;
+  static constexpr int kMaxCoordinates = 3 * kMaxLegs, kMaxErrors = kErrorsPerLeg * kMaxLegs + 7;
+  template <int kMaxRows, int kMaxColumns>
+  using Bounded = Eigen::Matrix<double, Eigen::Dynamic, kMaxColumns == 1 ? 1 : Eigen::Dynamic,
+                                Eigen::ColMajor, kMaxRows, kMaxColumns>;
+  using Coordinates = Bounded<kMaxCoordinates, 1>;
+  using Weights = Bounded<kMaxCoordinates, kMaxCoordinates>;
+  using Sensitivity = Bounded<kMaxCoordinates, kMaxErrors>;
+  using Errors = Bounded<kMaxErrors, 1>;
+  using Information = Bounded<kMaxErrors, kMaxErrors>;
 
   void start(const Mat3& R_WB) noexcept;
   void turn(const Vec3& gyro_B, double dt) noexcept;
@@ -67,8 +67,8 @@ class KinematicCalibration {
   [[nodiscard]] double periods_until(double time) const;
   void add_sample(const model::Dynamics& dynamics) noexcept;
   [[nodiscard]] Weights weights(const Coordinates& y) const;
-  [[nodiscard]] static bool is_length(int error) {
-    return error < kImu && error % kErrorsPerLeg < 2;
+  [[nodiscard]] bool is_length(int error) const {
+    return error < imu_ && error % kErrorsPerLeg < 2;
   }
   /// Prior standard deviation of an error.
   [[nodiscard]] double prior(int error) const;
@@ -81,19 +81,21 @@ class KinematicCalibration {
   double foot_radius_;
   Scale scale_;  // of the robot
   PerLeg<model::LegChain> chains_;
-  PerLeg<Vec3> rolled_ = per_leg<Vec3>(Vec3::Zero());
+  int num_legs_;
+  int imu_, bias_, delay_, num_errors_;  // places of these errors, behind those of the legs
+  PerLeg<Vec3> rolled_;
   Mat3 R_start_ = Mat3::Identity();
   Mat3 R_ = Mat3::Identity();   // of the base in W, from the gyroscope
   Vec3 gyro_ = Vec3::Zero();    // the last reading [rad/s]
   Mat3 turned_ = Mat3::Zero();  // ∫ R dt, the effect of a gyroscope bias [s]
   int ticks_ = 0, samples_ = 0;
   bool knows_legs_ = false;
-  Weights W_ = Weights::Zero();
-  Coordinates sum_y_ = Coordinates::Zero();
-  Sensitivity sum_H_ = Sensitivity::Zero();
-  Information sum_HWH_ = Information::Zero();
-  Errors sum_HWy_ = Errors::Zero();
-  Errors before_ = Errors::Zero(), after_ = Errors::Zero();
+  Weights W_;
+  Coordinates sum_y_;
+  Sensitivity sum_H_;
+  Information sum_HWH_;
+  Errors sum_HWy_;
+  Errors before_, after_;
   double share_ = 1.0;  // of the way from before to after
   KinematicErrors in_use_;
 };

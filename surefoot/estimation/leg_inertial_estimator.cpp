@@ -23,11 +23,15 @@ LegInertialEstimator::LegInertialEstimator(const model::RobotDescription& robot,
     : options_(options),
       period_(period),
       foot_radius_(robot.foot_radius),
-      filter_(options.filter),
+      errors_(no_errors(robot.num_legs())),
+      filter_(options.filter, robot.num_legs()),
+      feet_(robot.num_legs(), Foot{}),
       standing_start_(period, robot.scale) {
   const model::BodyTree tree = model::make_body_tree(robot, model::read_urdf(robot));
-  for (const Leg leg : kLegs) described_[index(leg)] = tree.legs[index(leg)].chain;
+  described_.resize(robot.num_legs());
+  for (const Leg leg : described_.legs()) described_[index(leg)] = tree.legs[index(leg)].chain;
   chains_ = described_;
+  state_.size_legs(robot.num_legs());
 }
 
 const RobotState& LegInertialEstimator::update(const SensorReading& reading,
@@ -55,7 +59,7 @@ const RobotState& LegInertialEstimator::update(const SensorReading& reading,
     take_over(context.kinematics, reading.q);
     advance(reading, dt, is_complete);
     add_turn_uncertainty();
-    for (const Leg leg : kLegs) update_foot(leg, context.contacts[index(leg)], dt);
+    for (const Leg leg : feet_.legs()) update_foot(leg, context.contacts[index(leg)], dt);
   }
   write_joints(reading, context);
   write_base(reading);
@@ -67,15 +71,18 @@ void LegInertialEstimator::restart() noexcept {
   started_ = false;
   standing_start_.restart();
   chains_ = described_;
-  errors_ = {};
+  const auto num_legs = static_cast<int>(feet_.size());
+  errors_ = no_errors(num_legs);
   state_ = {};
+  state_.size_legs(num_legs);
 }
 
 // Uses the lowest points of the spheres, where the shanks roll on the ground.
 bool LegInertialEstimator::stands(const SensorReading& reading,
                                   const JointVector& joint_velocity) noexcept {
   PerLeg<Vec3> p_BC, v_BC;
-  for (const Leg leg : kLegs) {
+  for (PerLeg<Vec3>* vectors : {&p_BC, &v_BC}) vectors->resize(static_cast<int>(feet_.size()));
+  for (const Leg leg : feet_.legs()) {
     const Vec3 q = angles(reading.q, leg);
     model::LegChain chain = chains_[index(leg)];
     chain.foot -= chain.shank_in_base(q).transpose() * (foot_radius_ * Vec3::UnitZ());
@@ -112,14 +119,15 @@ void LegInertialEstimator::start(const SensorReading& reading, const StandingSta
 }
 
 double LegInertialEstimator::height_over_feet() const {
+  const auto count = static_cast<double>(feet_.size());
   double lowest = 0.0;
-  for (const Foot& foot : feet_) lowest += (filter_.R_WB() * foot.p_BF).z() / kNumLegs;
+  for (const Foot& foot : feet_) lowest += (filter_.R_WB() * foot.p_BF).z() / count;
   return foot_radius_ - lowest;
 }
 
 void LegInertialEstimator::stand_at(const Vec3& p_WB) {
   filter_.place(p_WB);
-  for (const Leg leg : kLegs) {
+  for (const Leg leg : feet_.legs()) {
     Foot& foot = feet_[index(leg)];
     foot.stands_for = kLongAgo;
     filter_.plant(leg, foot.p_BF, foot.J);
@@ -159,7 +167,9 @@ void LegInertialEstimator::advance(const SensorReading& reading, double dt, bool
 void LegInertialEstimator::take_over(const KinematicErrors& errors, const JointVector& q) {
   for (Foot& foot : feet_) foot.shift.setZero();
   if (errors == errors_) return;
-  const JointVector q_before = q + errors.zero - errors_.zero;
+  JointVector q_before = q;
+  q_before.head(errors.zero.size()) =
+      q_before.head(errors.zero.size()) + errors.zero - errors_.zero;
   const Mat3 R_before = filter_.R_WB();
   const Quat turn = exp_rotation(errors.imu) * exp_rotation(errors_.imu).conjugate();
   filter_.turn_imu(turn.toRotationMatrix());
@@ -168,7 +178,7 @@ void LegInertialEstimator::take_over(const KinematicErrors& errors, const JointV
   mean_force_ = turn * mean_force_;
   recent_force_ = turn * recent_force_;
   errors_ = errors;
-  for (const Leg leg : kLegs) {
+  for (const Leg leg : feet_.legs()) {
     const std::size_t k = index(leg);
     const Vec3 before = chains_[k].foot_in_base(angles(q_before, leg));
     chains_[k] = described_[k].lengthened(errors.thigh[k], errors.shank[k]);
@@ -178,7 +188,7 @@ void LegInertialEstimator::take_over(const KinematicErrors& errors, const JointV
 }
 
 void LegInertialEstimator::update_kinematics(const SensorReading& reading) {
-  for (const Leg leg : kLegs) {
+  for (const Leg leg : feet_.legs()) {
     Foot& foot = feet_[index(leg)];
     const model::LegChain& chain = chains_[index(leg)];
     const Vec3 q = angles(reading.q, leg);

@@ -91,7 +91,7 @@ class LegInertialEstimator final : public StateEstimator {
   PerLeg<model::LegChain> described_, chains_;  // of the URDF, and as estimated
   KinematicErrors errors_;
   InvariantFilter filter_;
-  PerLeg<Foot> feet_{};
+  PerLeg<Foot> feet_;
   Vec3 gyro_before_ = Vec3::Zero();  // at the last tick, in B [rad/s]
   // Means of the last tenth of a second, in B [rad/s], [m/s²]; of the last hundredth.
   Vec3 mean_gyro_ = Vec3::Zero(), mean_force_ = Vec3::Zero(), recent_force_ = Vec3::Zero();

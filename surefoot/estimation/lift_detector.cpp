@@ -11,8 +11,7 @@ constexpr double kMinOtherSupport = 0.5;  // share of the weight on other suppor
 constexpr double kLiftedTime = 0.05;      // [s]
 constexpr double kMinFootLoad = 0.04;     // share of the weight on one stance foot
 constexpr double kMinStandingLoad = 0.7;  // share of the weight on all feet
-constexpr int kMinStanceFeet = 3;
-constexpr double kDownTime = 0.3;  // [s]
+constexpr double kDownTime = 0.3;         // [s]
 
 }  // namespace
 
@@ -25,7 +24,8 @@ void LiftDetector::update(double weight, const PerLeg<Vec3>& foot_force,
   const double gain = begun_ ? period_ / (kFilterTime + period_) : 1.0;
   begun_ = true;
   specific_force_ += gain * (accelerometer / kGravity - specific_force_);
-  for (const Leg leg : kLegs) {
+  share_.resize(static_cast<int>(foot_force.size()));
+  for (const Leg leg : share_.legs()) {
     Vec3& share = share_[index(leg)];
     share += gain * (foot_force[index(leg)] / weight - share);
   }
@@ -48,8 +48,9 @@ bool LiftDetector::bears(Leg leg) const { return share_[index(leg)].z() > kMinFo
 bool LiftDetector::feet_bear() const {
   double load = 0.0;
   for (const Vec3& share : share_) load += share.z();
-  const auto bearing = std::ranges::count_if(kLegs, [this](Leg leg) { return bears(leg); });
-  return bearing >= kMinStanceFeet && load > kMinStandingLoad;
+  const auto bearing = std::ranges::count_if(share_.legs(), [this](Leg leg) { return bears(leg); });
+  const bool are_on_both_sides = 2 * bearing > std::ssize(share_);  // whichever they are
+  return are_on_both_sides && load > kMinStandingLoad;
 }
 
 }  // namespace surefoot::estimation

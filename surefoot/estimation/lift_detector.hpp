@@ -1,7 +1,7 @@
 #pragma once
 
 #include "surefoot/base/scale.hpp"
-#include "surefoot/signals/leg.hpp"
+#include "surefoot/signals/per_leg.hpp"
 
 namespace surefoot::estimation {
 
@@ -14,7 +14,7 @@ namespace surefoot::estimation {
 ///
 /// With Σ |f_k| < m g / 2 the robot is *lifted* if it senses half of g more than that, and *falls*
 /// otherwise. Magnitudes are added, so that wrong joint torques, which cancel in the sum, still
-/// count. It is *down* again when most of its weight is on at least three feet. Forces and
+/// count. It is *down* again when most of its weight is on more than half of its feet. Forces and
 /// acceleration pass the same filter (20 ms), so that neither leads. Does not allocate.
 class LiftDetector {
  public:
@@ -41,10 +41,10 @@ class LiftDetector {
   double period_;
   Scale scale_;
   bool begun_ = false;
-  PerLeg<Vec3> share_{Vec3::Zero(), Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};  // of the weight
-  Vec3 specific_force_ = Vec3::Zero();                                          // [g]
-  double lifted_for_ = 0.0;                                                     // [s]
-  double down_for_ = 0.0;                                                       // [s]
+  PerLeg<Vec3> share_ = per_leg<Vec3>(Vec3::Zero());  // of the weight
+  Vec3 specific_force_ = Vec3::Zero();                // [g]
+  double lifted_for_ = 0.0;                           // [s]
+  double down_for_ = 0.0;                             // [s]
 };
 
 }  // namespace surefoot::estimation

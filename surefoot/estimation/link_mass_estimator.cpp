@@ -18,16 +18,20 @@ LinkMassOptions scaled(LinkMassOptions options, const Scale& scale) {
 }  // namespace
 
 LinkMassEstimator::LinkMassEstimator(const LinkMassOptions& options, double period,
-                                     const Scale& scale)
-    : options_(scaled(options, scale)), period_(period) {
+                                     const Scale& scale, int num_legs)
+    : options_(scaled(options, scale)),
+      period_(period),
+      num_links_(kJointsPerLeg * num_legs),
+      swings_(num_legs, Swing{}),
+      state_(Unknowns::Zero(num_links_ + 1)) {
   const auto ticks = [period](double duration) {
     return static_cast<int>(std::lround(duration / period));
   };
   begin_ = ticks(options_.begin);
   end_ = begin_ + ticks(options_.duration);
   known_ = end_ + ticks(options_.wait);
-  Unknowns usual = Unknowns::Constant(options_.usual_share);
-  usual[kNumLinks] = options_.usual_delay;
+  Unknowns usual = Unknowns::Constant(num_links_ + 1, options_.usual_share);
+  usual[num_links_] = options_.usual_delay;
   covariance_ = usual.cwiseAbs2().asDiagonal();
 }
 
@@ -36,7 +40,7 @@ void LinkMassEstimator::update(double time, const model::Dynamics& dynamics,
   if (!options_.enabled) return;
   const bool is_next = std::abs(time - time_ - period_) < 0.5 * period_;
   time_ = time;
-  for (const Leg leg : kLegs) {
+  for (const Leg leg : swings_.legs()) {
     Swing& swing = swings_[index(leg)];
     if (stands[index(leg)]) {
       swing = Swing{};
@@ -55,7 +59,7 @@ void LinkMassEstimator::update(double time, const model::Dynamics& dynamics,
 }
 
 LinkMassEstimator::Shares LinkMassEstimator::shares() const {
-  return state_.head<kNumLinks>().cwiseMax(-kMaxShare).cwiseMin(kMaxShare);
+  return state_.head(num_links_).cwiseMax(-kMaxShare).cwiseMin(kMaxShare);
 }
 
 void LinkMassEstimator::add(Swing& swing, const model::LegLinks& links, const Vec3& torque) const {
@@ -76,12 +80,15 @@ void LinkMassEstimator::add(Swing& swing, const model::LegLinks& links, const Ve
 
 // A bad fit gives no masses: the foot caught on something, or a number is not finite.
 void LinkMassEstimator::learn(Leg leg, const Swing& swing) {
-  Eigen::Matrix<double, kNumRows, kNumUnknowns> A;
-  A.setZero();
+  using RowsOfAll =
+      Eigen::Matrix<double, kNumRows, Eigen::Dynamic, Eigen::ColMajor, kNumRows, kMaxUnknowns>;
+  using Gain =
+      Eigen::Matrix<double, Eigen::Dynamic, kNumRows, Eigen::ColMajor, kMaxUnknowns, kNumRows>;
+  RowsOfAll A = RowsOfAll::Zero(kNumRows, num_links_ + 1);
   A.middleCols<kJointsPerLeg>(first_joint(leg)) = swing.links;
-  A.col(kNumLinks) = -swing.torque_slope;
+  A.col(num_links_) = -swing.torque_slope;
   const Rows missing = swing.torque - swing.links.rowwise().sum() - A * state_;
-  const Eigen::Matrix<double, kNumUnknowns, kNumRows> PA = covariance_ * A.transpose();
+  const Gain PA = covariance_ * A.transpose();
   Eigen::Matrix<double, kNumRows, kNumRows> S = A * PA;
   S.diagonal().array() += options_.noise * options_.noise;
   const Eigen::LLT<Eigen::Matrix<double, kNumRows, kNumRows>> S_factor(S);

@@ -29,15 +29,15 @@ struct LinkMassOptions {
 ///     ∫ φ τ_j dt + d ∫ φ̇ τ_j dt = −Σ_l (1 + s_l) ∫ (φ̇ momentum_jl + φ free_rate_jl) dt
 ///
 /// (LegLinks), for φ = 2/T sin²(πt/T) cos(nπt/T), n = 0, 1, 2. Recursive least squares, with a
-/// prior at 0, gives the 12 shares and d. Ours (decision 0019), after the weighted integrals of
+/// prior at 0, gives the shares and d. Ours (decision 0019), after the weighted integrals of
 /// modulating functions (Shinbrot 1954). Does not allocate.
 class LinkMassEstimator {
  public:
-  static constexpr int kNumLinks = kNumLegs * kJointsPerLeg;
-  using Shares = Eigen::Matrix<double, kNumLinks, 1>;
+  using Shares = LegJointVector;
 
   /// `period` of the control loop [s], `scale` of the robot.
-  LinkMassEstimator(const LinkMassOptions& options, double period, const Scale& scale = {});
+  LinkMassEstimator(const LinkMassOptions& options, double period, const Scale& scale = {},
+                    int num_legs = kNumLegs);
 
   /// A tick at `time` [s]: `stands`: the feet in contact; `torque`: measured [N·m]. A swing with a
   /// missed tick is ignored.
@@ -48,14 +48,15 @@ class LinkMassEstimator {
   /// RF …
   [[nodiscard]] Shares shares() const;
   /// Delay of the torque samples behind the angles [s].
-  [[nodiscard]] double delay() const { return state_[kNumLinks]; }
+  [[nodiscard]] double delay() const { return state_[num_links_]; }
 
  private:
-  static constexpr int kNumUnknowns = kNumLinks + 1;
+  static constexpr int kMaxUnknowns = kJointsPerLeg * kMaxLegs + 1;
   static constexpr int kNumWeights = 3;
   static constexpr int kNumRows = kNumWeights * kJointsPerLeg;
-  using Unknowns = Eigen::Matrix<double, kNumUnknowns, 1>;
-  using Covariance = Eigen::Matrix<double, kNumUnknowns, kNumUnknowns>;
+  using Unknowns = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, kMaxUnknowns, 1>;
+  using Covariance = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor,
+                                   kMaxUnknowns, kMaxUnknowns>;
   using Rows = Eigen::Matrix<double, kNumRows, 1>;
 
   /// The integrals of a swing so far; a row for each weight and joint.
@@ -72,10 +73,11 @@ class LinkMassEstimator {
 
   LinkMassOptions options_;  // of this robot
   double period_;
+  int num_links_;
   int begin_, end_, known_;  // the window, and when it counts [ticks after lift-off]
   double time_ = kNaN;       // of the last tick [s]
   PerLeg<Swing> swings_{};
-  Unknowns state_ = Unknowns::Zero();
+  Unknowns state_;
   Covariance covariance_;
 };
 

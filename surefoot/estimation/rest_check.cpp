@@ -17,7 +17,7 @@ void RestCheck::update(const SensorReading& reading, const JointVector& joint_ve
                        const Vec3& force, double mass) noexcept {
   const double weight = mass * kGravity;
   const bool stands =
-      joint_velocity.head<kNumLegJoints>().cwiseAbs().maxCoeff() < scale_.rate() * kStandingSpeed &&
+      joint_velocity.head(num_leg_joints_).cwiseAbs().maxCoeff() < scale_.rate() * kStandingSpeed &&
       force.norm() > kMinLoad * weight;  // not if it is NaN
   if (!stands) return;
   const double error = (mass * reading.accelerometer - force).norm();

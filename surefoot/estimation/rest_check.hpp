@@ -18,7 +18,8 @@ namespace surefoot::estimation {
 class RestCheck {
  public:
   /// `period` of the control loop [s].
-  explicit RestCheck(double period, const Scale& scale = {}) : period_(period), scale_(scale) {}
+  explicit RestCheck(double period, const Scale& scale = {}, int num_legs = kNumLegs)
+      : period_(period), scale_(scale), num_leg_joints_(kJointsPerLeg * num_legs) {}
 
   /// One tick. `force`: of the ground on all feet, by the joint torques, in B [N]; `mass` [kg].
   /// Ignores values that are not finite.
@@ -33,6 +34,7 @@ class RestCheck {
  private:
   double period_;
   Scale scale_;
+  int num_leg_joints_;
   double wrong_for_ = 0.0;
   bool torques_pull_ = false;
 };

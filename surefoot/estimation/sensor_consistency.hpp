@@ -25,9 +25,9 @@ struct ConsistencyInputs {
 class SensorConsistency {
  public:
   SensorConsistency(const SensorConsistencyOptions& options, double period,
-                    const JointStops& stops = {})
+                    const JointStops& stops = {}, int num_legs = kNumLegs)
       : enabled_(options.enabled),
-        imu_(options.imu, period),
+        imu_(options.imu, period, num_legs),
         imu_step_(period),
         frozen_(options.frozen, period, stops),
         torques_(options.torques, period, static_cast<int>(stops.min.size())) {}

@@ -12,18 +12,16 @@
 namespace surefoot::estimation {
 namespace {
 
-constexpr int kMinFeetAtRest = 2;  // feet that stand still
-
 /// Median over the other stance feet's contact points and 0, along each axis of the heading.
 Vec3 velocity_of_others(const model::Dynamics& dynamics, const PerLeg<bool>& stands, Leg leg) {
   const Mat3 R = rotation_about_z(yaw(dynamics.base_rotation.R));
   Vec3 result;
   for (int axis = 0; axis < 3; ++axis) {
-    std::array<double, kNumLegs> votes;
+    std::array<double, kMaxLegs> votes;
     votes.fill(std::numeric_limits<double>::infinity());
     votes[0] = 0.0;
     std::size_t count = 1;
-    for (const Leg other : kLegs) {
+    for (const Leg other : stands.legs()) {
       const double vote = R.col(axis).dot(dynamics.contact[index(other)].v);
       if (other == leg || !stands[index(other)] || !std::isfinite(vote)) continue;
       votes[count++] = vote;
@@ -43,7 +41,8 @@ SlipDetector::SlipDetector(const SlipOptions& options, double period)
 
 void SlipDetector::update(const model::Dynamics& dynamics, const PerLeg<bool>& stands,
                           const Vec3& normal_W, RobotState& state) noexcept {
-  for (const Leg leg : kLegs) {
+  feet_.resize(static_cast<int>(stands.size()));
+  for (const Leg leg : stands.legs()) {
     const std::size_t k = index(leg);
     Foot& foot = feet_[k];
     if (!options_.enabled || !stands[k]) {
@@ -54,17 +53,17 @@ void SlipDetector::update(const model::Dynamics& dynamics, const PerLeg<bool>& s
     }
   }
   reject_without_rest(stands);
-  for (const Leg leg : kLegs) {
+  for (const Leg leg : feet_.legs()) {
     state.slip_velocity[index(leg)] = feet_[index(leg)].velocity;
     state.slips[index(leg)] = feet_[index(leg)].slips;
   }
 }
 
-// If nearly all feet seem to slide, the base velocity is wrong instead. A filter without feet would
-// never recover.
+// If few feet seem to stand still, the base velocity is wrong instead: a median is right while half
+// of the feet are. A filter without feet would never recover.
 void SlipDetector::reject_without_rest(const PerLeg<bool>& stands) {
   const auto stays = [&](Leg leg) { return stands[index(leg)] && !feet_[index(leg)].slips; };
-  if (std::ranges::count_if(kLegs, stays) >= kMinFeetAtRest) return;
+  if (2 * std::ranges::count_if(stands.legs(), stays) >= std::ssize(stands)) return;
   for (Foot& foot : feet_) {
     foot.slips = false;
     foot.fast_for = 0.0;

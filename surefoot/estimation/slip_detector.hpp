@@ -27,7 +27,7 @@ struct SlipOptions {
 /// of the base velocity: along each axis the median over the other stance feet's contact points and
 /// 0, the estimate's own vote. So neither a wrong base velocity nor one other sliding foot makes a
 /// foot slide. A foot slides from `begin_speed` for `begin_duration` until it is below `end_speed`
-/// for `end_duration`. Unless two feet stand still, none slides. Ours. Does not allocate.
+/// for `end_duration`. Unless half of its feet stand still, none slides. Ours. Does not allocate.
 class SlipDetector {
  public:
   SlipDetector(const SlipOptions& options, double period);

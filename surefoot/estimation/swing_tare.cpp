@@ -29,15 +29,16 @@ Eigen::Vector4d usual_sizes(const Scale& scale) {
 }  // namespace
 
 SwingTare::SwingTare(const SwingTareOptions& options, double bandwidth, double period,
-                     const Scale& scale)
+                     const Scale& scale, int num_legs)
     : options_(scaled(options, scale)),
       usual_(usual_sizes(scale)),
       period_(period),
       forgetting_(std::exp(-period / options_.memory)),
       low_pass_gain_(1.0 - std::exp(-bandwidth * period)),
-      wait_(
-          std::min(kMaxWaiting - 1, static_cast<std::size_t>(std::ceil(options_.wait / period)))) {
-  stages_.fill(Signals::Constant(kNaN));
+      wait_(std::min(kMaxWaiting - 1, static_cast<std::size_t>(std::ceil(options_.wait / period)))),
+      tare_(LegJointVector::Zero(kJointsPerLeg * num_legs)) {
+  legs_.resize(num_legs);
+  stages_.fill(Signals::Constant(tare_.size(), kNumFeatures - 1, kNaN));
 }
 
 void SwingTare::update(const PerLeg<bool>& stands, const LegJointVector& missing,
@@ -45,11 +46,11 @@ void SwingTare::update(const PerLeg<bool>& stands, const LegJointVector& missing
                        const JointVector& acceleration) noexcept {
   tare_.setZero();
   if (!options_.enabled) return;
-  Signals now;
-  now << torque.head<kNumLegJoints>(), velocity.head<kNumLegJoints>(),
-      acceleration.head<kNumLegJoints>();
+  const Eigen::Index n = tare_.size();
+  Signals now(n, kNumFeatures - 1);
+  now << torque.head(n), velocity.head(n), acceleration.head(n);
   const Signals& signals = lagged(now);
-  for (const Leg k : kLegs) {
+  for (const Leg k : legs_.legs()) {
     LegTare& leg = legs_[index(k)];
     const int first = first_joint(k);
     if (stands[index(k)]) {

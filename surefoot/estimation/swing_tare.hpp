@@ -35,7 +35,7 @@ class SwingTare {
   /// `bandwidth` ω of the observer [rad/s]; `period` of the control loop [s],
   /// `scale` of the robot.
   SwingTare(const SwingTareOptions& options, double bandwidth, double period,
-            const Scale& scale = {});
+            const Scale& scale = {}, int num_legs = kNumLegs);
 
   /// A tick: the model's torque error r [N·m], with the measured torques [N·m], velocities [rad/s]
   /// and accelerations [rad/s²], of legs first. `stands`: the feet in contact.
@@ -67,7 +67,8 @@ class SwingTare {
     std::array<Joint, kJointsPerLeg> joints;
   };
 
-  using Signals = Eigen::Matrix<double, kNumLegJoints, kNumFeatures - 1>;
+  using Signals = Eigen::Matrix<double, Eigen::Dynamic, kNumFeatures - 1, Eigen::ColMajor,
+                                LegJointVector::MaxRowsAtCompileTime, kNumFeatures - 1>;
   static constexpr int kNumPoles = 3;
 
   /// τ, q̇, q̈ of all joints as the observer has them.
@@ -83,8 +84,8 @@ class SwingTare {
   double low_pass_gain_;
   std::array<Signals, kNumPoles> stages_;  // NaN until there are signals
   std::size_t wait_;                       // [ticks]
-  PerLeg<LegTare> legs_{};
-  LegJointVector tare_ = LegJointVector::Zero();
+  PerLeg<LegTare> legs_;
+  LegJointVector tare_;
 };
 
 }  // namespace surefoot::estimation

@@ -13,8 +13,9 @@ constexpr double kMinSpread = 0.02;  // [m]
 
 TerrainPlane fit_terrain_plane(const PerLeg<Vec3>& footholds, double max_tilt, const Scale& scale) {
   const double min_spread = scale.length * kMinSpread;
+  const auto count = static_cast<double>(footholds.size());
   TerrainPlane plane;
-  for (const Vec3& p : footholds) plane.point += p / kNumLegs;
+  for (const Vec3& p : footholds) plane.point += p / count;
   Mat2 moment = Mat2::Zero();
   Vec2 product = Vec2::Zero();
   for (const Vec3& p : footholds) {

@@ -56,7 +56,7 @@ void TorqueCheck::update(const RobotState& state, const model::Dynamics& dynamic
 TorqueCheck::Wrench TorqueCheck::claimed_by_errors(const model::Dynamics& dynamics,
                                                    const PerLeg<bool>& stands) const {
   Wrench result;
-  for (const Leg leg : kLegs) {
+  for (const Leg leg : stands.legs()) {
     const model::PointKinematics& contact = dynamics.contact[index(leg)];
     if (!stands[index(leg)]) continue;
     const Mat3 inverse = model::damped_inverse(model::leg_jacobian(contact, leg), dynamics.scale);

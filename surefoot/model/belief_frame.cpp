@@ -19,13 +19,13 @@ void BeliefFrame::update(const MotionPlan& plan, const PerLeg<Vec3>& believed_p_
   Vec3 believed = Vec3::Zero(), actual = Vec3::Zero();
   const int count = plan.num_contacts();
   if (count < 2 || !are_known(believed_p_WF)) return;
-  for (const Leg leg : kLegs) {
+  for (const Leg leg : plan.feet.legs()) {
     if (!plan.contact(leg)) continue;
     believed += believed_p_WF[index(leg)] / count;
     actual += true_p_WF[index(leg)] / count;
   }
   double sine = 0.0, cosine = 0.0;
-  for (const Leg leg : kLegs) {
+  for (const Leg leg : plan.feet.legs()) {
     if (!plan.contact(leg)) continue;
     const Vec3 a = believed_p_WF[index(leg)] - believed;
     const Vec3 b = true_p_WF[index(leg)] - actual;

@@ -11,7 +11,6 @@ namespace surefoot::model {
 namespace {
 
 constexpr int kBaseBody = 0;
-constexpr int kFirstArmBody = 1 + kNumLegJoints;
 int body_of(Leg leg, int joint) { return 1 + first_joint(leg) + joint; }
 
 /// The body that a link belongs to, and the link's frame in it.
@@ -55,13 +54,13 @@ std::map<std::string, int> described_joints(const RobotDescription& description,
       throw Error("joint \"" + name + "\" is named for two places of the robot");
     }
   };
-  for (const Leg leg : kLegs) {
+  for (const Leg leg : description.legs.legs()) {
     const auto& joints = description.legs[index(leg)].joints;
     for (int j = 0; j < kJointsPerLeg; ++j) {
       add(joints[static_cast<std::size_t>(j)], body_of(leg, j), "a leg");
     }
   }
-  int body = kFirstArmBody;
+  int body = 1 + description.num_leg_joints();
   for (const ArmDescription& arm : description.arms) {
     for (const std::string& name : arm.joints) add(name, body++, "an arm");
   }
@@ -72,8 +71,12 @@ std::map<std::string, int> described_joints(const RobotDescription& description,
 class Builder {
  public:
   Builder(const RobotDescription& description, const Urdf& urdf)
-      : urdf_(urdf), bodies_(described_joints(description, urdf)) {
-    tree_.arm_bodies.resize(bodies_.size() - kNumLegJoints);
+      : urdf_(urdf),
+        bodies_(described_joints(description, urdf)),
+        first_arm_body_(1 + description.num_leg_joints()) {
+    tree_.legs.resize(description.num_legs());
+    tree_.arm_bodies.resize(
+        static_cast<std::size_t>(description.num_joints() - description.num_leg_joints()));
     add_link(urdf.root, Placement());
     check_inertia(*urdf.find_link(urdf.root), tree_.base);
   }
@@ -114,8 +117,8 @@ class Builder {
       return;
     }
     const int body = described->second;
-    body >= kFirstArmBody ? connect_arm(joint, body, {parent.body, R, p})
-                          : connect_leg(joint, body, {parent.body, R, p});
+    body >= first_arm_body_ ? connect_arm(joint, body, {parent.body, R, p})
+                            : connect_leg(joint, body, {parent.body, R, p});
     add_link(joint.child, {body, Mat3::Identity(), Vec3::Zero()});
     check_inertia(*urdf_.find_link(joint.child), inertia_of(body));
   }
@@ -130,7 +133,7 @@ class Builder {
 
   /// On the base, or behind a joint of an arm that comes earlier.
   void connect_arm(const UrdfJoint& joint, int body, const Placement& parent) {
-    if (parent.body >= body || (parent.body != kBaseBody && parent.body < kFirstArmBody)) {
+    if (parent.body >= body || (parent.body != kBaseBody && parent.body < first_arm_body_)) {
       throw Error("joint \"" + joint.name +
                   "\" of an arm is neither on the base nor behind a joint named before it");
     }
@@ -155,7 +158,7 @@ class Builder {
   }
 
   ArmBody& arm_body(int body) {
-    return tree_.arm_bodies[static_cast<std::size_t>(body - kFirstArmBody)];
+    return tree_.arm_bodies[static_cast<std::size_t>(body - first_arm_body_)];
   }
 
   LegTree& leg_of(int body) {
@@ -164,12 +167,13 @@ class Builder {
 
   Inertia& inertia_of(int body) {
     if (body == kBaseBody) return tree_.base;
-    if (body >= kFirstArmBody) return arm_body(body).inertia;
+    if (body >= first_arm_body_) return arm_body(body).inertia;
     return leg_of(body).inertias[static_cast<std::size_t>((body - 1) % kJointsPerLeg)];
   }
 
   const Urdf& urdf_;
   const std::map<std::string, int> bodies_;
+  const int first_arm_body_;
   std::map<std::string, Placement> placements_;
   BodyTree tree_;
 };
@@ -177,10 +181,11 @@ class Builder {
 /// The placement of a link, which must lie between two joints of a leg.
 const Placement& require(const Builder& builder, const std::string& link, Leg leg, int first,
                          int last) {
+  const int num_legs = static_cast<int>(builder.tree().legs.size());
   const Placement& placement = builder.placement(link);
   if (placement.body < body_of(leg, first) || placement.body > body_of(leg, last)) {
     throw Error("frame \"" + link + "\" is not on the expected part of leg " +
-                std::string(kLegNames[index(leg)]));
+                std::string(leg_name(leg, num_legs)));
   }
   return placement;
 }
@@ -206,7 +211,7 @@ BodyTree make_body_tree(const RobotDescription& description, const Urdf& urdf) {
     throw Error("the base \"" + description.base_link + "\" must be the root of the URDF, \"" +
                 urdf.root + "\"");
   }
-  for (const Leg leg : kLegs) add_points(description, leg, builder);
+  for (const Leg leg : description.legs.legs()) add_points(description, leg, builder);
   for (const ArmDescription& arm : description.arms) {
     builder.tree().arm_tips.push_back(builder.placement(arm.tip_frame));
   }

@@ -3,7 +3,7 @@
 namespace surefoot::model {
 
 int RobotDescription::num_joints() const {
-  std::size_t count = kNumLegJoints;
+  auto count = static_cast<std::size_t>(num_leg_joints());
   for (const ArmDescription& arm : arms) count += arm.joints.size();
   return static_cast<int>(count);
 }
@@ -18,8 +18,8 @@ std::vector<std::string> RobotDescription::joint_names() const {
 }
 
 std::string RobotDescription::joint_name(int joint) const {
-  return joint < kNumLegJoints ? leg_joint_name(joint)
-                               : joint_names()[static_cast<std::size_t>(joint)];
+  return joint < num_leg_joints() ? leg_joint_name(joint, num_legs())
+                                  : joint_names()[static_cast<std::size_t>(joint)];
 }
 
 }  // namespace surefoot::model

@@ -2,7 +2,7 @@
 
 namespace surefoot::model {
 
-Dynamics::Dynamics(int num_joints, std::size_t num_arms)
+Dynamics::Dynamics(int num_joints, std::size_t num_arms, int num_legs)
     : M(MassMatrix::Zero(6 + num_joints, 6 + num_joints)),
       h(GeneralizedVector::Zero(6 + num_joints)),
       u(GeneralizedVector::Zero(6 + num_joints)),
@@ -10,7 +10,10 @@ Dynamics::Dynamics(int num_joints, std::size_t num_arms)
       arm_tips(num_arms) {
   const Jacobian3 none = Jacobian3::Zero(3, 6 + num_joints);
   base_rotation.J = base.J = com.J = none;
-  for (const Leg leg : kLegs) {
+  for (PerLeg<PointKinematics>* points : {&hip, &foot, &contact}) points->resize(num_legs);
+  shank.resize(num_legs);
+  links.resize(num_legs);
+  for (const Leg leg : foot.legs()) {
     const std::size_t k = index(leg);
     hip[k].J = foot[k].J = contact[k].J = shank[k].J = none;
   }

@@ -11,13 +11,14 @@ using Jacobian3 = Eigen::Matrix<double, 3, Eigen::Dynamic, Eigen::ColMajor, 3, k
 using MassMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor,
                                  kMaxVelocities, kMaxVelocities>;
 
-/// J u of three rows. Base and legs have a fixed size, which is faster.
+/// J u of three rows. The columns that every robot has, of the base and four legs, have a fixed
+/// size, which is faster.
 template <typename Rows, typename Velocity>
 [[nodiscard]] Vec3 product(const Rows& J, const Velocity& u) {
-  constexpr int kBaseAndLegs = 6 + kNumLegJoints;
-  Vec3 result = J.template leftCols<kBaseAndLegs>() * u.template head<kBaseAndLegs>();
-  const Eigen::Index arms = u.size() - kBaseAndLegs;
-  if (arms > 0) result += J.rightCols(arms) * u.tail(arms);
+  constexpr int kLeast = 6 + kNumLegJoints;
+  Vec3 result = J.template leftCols<kLeast>() * u.template head<kLeast>();
+  const Eigen::Index more = u.size() - kLeast;
+  if (more > 0) result += J.rightCols(more) * u.tail(more);
   return result;
 }
 
@@ -59,7 +60,8 @@ struct LegLinks {
 /// All model quantities at one state, with u = (v_WB in W, w_WB_B in B, q̇)
 /// and M u̇ + h = Sᵀτ + Σ J_Cᵀ λ (Eq. 2).
 struct Dynamics {
-  explicit Dynamics(int num_joints = kNumLegJoints, std::size_t num_arms = 0);
+  explicit Dynamics(int num_joints = kNumLegJoints, std::size_t num_arms = 0,
+                    int num_legs = kNumLegs);
 
   MassMatrix M;                      ///< n_u × n_u
   GeneralizedVector h;               ///< n_u
@@ -80,6 +82,7 @@ struct Dynamics {
   PerLeg<LegLinks> links;
   std::vector<FrameKinematics> arm_tips;  ///< by arm
 
+  [[nodiscard]] int num_legs() const { return static_cast<int>(foot.size()); }
   [[nodiscard]] int num_joints() const { return static_cast<int>(q.size()); }      ///< n_τ
   [[nodiscard]] int num_velocities() const { return static_cast<int>(u.size()); }  ///< n_u
 };

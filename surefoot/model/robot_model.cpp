@@ -45,13 +45,13 @@ pinocchio::Model make_pinocchio_model(const BodyTree& tree) {
   model.addJoint(kTranslationJoint, pinocchio::JointModelSpherical(), SE3::Identity(),
                  "base_orientation");
   model.appendBodyToJoint(kBaseJoint, to_pinocchio(tree.base), SE3::Identity());
-  for (const Leg leg : kLegs) {
+  for (const Leg leg : tree.legs.legs()) {
     const LegTree& parts = tree.legs[index(leg)];
     pinocchio::JointIndex parent = kBaseJoint;
     for (std::size_t j = 0; j < kJointsPerLeg; ++j) {
       const Hinge& hinge = parts.chain.hinges[j];
-      const std::string name =
-          std::string(kLegNames[index(leg)]) + "_" + std::string(kJointNames[j]);
+      const std::string name = leg_joint_name(first_joint(leg) + static_cast<int>(j),
+                                              static_cast<int>(tree.legs.size()));
       parent = model.addJoint(parent, revolute(hinge.axis), SE3(hinge.R, hinge.p), name);
       model.appendBodyToJoint(parent, to_pinocchio(parts.inertias[j]), SE3::Identity());
     }
@@ -78,17 +78,18 @@ struct RobotModel::Implementation {
         q(Eigen::VectorXd::Zero(model.nq)),
         u(Eigen::VectorXd::Zero(model.nv)),
         zero(Eigen::VectorXd::Zero(model.nv)),
-        dynamics(description.num_joints(), tree.arm_tips.size()) {
+        dynamics(description.num_joints(), tree.arm_tips.size(), description.num_legs()) {
     dynamics.scale = description.scale;
     // These blocks stay constant; update() writes the others.
     dynamics.base.J.leftCols<3>().setIdentity();
-    for (const Leg leg : kLegs) {
+    for (const Leg leg : tree.legs.legs()) {
       for (PointKinematics* point : {&dynamics.hip[index(leg)], &dynamics.foot[index(leg)]}) {
         point->J.leftCols<3>().setIdentity();
       }
     }
     for (FrameKinematics& tip : dynamics.arm_tips) tip.point.J.leftCols<3>().setIdentity();
-    set_leg_lengths(KinematicErrors{});
+    chains.resize(description.num_legs());
+    set_leg_lengths(no_errors(description.num_legs()));
     bare_base = model.inertias[kBaseJoint];
     // The rest posture's crba gives the mass.
     q[6] = 1.0;
@@ -102,7 +103,7 @@ struct RobotModel::Implementation {
   }
 
   void set_leg_lengths(const KinematicErrors& legs) {
-    for (const Leg leg : kLegs) {
+    for (const Leg leg : chains.legs()) {
       const std::size_t k = index(leg);
       chains[k] = tree.legs[k].chain.lengthened(legs.thigh[k], legs.shank[k]);
       model.jointPlacements[joint_index(leg, 2)].translation() = chains[k].hinges[2].p;
@@ -275,7 +276,8 @@ RobotModel& RobotModel::operator=(RobotModel&&) noexcept = default;
 const Dynamics& RobotModel::update(const RobotState& state, const Vec3& terrain_normal_W) noexcept {
   implementation_->set_state(state);
   implementation_->update_dynamics();
-  for (const Leg leg : kLegs) implementation_->update_leg(leg, terrain_normal_W);
+  for (const Leg leg : implementation_->chains.legs())
+    implementation_->update_leg(leg, terrain_normal_W);
   implementation_->update_tips();
   return implementation_->dynamics;
 }

@@ -6,7 +6,7 @@ void SupportDynamics::update(const Dynamics& dynamics, const MotionPlan& plan) n
   stack_jacobians(dynamics, plan);
   const int n_u = dynamics.num_velocities(), n_tau = dynamics.num_joints();
   M_Q_u_.resize(n_u, n_u);
-  Lambda_.resize(kMaxForces, n_u + n_tau);
+  Lambda_.resize(3 * dynamics.num_legs(), n_u + n_tau);
   if (num_contacts_ == 0) {
     rank_ = 0;
     Q_.setIdentity(n_u, n_u);
@@ -48,7 +48,8 @@ GeneralizedVector SupportDynamics::shortest_motion(
 void SupportDynamics::stack_jacobians(const Dynamics& dynamics, const MotionPlan& plan) {
   num_contacts_ = 0;
   J_s_transposed_.resize(dynamics.num_velocities(), 3 * plan.num_contacts());
-  for (const Leg leg : kLegs) {
+  first_force_.resize(dynamics.num_legs());
+  for (const Leg leg : first_force_.legs()) {
     first_force_[index(leg)] = -1;
     if (!plan.contact(leg)) continue;
     first_force_[index(leg)] = 3 * num_contacts_;

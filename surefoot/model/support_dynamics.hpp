@@ -2,6 +2,7 @@
 
 #include "surefoot/model/dynamics.hpp"
 #include "surefoot/signals/motion_plan.hpp"
+#include "surefoot/signals/per_leg.hpp"
 
 #include <Eigen/QR>
 
@@ -13,17 +14,17 @@ namespace surefoot::model {
 ///     without λ:   Q_uᵀ (M u̇ + h − Sᵀτ) = 0
 ///     λ itself:    λ = (J_sᵀ)⁺ (M u̇ + h − Sᵀτ) = Λ x + λ₀,   x = (u̇, τ)
 ///
-/// J_s stacks the contact Jacobians of the legs in contact, in the order of `kLegs`; λ are their
+/// J_s stacks the contact Jacobians of the legs in contact, in their order; λ are their
 /// forces on the robot in W [N]. J_sᵀ loses rank when legs are straight or feet coincide: pivots
 /// below `kRankTolerance` times the largest count as zero, Q_u keeps all directions without contact
 /// force, and λ has least norm. Computed once a tick; does not allocate.
 class SupportDynamics {
  public:
-  static constexpr int kMaxForces = 3 * kNumLegs;
+  static constexpr int kMaxForces = 3 * kMaxLegs;
   static constexpr double kRankTolerance = 1e-6;
 
-  using ForceMap = Eigen::Matrix<double, kMaxForces, Eigen::Dynamic, Eigen::ColMajor, kMaxForces,
-                                 kMaxVelocities + kMaxJoints>;
+  using ForceMap = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor,
+                                 kMaxForces, kMaxVelocities + kMaxJoints>;
   using ForceVector = Eigen::Matrix<double, kMaxForces, 1>;
 
   SupportDynamics() = default;
@@ -63,7 +64,7 @@ class SupportDynamics {
 
   int num_contacts_ = 0;
   int rank_ = 0;
-  PerLeg<int> first_force_{-1, -1, -1, -1};
+  PerLeg<int> first_force_ = per_leg(-1);
   Stacked J_s_transposed_;
   Eigen::ColPivHouseholderQR<Stacked> qr_;
   MassMatrix Q_;

@@ -10,8 +10,7 @@ struct HierarchyOutcome {
   /// Unmet share of the torso's roll and pitch acceleration [rad/s²]; NaN: not known.
   double tilt_shortfall = kNaN;
   /// Unit normal in W of the friction pyramid that bounds each foot's force; NaN: none.
-  PerLeg<Vec3> pyramid_normal{Vec3::Constant(kNaN), Vec3::Constant(kNaN), Vec3::Constant(kNaN),
-                              Vec3::Constant(kNaN)};
+  PerLeg<Vec3> pyramid_normal = per_leg<Vec3>(Vec3::Constant(kNaN));
 };
 
 }  // namespace surefoot

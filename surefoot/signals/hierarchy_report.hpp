@@ -7,7 +7,7 @@
 namespace surefoot {
 
 inline constexpr std::size_t kMaxLevels = 16;
-inline constexpr std::size_t kMaxReportedRows = 96;
+inline constexpr std::size_t kMaxReportedRows = 128;
 inline constexpr std::size_t kMaxReportedBlockers = 48;
 inline constexpr std::size_t kMaxReportedMisses = 48;
 

@@ -6,13 +6,20 @@ namespace surefoot {
 
 /// Estimated errors of the description of legs and IMU.
 struct KinematicErrors {
-  PerLeg<double> thigh{};                        ///< true minus described length [m]
-  PerLeg<double> shank{};                        ///< [m]
-  LegJointVector zero = LegJointVector::Zero();  ///< encoder reading at a joint's zero [rad]
+  PerLeg<double> thigh{};  ///< true minus described length [m]
+  PerLeg<double> shank{};  ///< [m]
+  /// Encoder reading at a joint's zero [rad].
+  LegJointVector zero = LegJointVector::Zero(kNumLegJoints);
   /// Mounting error of the IMU: its readings, turned by this vector, are in B [rad].
   Vec3 imu = Vec3::Zero();
 
   [[nodiscard]] bool operator==(const KinematicErrors&) const = default;
 };
+
+[[nodiscard]] inline KinematicErrors no_errors(int num_legs) {
+  return {.thigh = PerLeg<double>(num_legs, 0.0),
+          .shank = PerLeg<double>(num_legs, 0.0),
+          .zero = LegJointVector::Zero(kJointsPerLeg * num_legs)};
+}
 
 }  // namespace surefoot

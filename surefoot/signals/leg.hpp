@@ -90,7 +90,8 @@ class PerLeg {
 /// 3 k + j, and the joints of arms follow. Never allocates.
 using JointVector = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, kMaxJoints, 1>;
 /// The same of the legs alone.
-using LegJointVector = Eigen::Matrix<double, kNumLegJoints, 1>;
+using LegJointVector =
+    Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, kJointsPerLeg * kMaxLegs, 1>;
 /// Generalized velocity u = (v_WB in W, w_WB in B, q̇) or acceleration (Eq. 1), n_u = 6 + n_τ.
 using GeneralizedVector =
     Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, kMaxVelocities, 1>;

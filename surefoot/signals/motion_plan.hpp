@@ -82,13 +82,14 @@ struct MotionPlan {
   [[nodiscard]] bool contact(Leg leg) const { return in_contact(feet[index(leg)].phase); }
   /// The feet that may carry load.
   [[nodiscard]] PerLeg<bool> standing() const {
-    PerLeg<bool> result{};
-    for (const Leg leg : kLegs) result[index(leg)] = contact(leg);
+    PerLeg<bool> result;
+    result.resize(static_cast<int>(feet.size()));
+    for (const Leg leg : feet.legs()) result[index(leg)] = contact(leg);
     return result;
   }
   [[nodiscard]] int num_contacts() const {
     int count = 0;
-    for (const Leg leg : kLegs) count += contact(leg) ? 1 : 0;
+    for (const Leg leg : feet.legs()) count += contact(leg) ? 1 : 0;
     return count;
   }
 };

@@ -15,16 +15,21 @@ struct RobotState {
   JointVector qd = JointVector::Constant(kNumLegJoints, kNaN);  ///< joint velocities [rad/s]
   JointVector torque =
       JointVector::Constant(kNumLegJoints, kNaN);  ///< measured joint torques [N·m]
-  PerLeg<Vec3> foot_force{Vec3::Constant(kNaN), Vec3::Constant(kNaN), Vec3::Constant(kNaN),
-                          Vec3::Constant(kNaN)};  ///< estimated ground force on each foot, in W [N]
+  /// Estimated ground force on each foot, in W [N].
+  PerLeg<Vec3> foot_force = per_leg<Vec3>(Vec3::Constant(kNaN));
   /// Contact point's velocity along the ground relative to the other stance feet, in W [m/s].
-  PerLeg<Vec3> slip_velocity{Vec3::Zero(), Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
+  PerLeg<Vec3> slip_velocity = per_leg<Vec3>(Vec3::Zero());
   PerLeg<bool> slips{};  ///< the foot is believed to slide
   /// Estimated wrench at the centre of mass, in W, besides ground and modelled payload (BaseLoad);
   /// zero within the estimate's error [N], [N·m].
   Vec3 external_force = Vec3::Zero();
   Vec3 external_moment = Vec3::Zero();
 
+  void size_legs(int num_legs) {
+    foot_force.resize(num_legs);
+    slip_velocity.resize(num_legs);
+    slips.resize(num_legs);
+  }
   /// u = (v_WB, w_WB_B, q̇), Eq. (1).
   [[nodiscard]] GeneralizedVector u() const {
     GeneralizedVector result(6 + qd.size());

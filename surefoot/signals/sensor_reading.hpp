@@ -1,7 +1,7 @@
 #pragma once
 
 #include "surefoot/math/numbers.hpp"
-#include "surefoot/signals/leg.hpp"
+#include "surefoot/signals/per_leg.hpp"
 
 namespace surefoot {
 
@@ -17,7 +17,7 @@ struct SensorReading {
   Vec3 gyro = Vec3::Constant(kNaN);                ///< w_WB_B, angular velocity of B in B [rad/s]
   Vec3 accelerometer = Vec3::Constant(kNaN);       ///< specific force of the base frame in B [m/s²]
   /// Normal force of a foot sensor [N]; NaN on robots without one (ANYmal B has none).
-  PerLeg<double> foot_force{kNaN, kNaN, kNaN, kNaN};
+  PerLeg<double> foot_force = per_leg(kNaN);
   /// Sample times [s]: before `time` if a sensor is slow, late or silent.
   double encoder_time = kNaN;  ///< of q
   double torque_time = kNaN;

@@ -18,12 +18,10 @@ namespace surefoot {
 struct ModelRecord {
   Vec3 p_WCom = Vec3::Zero();  ///< centre of mass [m]
   Vec3 v_WCom = Vec3::Zero();
-  PerLeg<Vec3> p_WF{Vec3::Zero(), Vec3::Zero(), Vec3::Zero(),
-                    Vec3::Zero()};  ///< foot sphere centres
-  PerLeg<Vec3> p_WH{Vec3::Zero(), Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};  ///< hips
-  PerLeg<Vec3> force{Vec3::Zero(), Vec3::Zero(), Vec3::Zero(),
-                     Vec3::Zero()};  ///< λ of the solution [N]
-  BaseLoad load;                     ///< payload of the base
+  PerLeg<Vec3> p_WF = per_leg<Vec3>(Vec3::Zero());   ///< foot sphere centres
+  PerLeg<Vec3> p_WH = per_leg<Vec3>(Vec3::Zero());   ///< hips
+  PerLeg<Vec3> force = per_leg<Vec3>(Vec3::Zero());  ///< λ of the solution [N]
+  BaseLoad load;                                     ///< payload of the base
 };
 
 /// One complete tick of the control loop. A controller that gets the same readings, commands and
@@ -39,12 +37,18 @@ struct TickRecord {
   JointCommand command;
 };
 
-/// Gives all joint vectors of a tick the robot's size; those of another become NaN.
-inline void size_joints(TickRecord& tick, Eigen::Index num_joints) {
+/// Gives all joint vectors of a tick the robot's size; those of another become NaN. And all lists
+/// of legs.
+inline void size_joints(TickRecord& tick, Eigen::Index num_joints, int num_legs = kNumLegs) {
   for (JointVector* joints : {&tick.reading.q, &tick.reading.torque, &tick.state.q, &tick.state.qd,
                               &tick.state.torque, &tick.command.torque}) {
     if (joints->size() != num_joints) joints->setConstant(num_joints, kNaN);
   }
+  tick.reading.foot_force.resize(num_legs);
+  tick.state.size_legs(num_legs);
+  tick.plan.feet.resize(num_legs);
+  for (PerLeg<Vec3>* vectors : {&tick.model.p_WF, &tick.model.p_WH, &tick.model.force})
+    vectors->resize(num_legs);
 }
 
 /// Wall-clock time of levels [µs]; NaN: not measured.

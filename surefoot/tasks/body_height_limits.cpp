@@ -8,7 +8,7 @@ namespace {
 /// h_z of Eq. 32; at least one leg is in contact.
 double footprint_height(const TaskInput& input) {
   double sum = 0.0;
-  for (const Leg leg : kLegs) {
+  for (const Leg leg : input.plan.feet.legs()) {
     if (input.plan.contact(leg)) sum += input.dynamics.foot[index(leg)].p.z();
   }
   return sum / input.plan.num_contacts();

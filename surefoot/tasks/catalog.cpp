@@ -247,8 +247,9 @@ void add_torso(Catalog& catalog) {
       .number("kd", &Manipulability::Options::kd, "1/s", "damping of the height")
       .number("max_acceleration", &Manipulability::Options::max_acceleration, "m/s²",
               "bound on the gradient's part")
-      .number_per_leg("weight of the leg", &Manipulability::Options::weights,
-                      {"weight_LF", "weight_RF", "weight_LH", "weight_RH"}, kNoUnit)
+      .number_per_leg(
+          "weight of the leg", &Manipulability::Options::weights,
+          {"weight_LF", "weight_RF", "weight_LM", "weight_RM", "weight_LH", "weight_RH"}, kNoUnit)
       .add_to(catalog);
 }
 

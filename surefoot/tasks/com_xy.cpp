@@ -9,7 +9,7 @@ namespace {
 Vec2 support_line(const TaskInput& input) {
   Vec2 direction = Vec2::Zero();
   double sign = -1.0;
-  for (const Leg leg : kLegs) {
+  for (const Leg leg : input.plan.feet.legs()) {
     if (!input.plan.contact(leg)) continue;
     direction += sign * input.dynamics.contact[index(leg)].p.head<2>();
     sign = 1.0;

@@ -4,7 +4,7 @@ namespace surefoot::tasks {
 
 void ContactForceMinimisation::write(const TaskInput& input, solver::Level& level) const noexcept {
   const Mat3 weighted_axes = weights_.asDiagonal() * input.plan.R_WC.transpose();
-  for (const Leg leg : kLegs) {
+  for (const Leg leg : input.plan.feet.legs()) {
     if (!input.support.in_contact(leg)) continue;
     const int force = input.support.first_force(leg);
     solver::Rows rows = level.add(3, first_id() + 3 * static_cast<int>(leg));

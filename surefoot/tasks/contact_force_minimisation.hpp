@@ -20,7 +20,7 @@ class ContactForceMinimisation final : public Task {
       : weights_(options.weight_tangential, options.weight_tangential, options.weight_normal) {}
 
   void write(const TaskInput& input, solver::Level& level) const noexcept override;
-  [[nodiscard]] int max_rows() const override { return 3 * kNumLegs; }
+  [[nodiscard]] int max_rows() const override { return 3 * num_legs(); }
   [[nodiscard]] std::string_view name() const override { return "contact_force_minimisation"; }
   [[nodiscard]] std::string row_name(int id) const override { return leg_axis_name(id); }
 

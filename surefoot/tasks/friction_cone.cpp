@@ -54,7 +54,7 @@ FrictionPyramid FrictionCone::pyramid(const MotionPlan& plan, Leg leg) const {
 }
 
 void FrictionCone::write(const TaskInput& input, solver::Level& level) const noexcept {
-  for (const Leg leg : kLegs) {
+  for (const Leg leg : input.plan.feet.legs()) {
     if (!input.support.in_contact(leg)) continue;
     const FootPlan& foot = input.plan.feet[index(leg)];
     const int force = input.support.first_force(leg);
@@ -74,8 +74,7 @@ void FrictionCone::write(const TaskInput& input, solver::Level& level) const noe
 std::string FrictionCone::row_name(int id) const {
   constexpr std::array<const char*, kRowsPerLeg> kNames{
       " slip forward", " slip backward", " slip left", " slip right", " normal force"};
-  return std::string(kLegNames[static_cast<std::size_t>(id / kRowsPerLeg)]) +
-         kNames[static_cast<std::size_t>(id % kRowsPerLeg)];
+  return leg_name(id / kRowsPerLeg) + kNames[static_cast<std::size_t>(id % kRowsPerLeg)];
 }
 
 }  // namespace surefoot::tasks

@@ -44,7 +44,7 @@ class FrictionCone final : public Task {
   [[nodiscard]] FrictionPyramid pyramid(const MotionPlan& plan, Leg leg) const;
 
   void write(const TaskInput& input, solver::Level& level) const noexcept override;
-  [[nodiscard]] int max_rows() const override { return kRowsPerLeg * kNumLegs; }
+  [[nodiscard]] int max_rows() const override { return kRowsPerLeg * num_legs(); }
   [[nodiscard]] std::string_view name() const override { return "friction_cone"; }
   [[nodiscard]] std::string row_name(int id) const override;
 

@@ -61,8 +61,8 @@ LimbExtensionLimits::LimbExtensionLimits(const Options& options)
 }
 
 void LimbExtensionLimits::write(const TaskInput& input, solver::Level& level) const noexcept {
-  solver::Rows rows = level.add(kNumLegs, first_id());
-  for (const Leg leg : kLegs) {
+  solver::Rows rows = level.add(num_legs(), first_id());
+  for (const Leg leg : input.dynamics.foot.legs()) {
     const Extension limb =
         extension(options_.form, input.dynamics.hip[index(leg)], input.dynamics.foot[index(leg)]);
     const auto row = static_cast<Eigen::Index>(leg);
@@ -71,8 +71,6 @@ void LimbExtensionLimits::write(const TaskInput& input, solver::Level& level) co
   }
 }
 
-std::string LimbExtensionLimits::row_name(int id) const {
-  return std::string(kLegNames[static_cast<std::size_t>(id)]) + " extension";
-}
+std::string LimbExtensionLimits::row_name(int id) const { return leg_name(id) + " extension"; }
 
 }  // namespace surefoot::tasks

@@ -15,7 +15,7 @@ namespace surefoot::tasks {
 ///
 /// `paper` ignores the foot's motion: lowering a foot at v violates the bound by δt·v. `relative`
 /// includes it, but like `paper` sees only the vertical distance, so a leg that reaches sideways
-/// can become straight; `radial` bounds the leg itself. Writes 4 rows [m/s²].
+/// can become straight; `radial` bounds the leg itself. Writes a row for each leg [m/s²].
 class LimbExtensionLimits final : public Task {
  public:
   enum class Form { paper, relative, radial };
@@ -32,7 +32,7 @@ class LimbExtensionLimits final : public Task {
   explicit LimbExtensionLimits(const Options& options);
 
   void write(const TaskInput& input, solver::Level& level) const noexcept override;
-  [[nodiscard]] int max_rows() const override { return kNumLegs; }
+  [[nodiscard]] int max_rows() const override { return num_legs(); }
   [[nodiscard]] std::string_view name() const override { return "limb_extension_limits"; }
   [[nodiscard]] std::string row_name(int id) const override;
 

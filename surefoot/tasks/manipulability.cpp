@@ -34,11 +34,12 @@ LegManipulability leg_manipulability(const model::Dynamics& dynamics, Leg leg) n
 
 void Manipulability::write(const TaskInput& input, solver::Level& level) const noexcept {
   double drive = 0.0;
-  for (const Leg leg : kLegs) {
+  const std::size_t more = options_.weights.size() - input.dynamics.foot.size();
+  for (const Leg leg : input.dynamics.foot.legs()) {
     const LegManipulability measure = leg_manipulability(input.dynamics, leg);
     const double slope =
         options_.form == Form::paper ? measure.gradient[2] : measure.height_gradient;
-    drive += options_.k0 * options_.weights[index(leg)] * slope;
+    drive += options_.k0 * options_.weights[index(leg) + (is_front(leg) ? 0U : more)] * slope;
   }
   drive = std::clamp(drive, -options_.max_acceleration, options_.max_acceleration);
   const model::PointKinematics& base = input.dynamics.base;

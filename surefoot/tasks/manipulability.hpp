@@ -1,5 +1,6 @@
 #pragma once
 
+#include "surefoot/signals/per_leg.hpp"
 #include "surefoot/tasks/task.hpp"
 
 namespace surefoot::tasks {
@@ -33,10 +34,11 @@ class Manipulability final : public Task {
 
   struct Options {
     Form form = Form::chained;
-    double k0 = 30.0;                            ///< `chained`: [1/(m s²)]; `paper`: [rad/(m² s²)]
-    double kd = 28.0;                            ///< damping of the height [1/s]
-    double max_acceleration = 2.0;               ///< bound on the first term of z̈_ref [m/s²]
-    PerLeg<double> weights{1.0, 1.0, 1.0, 1.0};  ///< w_k [–]
+    double k0 = 30.0;               ///< `chained`: [1/(m s²)]; `paper`: [rad/(m² s²)]
+    double kd = 28.0;               ///< damping of the height [1/s]
+    double max_acceleration = 2.0;  ///< bound on the first term of z̈_ref [m/s²]
+    PerLeg<double> weights =
+        per_leg(1.0, kMaxLegs);  ///< w_k of six legs; four have no middle ones [–]
   };
 
   explicit Manipulability(const Options& options) : options_(options) {}

@@ -3,7 +3,7 @@
 namespace surefoot::tasks {
 
 void NoContactMotion::write(const TaskInput& input, solver::Level& level) const noexcept {
-  for (const Leg leg : kLegs) {
+  for (const Leg leg : input.plan.feet.legs()) {
     if (!input.plan.contact(leg)) continue;
     const model::PointKinematics& contact = input.dynamics.contact[index(leg)];
     solver::Rows rows = level.add(3, first_id() + 3 * static_cast<int>(leg));

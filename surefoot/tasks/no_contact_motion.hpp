@@ -20,7 +20,7 @@ class NoContactMotion final : public Task {
   explicit NoContactMotion(const Options& options) : options_(options) {}
 
   void write(const TaskInput& input, solver::Level& level) const noexcept override;
-  [[nodiscard]] int max_rows() const override { return 3 * kNumLegs; }
+  [[nodiscard]] int max_rows() const override { return 3 * num_legs(); }
   [[nodiscard]] std::string_view name() const override { return "no_contact_motion"; }
   [[nodiscard]] std::string row_name(int id) const override { return leg_axis_name(id); }
 

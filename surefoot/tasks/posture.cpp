@@ -7,9 +7,9 @@ namespace surefoot::tasks {
 void Posture::write(const TaskInput& input, solver::Level& level) const noexcept {
   using enum Joints;
   const Joints joints = options_.joints;
-  if (joints == legs || joints == all) write(input, 0, kNumLegJoints, level);
+  if (joints == legs || joints == all) write(input, 0, input.robot.num_leg_joints(), level);
   if (joints == legs) return;
-  int first = kNumLegJoints;
+  int first = input.robot.num_leg_joints();
   for (int arm = 0; arm < static_cast<int>(input.robot.arms.size()); ++arm) {
     const auto count =
         static_cast<int>(input.robot.arms[static_cast<std::size_t>(arm)].joints.size());

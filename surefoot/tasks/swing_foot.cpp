@@ -5,7 +5,7 @@
 namespace surefoot::tasks {
 
 void SwingFoot::write(const TaskInput& input, solver::Level& level) const noexcept {
-  for (const Leg leg : kLegs) {
+  for (const Leg leg : input.plan.feet.legs()) {
     if (input.plan.contact(leg)) continue;
     const model::PointKinematics& foot = input.dynamics.foot[index(leg)];
     const FootPlan& reference = input.plan.feet[index(leg)];

@@ -21,7 +21,7 @@ class SwingFoot final : public Task {
   explicit SwingFoot(const Options& options) : options_(options) {}
 
   void write(const TaskInput& input, solver::Level& level) const noexcept override;
-  [[nodiscard]] int max_rows() const override { return 3 * kNumLegs; }
+  [[nodiscard]] int max_rows() const override { return 3 * num_legs(); }
   [[nodiscard]] std::string_view name() const override { return "swing_foot"; }
   [[nodiscard]] std::string row_name(int id) const override { return leg_axis_name(id); }
 

@@ -49,16 +49,21 @@ class Task {
   Task(const Task&) = default;
   Task& operator=(const Task&) = default;
 
-  [[nodiscard]] int num_joints() const { return kNumLegJoints + static_cast<int>(arms_.size()); }
+  [[nodiscard]] int num_legs() const { return num_legs_; }
+  [[nodiscard]] int num_joints() const {
+    return kJointsPerLeg * num_legs_ + static_cast<int>(arms_.size());
+  }
   /// "LF_HAA", "LF_HFE", … for an id per joint.
   [[nodiscard]] std::string joint_name(int id) const;
+  /// "LF" …
+  [[nodiscard]] std::string leg_name(int leg) const;
+  /// "LF x", "LF y", "LF z", "RF x", … for three ids a leg.
+  [[nodiscard]] std::string leg_axis_name(int id) const;
 
  private:
+  int num_legs_ = kNumLegs;
   std::vector<std::string> arms_;  // names of the joints behind those of the legs
   int first_id_ = 0;
 };
-
-/// "LF x", "LF y", "LF z", "RF x", … for three ids a leg.
-[[nodiscard]] std::string leg_axis_name(int id);
 
 }  // namespace surefoot::tasks

@@ -6,7 +6,7 @@ void TorqueMinimisation::write(const TaskInput& input, solver::Level& level) con
   solver::Rows rows = level.add(input.dynamics.num_joints(), first_id());
   auto weights = rows.A.rightCols(input.dynamics.num_joints()).diagonal();
   weights.setConstant(arms_);
-  weights.head<kNumLegJoints>() = legs_.replicate<kNumLegs, 1>();
+  weights.head(kJointsPerLeg * num_legs()) = legs_.replicate(num_legs(), 1);
   rows.lower.setZero();
   rows.upper.setZero();
 }

@@ -210,7 +210,7 @@ TEST(ComCalibration, OfARobotThatIsHardlyHeavierMovesTheCenterOfMassAlongTheGrou
 }
 
 TEST(ComCalibration, MovesByWhatTheLinksAreFoundToWeigh) {
-  LinkMassEstimator::Shares heavier;
+  LinkMassEstimator::Shares heavier(kNumLegJoints);
   heavier << 0.1, -0.15, 0.12, 0.0, 0.1, -0.1, 0.15, 0.15, 0.15, -0.1, 0.1, -0.05;
   Weighing weighing(shifted_by({0.011, -0.007, 0.0}));
   weighing.misread_by(heavier);
@@ -228,7 +228,7 @@ TEST(ComCalibration, MovesByWhatTheLinksAreFoundToWeigh) {
 // The model has the load in use; a second weighing in another posture finds nothing more, and it
 // stays, as do the links, for which it has begun already.
 TEST(ComCalibration, WeighsAgainWithWhatItKnows) {
-  const LinkMassEstimator::Shares heavier = LinkMassEstimator::Shares::Constant(0.1);
+  const LinkMassEstimator::Shares heavier = LinkMassEstimator::Shares::Constant(kNumLegJoints, 0.1);
   Weighing weighing({{5.0, {0.08, -0.05, 0.1}}});
   weighing.misread_by(heavier);
   weighing.turn();

@@ -222,5 +222,17 @@ TEST(InvariantFilter, TheCovarianceStaysSymmetricAndPositive) {
   EXPECT_EQ(P.middleRows<3>(Filter::kFeet + 6).norm(), 0.0);
 }
 
+TEST(InvariantFilter, HasSixFeetIfTheRobotHas) {
+  Filter filter({}, kMaxLegs);
+  filter.start(Vec3(0.0, 0.0, kGravity), Vec3::Zero());
+  const Leg last{kMaxLegs - 1};
+  filter.plant(last, Vec3(-0.5, -0.2, -0.5), Mat3::Identity());
+  EXPECT_EQ(filter.covariance().rows(), 9 + 3 * kMaxLegs + 6);
+  filter.propagate(Vec3::Zero(), Vec3(0.1, 0.0, kGravity), 0.1);
+  const double before = filter.v_WB().x();
+  filter.correct(last, Vec3(-0.5, -0.2, -0.5), Mat3::Identity());
+  EXPECT_LT(std::abs(filter.v_WB().x()), 0.5 * before) << "the foot stands, so the base does";
+}
+
 }  // namespace
 }  // namespace surefoot::estimation

@@ -94,6 +94,21 @@ TEST(LiftDetector, ItIsDownWhenThreeFeetBearMostOfItForSomeTime) {
   EXPECT_TRUE(robot.detector.is_down());
 }
 
+// Three of six feet can be those of one side.
+TEST(LiftDetector, OfSixFeetFourBearTheRobot) {
+  LiftDetector detector(kPeriod);
+  const auto feel = [&](std::initializer_list<double> forces) {
+    PerLeg<Vec3> force(kMaxLegs, Vec3::Zero());
+    std::size_t k = 0;
+    for (const double f : forces) force[k++].z() = f;
+    for (int i = 0; i < 200; ++i) detector.update(kWeight, force, Vec3(0.0, 0.0, kGravity));
+    return detector.is_down();
+  };
+  EXPECT_FALSE(feel({100.0, 0.0, 100.0, 0.0, 100.0, 0.0}));
+  EXPECT_TRUE(feel({75.0, 0.0, 75.0, 75.0, 75.0, 0.0}));
+  EXPECT_TRUE(detector.bears(Leg{4}));
+}
+
 TEST(LiftDetector, WhereNumbersAreMissingNothingChanges) {
   Felt robot;
   robot.force.fill(Vec3::Constant(kNaN));

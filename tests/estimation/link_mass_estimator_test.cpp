@@ -77,7 +77,7 @@ struct Bench {
   Leg leg;
   model::RobotModel model;
   LinkMassEstimator estimator;
-  Shares heavier = Shares::Zero();
+  Shares heavier = Shares::Zero(kNumLegJoints);
   double delay = 0.0;  // of angles [s]
   double time = 0.0;
 };

@@ -118,6 +118,22 @@ TEST(SlipDetector, WhereHardlyAFootStandsStillTheBeliefIsWrong) {
   EXPECT_EQ(feet.count(), 2);
 }
 
+TEST(SlipDetector, OfSixFeetThreeMustStandStill) {
+  SlipDetector detector(SlipOptions{}, kPeriod);
+  model::Dynamics dynamics(18, 0, kMaxLegs);
+  const PerLeg<bool> stands(kMaxLegs, true);
+  RobotState state;
+  state.foot_force = PerLeg<Vec3>(kMaxLegs, Vec3(0.0, 0.0, 75.0));
+  const auto sliding = [&](std::initializer_list<Leg> legs) {
+    double direction = 0.5;
+    for (const Leg leg : legs) dynamics.contact[index(leg)].v.x() = direction = -direction;
+    for (int i = 0; i < 100; ++i) detector.update(dynamics, stands, kUp, state);
+    return std::ranges::count(state.slips, true);
+  };
+  EXPECT_EQ(sliding({Leg{0}, Leg{3}, Leg{5}}), 3);
+  EXPECT_EQ(sliding({Leg{0}, Leg{3}, Leg{5}, Leg{2}}), 0);
+}
+
 TEST(SlipDetector, WhatMovesAlongTheNormalDoesNotSlide) {
   Feet feet;
   feet.normal = Vec3(0.3, 0.1, 1.0).normalized();
