@@ -158,11 +158,12 @@ struct Field {
   Sizing sizing = Sizing::by_unit;
 };
 
-/// Entries of a type with `fields(T&)`. `finish(T&, const Given&)` gets each when it is read.
+/// Entries of a type with `fields(T&)`. `finish(T&, const Given&)` gets each when it is read;
+/// `initial`: one that nothing is given of.
 template <typename T, typename Finish>
-[[nodiscard]] Entries::Shape shape_of(const char* name, Finish finish) {
-  return {name, [finish] {
-            const auto entry = std::make_shared<T>();
+[[nodiscard]] Entries::Shape shape_of(const char* name, Finish finish, const T& initial = {}) {
+  return {name, [finish, initial] {
+            const auto entry = std::make_shared<T>(initial);
             Group group = fields(*entry);
             group.rule = [entry, finish, rule = group.rule](const Given& given) {
               if (rule) rule(given);

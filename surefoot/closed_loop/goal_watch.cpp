@@ -12,7 +12,7 @@ std::optional<bool> GoalWatch::reached() const {
 bool GoalWatch::has_goal() const { return std::isfinite(goal_.feet_beyond_x); }
 
 bool GoalWatch::all_feet_beyond(const simulation::GroundTruth& truth) const {
-  return std::ranges::all_of(kLegs, [&](Leg leg) {
+  return std::ranges::all_of(truth.feet.legs(), [&](Leg leg) {
     return truth.feet[index(leg)].touching && truth.p_WF[index(leg)].x() > goal_.feet_beyond_x;
   });
 }

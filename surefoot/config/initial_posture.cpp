@@ -21,11 +21,13 @@ constexpr double kRounding = 1e-6;
 }  // namespace
 
 Vec3 knee_side(const model::RobotDescription& robot, Leg leg, gaits::KneeConfiguration knees) {
-  const bool backward = knees == gaits::KneeConfiguration::backward ||
-                        (knees == gaits::KneeConfiguration::x && is_front(leg));
-  const double side = backward ? 1.0 : -1.0;
   const Leg front = is_left(leg) ? Leg::LF : Leg::RF;
   const Vec3 nominal = robot.q_nominal.segment<3>(first_joint(front));
+  const bool as_front =
+      is_front(leg) || (!is_hind(leg, robot.num_legs()) && can_bend(robot, leg, nominal.z()));
+  const bool backward = knees == gaits::KneeConfiguration::backward ||
+                        (knees == gaits::KneeConfiguration::x && as_front);
+  const double side = backward ? 1.0 : -1.0;
   return {nominal.x(), std::copysign(kBentHip, side * nominal.y()),
           std::copysign(kBentKnee, side * nominal.z())};
 }
@@ -38,8 +40,9 @@ bool can_bend(const model::RobotDescription& robot, Leg leg, double knee) {
 gaits::KneeConfiguration knees_that_fit(const model::RobotDescription& robot,
                                         gaits::KneeConfiguration wanted) {
   const auto fit = [&](gaits::KneeConfiguration knees) {
-    return std::ranges::all_of(
-        kLegs, [&](Leg leg) { return can_bend(robot, leg, knee_side(robot, leg, knees).z()); });
+    return std::ranges::all_of(robot.legs.legs(), [&](Leg leg) {
+      return can_bend(robot, leg, knee_side(robot, leg, knees).z());
+    });
   };
   if (fit(wanted)) return wanted;
   for (const gaits::KneeConfiguration other :
@@ -54,7 +57,7 @@ namespace {
 
 /// Index of the first joint outside its limits; −1: none.
 Eigen::Index outside_limits(const model::RobotDescription& robot, const JointVector& q) {
-  for (Eigen::Index i = 0; i < kNumLegJoints; ++i) {
+  for (Eigen::Index i = 0; i < robot.num_leg_joints(); ++i) {
     if (q[i] < robot.q_min[i] - kRounding || q[i] > robot.q_max[i] + kRounding) return i;
   }
   return -1;
@@ -62,14 +65,14 @@ Eigen::Index outside_limits(const model::RobotDescription& robot, const JointVec
 
 JointVector posture_of(const model::RobotModel& model, const gaits::StanceOptions& stance) {
   JointVector q = model.description().q_nominal;
-  for (const Leg leg : kLegs) {
+  for (const Leg leg : model.description().legs.legs()) {
     Vec3 p_BF;
     p_BF << gaits::nominal_offset(stance, leg, model.description().num_legs()), -stance.height;
     Vec3 q_leg = Vec3::Zero();
     if (!model.inverse_kinematics(leg, p_BF, knee_side(model.description(), leg, stance.knees),
                                   q_leg)) {
       throw Error(
-          "planner.stance: foot " + std::string(kLegNames[index(leg)]) +
+          "planner.stance: foot " + std::string(leg_name(leg, model.description().num_legs())) +
           " can't reach its place; half_length, half_width and height are too far for the leg");
     }
     q.segment<3>(first_joint(leg)) = q_leg;
@@ -102,7 +105,7 @@ JointVector stance_posture(const model::RobotModel& model, const gaits::StanceOp
   const auto joint = static_cast<std::size_t>(i % kJointsPerLeg);
   throw Error(formatted("planner.stance: it puts joint %s of %s, \"%s\", at %.3f rad, outside the "
                         "robot's limits.position_min and position_max, %g to %g rad",
-                        kJointNames[joint].data(), kLegNames[leg].data(),
+                        kJointNames[joint].data(), leg_names(robot.num_legs())[leg].data(),
                         robot.legs[leg].joints[joint].c_str(), q[i], robot.q_min[i],
                         robot.q_max[i]) +
               other_knees(model, stance));

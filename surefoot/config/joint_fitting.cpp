@@ -37,10 +37,22 @@ Vec3 signs_of(const model::RobotDescription& robot, Leg leg, double knee) {
   return signs;
 }
 
+/// A posture for four legs: middle ones are as the front ones.
+void add_middle_legs(ConfigNode& scenario) {
+  ConfigNode* initial = scenario.find("initial");
+  ConfigNode* joints = initial == nullptr ? nullptr : initial->find("joints");
+  if (joints == nullptr) return;
+  for (const auto& [middle, front] : {std::pair{"LM", "LF"}, {"RM", "RF"}}) {
+    const ConfigNode* given = joints->find(front);
+    if (given == nullptr || joints->find(middle) != nullptr) continue;
+    joints->members.emplace_back(middle, ConfigNode(*given));
+  }
+}
+
 void fit_leg(ConfigNode& scenario, const model::RobotDescription& robot, Leg leg) {
   ConfigNode* initial = scenario.find("initial");
   ConfigNode* joints = initial == nullptr ? nullptr : initial->find("joints");
-  const std::string name(kLegNames[index(leg)]);
+  const std::string name(leg_name(leg, robot.num_legs()));
   ConfigNode* given = joints == nullptr ? nullptr : joints->find(name);
   ConfigNode* ranges = scenario.find("randomise");
   if (given == nullptr) return;
@@ -66,7 +78,8 @@ void fit_joints(ConfigNode& scenario, const model::RobotDescription& robot) {
     ConfigNode* knees = stance == nullptr ? nullptr : stance->find("knees");
     if (knees != nullptr) fit_knees(*knees, robot);
   }
-  for (const Leg leg : kLegs) fit_leg(scenario, robot, leg);
+  if (robot.num_legs() == kMaxLegs) add_middle_legs(scenario);
+  for (const Leg leg : robot.legs.legs()) fit_leg(scenario, robot, leg);
 }
 
 }  // namespace surefoot::config

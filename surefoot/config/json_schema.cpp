@@ -27,6 +27,14 @@ Json map_of(const Json& properties, const std::vector<std::string>& required = {
   return map;
 }
 
+/// Names of what belongs to legs, as a quadruped has them.
+std::vector<std::string> without_middle_legs(std::vector<std::string> names) {
+  std::erase_if(names, [](const std::string& name) {
+    return name.starts_with("LM") || name.starts_with("RM");
+  });
+  return names;
+}
+
 Json number(const NumberRange& range, const char* type = "number") {
   Json schema{{"type", type}};
   if (std::isfinite(range.min))
@@ -60,13 +68,19 @@ struct Form {
     Json named = Json::object();
     for (const std::string& name : numbers.names) named[name] = number(field.range);
     Json forms{list_of_size(number(field.range), numbers.names.size()), map_of(named)};
+    const std::size_t of_quadruped = without_middle_legs(numbers.names).size();
+    if (of_quadruped < numbers.names.size())
+      forms.push_back(list_of_size(number(field.range), of_quadruped));
     if (numbers.or_one) forms.push_back(number(field.range));
     return {{"anyOf", forms}};
   }
   Json operator()(const Order& order) const {
-    Json list = list_of_size({{"enum", order.names}}, order.names.size());
-    list["uniqueItems"] = true;
-    return list;
+    Json forms = Json::array();
+    for (const auto& names : {order.names, without_middle_legs(order.names)}) {
+      forms.push_back(list_of_size({{"enum", names}}, names.size()));
+      forms.back()["uniqueItems"] = true;
+    }
+    return {{"anyOf", forms}};
   }
   Json operator()(const Names& names) const {
     return names.size == 0 ? list_of(text()) : list_of_size(text(), names.size);
@@ -208,17 +222,18 @@ void add_range(const std::string& path, const Json& value, const std::string& he
 Json ranges_by_path() {
   Scenario scenario;
   Json map = map_of(Json{{"include", {{"anyOf", {text(), list_of(text()), {{"type", "null"}}}}}}});
-  for_each_option(scenario_fields(scenario), [&](const std::string& path, const Field& field) {
-    if (const auto* numbers = std::get_if<Numbers>(&field.value)) {
-      for (const std::string& name : numbers->names)
-        add_range(path + "." + name, number(field.range), field.help, map);
-      add_range(path, number(field.range), field.help, map);
-    } else if (std::holds_alternative<double*>(field.value) ||
-               std::holds_alternative<int*>(field.value) ||
-               std::holds_alternative<std::uint64_t*>(field.value)) {
-      add_range(path, std::visit(Form{field, false}, field.value), field.help, map);
-    }
-  });
+  for_each_option(scenario_fields(scenario, kMaxLegs),
+                  [&](const std::string& path, const Field& field) {
+                    if (const auto* numbers = std::get_if<Numbers>(&field.value)) {
+                      for (const std::string& name : numbers->names)
+                        add_range(path + "." + name, number(field.range), field.help, map);
+                      add_range(path, number(field.range), field.help, map);
+                    } else if (std::holds_alternative<double*>(field.value) ||
+                               std::holds_alternative<int*>(field.value) ||
+                               std::holds_alternative<std::uint64_t*>(field.value)) {
+                      add_range(path, std::visit(Form{field, false}, field.value), field.help, map);
+                    }
+                  });
   for (const tasks::TaskInfo& task : tasks::task_catalog()) {
     for (const tasks::TaskParameter& one : task.parameters) {
       const NumberRange range{.min = one.minimum};
@@ -275,9 +290,10 @@ Json file_of(const std::string& kind) {
     return ranges;
   }
   RobotInFile robot;
+  set_num_legs(robot, kMaxLegs);
   if (kind == "robot") return map_of(fields(robot), true);
   Scenario scenario;
-  return map_of(scenario_fields(scenario), false);
+  return map_of(scenario_fields(scenario, kMaxLegs), false);
 }
 
 }  // namespace

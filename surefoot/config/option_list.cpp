@@ -102,7 +102,7 @@ bool has_default(const Field& field) {
 std::vector<OptionRow> list_options(const std::string& prefix,
                                     const model::RobotDescription& robot) {
   Scenario scenario;
-  Group options = scenario_fields(scenario);
+  Group options = scenario_fields(scenario, robot.num_legs());
   fit_defaults(options, robot, scenario);
   std::vector<OptionRow> rows;
   for_each_option(options, [&](const std::string& path, const Field& field) {

@@ -36,11 +36,14 @@ struct Entry {
 };
 
 /// Names of the elements of a key, in order; none for a key with one number.
-std::vector<std::string> elements_of(const std::string& key) {
+std::vector<std::string> elements_of(const std::string& key, int num_legs) {
   std::vector<std::string> names;
-  visit_scenario_option(key, [&](const Field& option) {
-    if (const auto* numbers = std::get_if<Numbers>(&option.value)) names = numbers->names;
-  });
+  visit_scenario_option(
+      key,
+      [&](const Field& option) {
+        if (const auto* numbers = std::get_if<Numbers>(&option.value)) names = numbers->names;
+      },
+      num_legs);
   return names;
 }
 
@@ -106,9 +109,9 @@ void name_elements(ConfigNode& tree, const std::string& key,
 }
 
 /// The paths of a key of the section.
-std::vector<std::string> paths_of(const std::string& key) {
+std::vector<std::string> paths_of(const std::string& key, int num_legs) {
   std::vector<std::string> paths;
-  for (const std::string& name : elements_of(key)) paths.push_back(key + "." + name);
+  for (const std::string& name : elements_of(key, num_legs)) paths.push_back(key + "." + name);
   return paths.empty() ? std::vector<std::string>{key} : paths;
 }
 
@@ -117,8 +120,8 @@ bool holds(const std::vector<std::string>& list, const std::string& text) {
 }
 
 /// The ranges to draw: the scenario's section without assigned paths and removed ranges.
-std::vector<Entry> entries_of(const ConfigNode& scenario,
-                              const std::vector<std::string>& assigned) {
+std::vector<Entry> entries_of(const ConfigNode& scenario, const std::vector<std::string>& assigned,
+                              int num_legs) {
   const ConfigNode* section = scenario.find("randomise");
   if (section == nullptr) return {};
   (void)Section(*section, "randomise");  // throws unless it is a map
@@ -127,7 +130,7 @@ std::vector<Entry> entries_of(const ConfigNode& scenario,
     if (node.kind == ConfigNode::Kind::null) continue;
     const Range range = read_range(node, key);
     if (holds(assigned, key)) continue;
-    std::vector<std::string> paths = paths_of(key);
+    std::vector<std::string> paths = paths_of(key, num_legs);
     std::erase_if(paths, [&](const std::string& path) { return holds(assigned, path); });
     if (paths.empty()) continue;
     entries.push_back({.key = key, .range = range, .paths = std::move(paths), .where = node.where});
@@ -237,11 +240,11 @@ void check_taken_ranges(ConfigNode scenario, const fs::path& folder,
 }
 
 std::vector<RandomDraw> randomise(ConfigNode& scenario, std::uint64_t seed,
-                                  const std::vector<std::string>& assigned) {
+                                  const std::vector<std::string>& assigned, int num_legs) {
   std::vector<RandomDraw> drawn;
-  for (const Entry& entry : entries_of(scenario, assigned)) {
+  for (const Entry& entry : entries_of(scenario, assigned, num_legs)) {
     if (seed == 0) continue;
-    name_elements(scenario, entry.key, elements_of(entry.key));
+    name_elements(scenario, entry.key, elements_of(entry.key, num_legs));
     for (const std::string& path : entry.paths) {
       const double value = drawn_from(entry.range, uniform_of(seed, path));
       write(scenario, entry, path, value);
@@ -252,14 +255,14 @@ std::vector<RandomDraw> randomise(ConfigNode& scenario, std::uint64_t seed,
 }
 
 std::vector<ConfigNode> ends_of_ranges(const ConfigNode& scenario,
-                                       const std::vector<std::string>& assigned) {
-  const std::vector<Entry> entries = entries_of(scenario, assigned);
+                                       const std::vector<std::string>& assigned, int num_legs) {
+  const std::vector<Entry> entries = entries_of(scenario, assigned, num_legs);
   if (entries.empty()) return {};
   std::vector<ConfigNode> ends;
   for (double Range::* const end : {&Range::min, &Range::max}) {
     ConfigNode& at_end = ends.emplace_back(scenario);
     for (const Entry& entry : entries) {
-      name_elements(at_end, entry.key, elements_of(entry.key));
+      name_elements(at_end, entry.key, elements_of(entry.key, num_legs));
       for (const std::string& path : entry.paths) write(at_end, entry, path, entry.range.*end);
     }
   }

@@ -2,6 +2,7 @@
 
 #include "surefoot/base/scale.hpp"
 #include "surefoot/config/config_tree.hpp"
+#include "surefoot/signals/leg.hpp"
 
 #include <cstdint>
 #include <filesystem>
@@ -41,12 +42,14 @@ void check_taken_ranges(ConfigNode scenario, const std::filesystem::path& folder
 /// A value depends on seed and path alone, also across scenarios. `assigned` paths are not drawn.
 /// Seed 0 draws nothing. Throws Error on invalid ranges.
 std::vector<RandomDraw> randomise(ConfigNode& scenario, std::uint64_t seed,
-                                  const std::vector<std::string>& assigned);
+                                  const std::vector<std::string>& assigned,
+                                  int num_legs = kNumLegs);
 
 /// The scenario with every range at its lower end, and with every range at its upper end. If both
 /// can be read, each key's draws are within its limits. Empty if nothing is drawn. Throws Error.
 [[nodiscard]] std::vector<ConfigNode> ends_of_ranges(const ConfigNode& scenario,
-                                                     const std::vector<std::string>& assigned);
+                                                     const std::vector<std::string>& assigned,
+                                                     int num_legs = kNumLegs);
 
 /// A uniform number in [0, 1) from a seed and a name, platform-independent.
 [[nodiscard]] double uniform_of(std::uint64_t seed, const std::string& name);

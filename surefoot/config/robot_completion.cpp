@@ -11,7 +11,9 @@ namespace surefoot::config {
 namespace {
 
 /// Key of a leg, with the dot behind it.
-std::string key_of(Leg leg) { return "legs." + std::string(kLegNames[index(leg)]) + "."; }
+std::string key_of(Leg leg, int num_legs) {
+  return "legs." + std::string(leg_name(leg, num_legs)) + ".";
+}
 
 /// Is a leg's posture within the limits? `bad` gets the index of the first joint that is not.
 bool is_within_limits(const model::RobotDescription& robot, Leg leg, const Vec3& q,
@@ -37,11 +39,13 @@ void set_leg(const Section& top, const std::string& key, Leg leg, const Vec3& q,
 }
 
 /// Hind legs mirror HFE and KFE of a front leg (X-configuration), or copy them if limits forbid
-/// that.
+/// that; middle legs copy them, or mirror them if limits forbid that.
 void set_posture(const Section& top, const Vec3& front, Leg leg, model::RobotDescription& robot) {
   const Vec3 mirrored(front.x(), -front.y(), -front.z());
   Eigen::Index bad = 0;
-  const bool mirror = !is_front(leg) && is_within_limits(robot, leg, mirrored, bad);
+  const bool copies = is_front(leg) ||
+                      (!is_hind(leg, robot.num_legs()) && is_within_limits(robot, leg, front, bad));
+  const bool mirror = !copies && is_within_limits(robot, leg, mirrored, bad);
   set_leg(top, "posture.nominal", leg, mirror ? mirrored : front, robot);
 }
 
@@ -67,8 +71,9 @@ void choose_posture(const Section& top, const model::RobotModel& model,
   for (const auto& [front, hind] :
        {std::pair{true, false}, std::pair{true, true}, std::pair{false, false}}) {
     bool fits = true;
-    for (const Leg leg : kLegs) {
-      const std::optional<Vec3> q = bent(leg, is_front(leg) ? front : hind);
+    for (const Leg leg : robot.legs.legs()) {
+      std::optional<Vec3> q = bent(leg, is_hind(leg, robot.num_legs()) ? hind : front);
+      if (!q && !is_front(leg)) q = bent(leg, hind);
       if (q) robot.q_nominal.segment<3>(first_joint(leg)) = *q;
       fits = fits && q;
     }
@@ -92,13 +97,14 @@ class JointNumbers {
     JointVector numbers(given_.robot.num_joints());
     const std::vector<std::string> names = given_.robot.joint_names();
     for (Eigen::Index joint = 0; joint < numbers.size(); ++joint) {
-      numbers[joint] = joint < kNumLegJoints ? of_leg(joint, limit) : of_arm(joint, arms);
+      numbers[joint] =
+          joint < given_.robot.num_leg_joints() ? of_leg(joint, limit) : of_arm(joint, arms);
       if (!std::isnan(numbers[joint])) continue;
       const model::UrdfJoint& from = *std::ranges::find(
           urdf_.joints, names[static_cast<std::size_t>(joint)], &model::UrdfJoint::name);
       numbers[joint] = from.*described;
       if (std::isnan(numbers[joint]) || (is_positive && numbers[joint] <= 0.0)) {
-        top_.fail((joint < kNumLegJoints ? "limits." : "arms: ") + std::string(key),
+        top_.fail((joint < given_.robot.num_leg_joints() ? "limits." : "arms: ") + std::string(key),
                   std::string("this key is missing, and the ") + urdf_.format() +
                       " does not limit joint \"" + from.name + "\" (" + urdf_.path + ":" +
                       std::to_string(from.line) + ")");
@@ -114,8 +120,8 @@ class JointNumbers {
     const double own = (given_.legs[leg].limits.*limit)[i];
     return std::isnan(own) ? (given_.limits.*limit)[i] : own;
   }
-  [[nodiscard]] static double of_arm(Eigen::Index joint, const std::vector<double>& arms) {
-    const auto i = static_cast<std::size_t>(joint - kNumLegJoints);
+  [[nodiscard]] double of_arm(Eigen::Index joint, const std::vector<double>& arms) const {
+    const auto i = static_cast<std::size_t>(joint - given_.robot.num_leg_joints());
     return i < arms.size() ? arms[i] : kNaN;
   }
 
@@ -136,9 +142,9 @@ std::vector<double> of_arms(const RobotInFile& given, const model::RobotDescript
   return all;
 }
 
-JointVector or_else(const LegJoints& given, const JointVector& others) {
+JointVector or_else(const LegJoints& given, const JointVector& others, int num_leg_joints) {
   JointVector all = others;
-  for (Eigen::Index i = 0; i < kNumLegJoints; ++i) {
+  for (Eigen::Index i = 0; i < num_leg_joints; ++i) {
     if (!std::isnan(given[i % kJointsPerLeg])) all[i] = given[i % kJointsPerLeg];
   }
   return all;
@@ -227,12 +233,12 @@ void complete_limits(const Section& top, const model::Urdf& urdf, const RobotInF
                        robot.joint_names()[static_cast<std::size_t>(i)].c_str(), robot.q_min[i],
                        robot.q_max[i]));
   }
-  robot.stall_torque = or_else(given.stall_torque, robot.torque_limit);
-  robot.no_load_speed = or_else(given.no_load_speed, robot.velocity_limit);
+  robot.stall_torque = or_else(given.stall_torque, robot.torque_limit, robot.num_leg_joints());
+  robot.no_load_speed = or_else(given.no_load_speed, robot.velocity_limit, robot.num_leg_joints());
   const std::vector<double> posture = of_arms(given, robot, &ArmInFile::posture);
   robot.q_nominal = JointVector::Zero(robot.num_joints());
-  for (Eigen::Index i = kNumLegJoints; i < robot.num_joints(); ++i) {
-    const double wanted = posture[static_cast<std::size_t>(i - kNumLegJoints)];
+  for (Eigen::Index i = robot.num_leg_joints(); i < robot.num_joints(); ++i) {
+    const double wanted = posture[static_cast<std::size_t>(i - robot.num_leg_joints())];
     const double q = std::clamp(std::isnan(wanted) ? 0.0 : wanted, robot.q_min[i], robot.q_max[i]);
     robot.q_nominal[i] = q;
     if (std::isnan(wanted) || wanted == q) continue;
@@ -249,10 +255,12 @@ void complete_posture(const Section& top, const RobotInFile& given, const model:
     return !given.legs[index(leg)].nominal.array().isNaN().any();
   };
   const bool is_chosen = given.nominal.array().isNaN().any();
-  if (is_chosen && !std::ranges::all_of(kLegs, is_own)) choose_posture(top, model, robot);
-  for (const Leg leg : kLegs) {
+  if (is_chosen && !std::ranges::all_of(robot.legs.legs(), is_own))
+    choose_posture(top, model, robot);
+  for (const Leg leg : robot.legs.legs()) {
     if (is_own(leg)) {
-      set_leg(top, key_of(leg) + "posture.nominal", leg, given.legs[index(leg)].nominal, robot);
+      set_leg(top, key_of(leg, robot.num_legs()) + "posture.nominal", leg,
+              given.legs[index(leg)].nominal, robot);
     } else if (!is_chosen) {
       set_posture(top, given.nominal, leg, robot);
     }

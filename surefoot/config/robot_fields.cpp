@@ -85,10 +85,11 @@ Group leg_fields(model::LegDescription& leg, LegInFile& o) {
 
 Group all_legs(RobotInFile& o) {
   Group legs;
-  for (const Leg leg : kLegs) {
-    legs.fields.push_back(Field{std::string(kLegNames[index(leg)]),
-                                leg_fields(o.robot.legs[index(leg)], o.legs[index(leg)]), ""}
-                              .required());
+  for (const Leg leg : o.legs.legs()) {
+    const std::string name(leg_name(leg, o.robot.num_legs()));
+    Field field{name, leg_fields(o.robot.legs[index(leg)], o.legs[index(leg)]), ""};
+    field.is_required = !name.ends_with("M");
+    legs.fields.push_back(std::move(field));
   }
   return legs;
 }
@@ -107,6 +108,11 @@ Group fields(ArmInFile& o) {
       {"velocity", &o.velocity, kPositive, "rad/s", "limit of each joint; without it the URDF's"},
       {"position_min", &o.position_min, kAnyNumber, "rad", "of each joint; without it the URDF's"},
       {"position_max", &o.position_max, kAnyNumber, "rad", "of each joint; without it the URDF's"}};
+}
+
+void set_num_legs(RobotInFile& robot, int num_legs) {
+  robot.legs.resize(num_legs);
+  robot.robot.legs.resize(num_legs);
 }
 
 Group fields(RobotInFile& o) {

@@ -42,7 +42,9 @@ struct RobotInFile {
   LegJoints stall_torque, no_load_speed, nominal;
 };
 
-/// All keys of a robot file.
+void set_num_legs(RobotInFile& robot, int num_legs);
+
+/// All keys of a robot file; LM and RM are not required.
 [[nodiscard]] Group fields(RobotInFile& o);
 
 }  // namespace surefoot::config

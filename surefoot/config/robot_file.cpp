@@ -106,17 +106,48 @@ class NameCheck {
   std::map<std::string, std::string> places_;  // keys, by joint
 };
 
-/// In the nominal posture each foot is in its own quadrant, else legs may be exchanged.
-void check_quadrants(const ConfigNode& legs, const model::RobotModel& model) {
-  for (const Leg leg : kLegs) {
-    const Vec3 p_BF =
-        model.foot_in_base(leg, model.description().q_nominal.segment<3>(first_joint(leg)));
-    if (is_front(leg) == (p_BF.x() > 0.0) && is_left(leg) == (p_BF.y() > 0.0)) continue;
-    const std::string name(kLegNames[index(leg)]);
+std::string listed(const auto& names) {
+  std::string text;
+  for (const auto& name : names) text += (text.empty() ? "" : ", ") + std::string(name);
+  return text;
+}
+
+/// Of the legs that the file names.
+int num_legs_of(const ConfigNode& tree) {
+  const ConfigNode* legs = tree.find("legs");
+  if (legs == nullptr || legs->kind != ConfigNode::Kind::map) return kNumLegs;
+  std::vector<std::string_view> given;
+  for (const auto& member : legs->members) given.push_back(member.first);
+  for (const int num_legs : {kNumLegs, kMaxLegs}) {
+    if (std::ranges::is_permutation(given, leg_names(num_legs))) return num_legs;
+  }
+  fail_at(*legs, "legs",
+          "has " + (given.empty() ? "no keys" : listed(given)) + "; valid are " +
+              listed(leg_names(kNumLegs)) + ", or of six legs " + listed(leg_names(kMaxLegs)));
+}
+
+/// In the nominal posture each foot is in its own quadrant, or between those of its side's front
+/// and hind leg; else legs may be exchanged.
+void check_places(const ConfigNode& legs, const model::RobotModel& model) {
+  const model::RobotDescription& robot = model.description();
+  PerLeg<Vec3> feet(robot.num_legs(), Vec3::Zero());
+  for (const Leg leg : feet.legs())
+    feet[index(leg)] = model.foot_in_base(leg, robot.q_nominal.segment<3>(first_joint(leg)));
+  for (const Leg leg : feet.legs()) {
+    const Vec3& p_BF = feet[index(leg)];
+    const bool is_middle = !is_front(leg) && !is_hind(leg, robot.num_legs());
+    const bool is_along =
+        is_middle ? p_BF.x() < feet[index(leg) - 2].x() && p_BF.x() > feet[index(leg) + 2].x()
+                  : is_front(leg) == (p_BF.x() > 0.0);
+    if (is_along && is_left(leg) == (p_BF.y() > 0.0)) continue;
+    const std::string name(leg_name(leg, robot.num_legs()));
     std::ostringstream message;
     message << std::setprecision(3) << "in the nominal posture its foot is at x = " << p_BF.x()
             << ", y = " << p_BF.y() << " m from the base, but the leg " << name << " belongs at x "
-            << (is_front(leg) ? ">" : "<") << " 0, y " << (is_left(leg) ? ">" : "<")
+            << (is_middle       ? "between those of the front and the hind foot"
+                : is_front(leg) ? "> 0"
+                                : "< 0")
+            << ", y " << (is_left(leg) ? ">" : "<")
             << " 0; are two legs exchanged, or does the base not look along x?";
     fail_at(*legs.find(name), "legs." + name, message.str());
   }
@@ -136,7 +167,7 @@ void complete_robot(const Section& top, const char* key, const ConfigNode& legs,
   };
   complete_posture(top, given, model_of(), robot);
   const model::RobotModel model = model_of();
-  check_quadrants(legs, model);
+  check_places(legs, model);
   robot.scale = model::scale_of(model::proportions_of(model));
   complete_gains(robot);
 }
@@ -149,6 +180,7 @@ model::RobotDescription load_robot(const std::string& name_or_path,
   const ConfigNode tree = parse_yaml_file(file);
   Section top(tree, "");
   RobotInFile given;
+  set_num_legs(given, num_legs_of(tree));
   model::RobotDescription& robot = given.robot;
   robot.hold_kp = robot.hold_kd = robot.damping_kd = kNaN;
   read(top, fields(given));
@@ -161,8 +193,8 @@ model::RobotDescription load_robot(const std::string& name_or_path,
   if (robot.base_link.empty()) robot.base_link = urdf.root;
   NameCheck names(top, urdf);
   names.frame("base", robot.base_link);
-  for (const Leg leg : kLegs) {
-    const std::string key = "legs." + std::string(kLegNames[index(leg)]);
+  for (const Leg leg : robot.legs.legs()) {
+    const std::string key = "legs." + std::string(leg_name(leg, robot.num_legs()));
     model::LegDescription& description = robot.legs[index(leg)];
     std::ranges::copy(given.legs[index(leg)].joints, description.joints.begin());
     names.frame(key + ".foot", description.foot_frame);

@@ -93,12 +93,15 @@ void scale_criteria(ConfigNode& criteria, const Scale& scale) {
 /// Scales the option at a path. False: there is no option with numbers.
 bool scale_numbers(const std::string& path, ConfigNode& node, const Scale& scale) {
   bool is_number = false;
-  (void)visit_scenario_option(path, [&](const Field& field) {
-    is_number = std::holds_alternative<double*>(field.value) ||
-                std::holds_alternative<Numbers>(field.value) ||
-                std::holds_alternative<std::vector<double>*>(field.value);
-    if (is_number) apply(rule_of(field, scale), node);
-  });
+  (void)visit_scenario_option(
+      path,
+      [&](const Field& field) {
+        is_number = std::holds_alternative<double*>(field.value) ||
+                    std::holds_alternative<Numbers>(field.value) ||
+                    std::holds_alternative<std::vector<double>*>(field.value);
+        if (is_number) apply(rule_of(field, scale), node);
+      },
+      kMaxLegs);
   return is_number;
 }
 

@@ -96,9 +96,10 @@ void check_fault(const simulation::SensorFault& fault, bool has_foot_sensors, co
 Group initial_joints(simulation::InitialState& o) {
   o.q.setConstant(kNaN);
   Group joints;
-  for (const Leg leg : kLegs) {
+  const int num_legs = static_cast<int>(o.q.size()) / kJointsPerLeg;
+  for (const Leg leg : first_legs(num_legs)) {
     joints.fields.emplace_back(
-        simulation::leg_elements()[index(leg)],
+        std::string(leg_name(leg, num_legs)),
         Numbers{&o.q[first_joint(leg)], {kJointNames.begin(), kJointNames.end()}}, kAnyNumber,
         "rad", "without them those of the stance");
   }
@@ -123,11 +124,14 @@ Group initial_fields(simulation::InitialState& o) {
 
 Group plant_fields(simulation::PlantOptions& o) {
   o.actuators.model = simulation::ActuatorModel::sea;  // default of scenarios
-  const Entries faults{
-      {shape_of<simulation::SensorFault>("", [&o](const auto& fault, const Given& given) {
+  const Entries faults{{shape_of<simulation::SensorFault>(
+      "",
+      [&o](const auto& fault, const Given& given) {
         check_fault(fault, o.sensors.foot_force.present, given);
         o.sensors.faults.push_back(fault);
-      })}};
+      },
+      simulation::SensorFault{.num_legs =
+                                  static_cast<int>(o.disturbances.thigh_length_offset.size())})}};
   const Entries pushes{{shape_of<PushInFile>("", [&o](const auto& push, const Given& given) {
     o.disturbances.pushes.push_back(push_of(push, given));
   })}};
@@ -265,7 +269,9 @@ Group fields(TimedCommand& o) {
           {"reach", fields(o.user.reach), "the tip of an arm follows this"}};
 }
 
-Group scenario_fields(Scenario& scenario) {
+Group scenario_fields(Scenario& scenario, int num_legs) {
+  scenario.controller.planner.gait.order = gaits::usual_order(num_legs);
+  simulation::set_num_legs(scenario.plant, num_legs);
   return run_fields(scenario)
       .and_also(named_fields(scenario))
       .and_also(fields(scenario.controller))
@@ -273,10 +279,12 @@ Group scenario_fields(Scenario& scenario) {
       .with([&scenario](const Given& given) { check_scenario(scenario, given); });
 }
 
-bool visit_scenario_option(const std::string& path, const std::function<void(const Field&)>& use) {
-  static Scenario none;
-  static const Group kAll = scenario_fields(none);
-  return visit_option(kAll, path, use);
+bool visit_scenario_option(const std::string& path, const std::function<void(const Field&)>& use,
+                           int num_legs) {
+  static Scenario quadruped, hexapod;
+  static const Group kOfQuadruped = scenario_fields(quadruped, kNumLegs);
+  static const Group kOfHexapod = scenario_fields(hexapod, kMaxLegs);
+  return visit_option(num_legs == kNumLegs ? kOfQuadruped : kOfHexapod, path, use);
 }
 
 }  // namespace surefoot::config

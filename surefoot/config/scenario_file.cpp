@@ -152,6 +152,10 @@ void read_paper(Section& section, std::vector<PaperFigure>& paper) {
   }
 }
 
+int num_legs_of(const model::RobotDescription* robot) {
+  return robot == nullptr ? kNumLegs : robot->num_legs();
+}
+
 /// `robot`: gives size and drives of the defaults; null: ANYmal B's.
 void read_body(Section& top, const model::RobotDescription* robot, Scenario& scenario) {
   const ConfigNode* actuators = top.node("actuators");
@@ -161,7 +165,7 @@ void read_body(Section& top, const model::RobotDescription* robot, Scenario& sce
                               "\"actuators.model\": sea or ideal");
   }
   scenario.commands = {TimedCommand{}};
-  Group options = scenario_fields(scenario);
+  Group options = scenario_fields(scenario, num_legs_of(robot));
   if (robot != nullptr) fit_defaults(options, *robot, scenario);
   read(top, options);
   const bool has_goal = std::isfinite(scenario.goal.feet_beyond_x);
@@ -295,7 +299,7 @@ void complete_posture(const ConfigNode& tree, const model::RobotModel& model, Sc
     const ConfigNode& joints = *tree.find("initial")->find("joints");
     const auto leg = static_cast<std::size_t>(i / kJointsPerLeg);
     const auto joint = static_cast<std::size_t>(i % kJointsPerLeg);
-    fail_at(joints, "initial.joints." + std::string(kLegNames[leg]),
+    fail_at(joints, "initial.joints." + std::string(leg_names(robot.num_legs())[leg]),
             formatted("%s is %g rad; valid is %g to %g rad",
                       std::string(kJointNames[joint]).c_str(), q, robot.q_min[i], robot.q_max[i]));
   }
@@ -344,7 +348,8 @@ class EndOfRanges {
 std::vector<EndOfRanges> read_ends(const ConfigNode& tree, const std::vector<std::string>& assigned,
                                    const model::RobotDescription* robot) {
   std::vector<EndOfRanges> ends;
-  for (ConfigNode& end : ends_of_ranges(tree, assigned)) ends.emplace_back(std::move(end), robot);
+  for (ConfigNode& end : ends_of_ranges(tree, assigned, num_legs_of(robot)))
+    ends.emplace_back(std::move(end), robot);
   return ends;
 }
 
@@ -390,7 +395,7 @@ Scenario load_scenario(const ScenarioRequest& request) {
       include_ranges(tree, file.parent_path(), fitted ? fitted->scale : Scale{});
   const std::vector<std::string> assigned = assigned_paths(request);
   std::vector<EndOfRanges> ends = read_ends(tree, assigned, robot);
-  scenario.drawn = randomise(tree, request.seed, assigned);
+  scenario.drawn = randomise(tree, request.seed, assigned, num_legs_of(robot));
   scenario.options_json = to_json(tree);
   keep_sources(scenario, "scenario", "base", files);
   for (std::size_t i = 0; i < ranges.size(); ++i) {

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <span>
 
 namespace surefoot::doctor {
 namespace {
@@ -43,14 +45,18 @@ void check_heading(const Anatomy& anatomy, Findings& findings) {
 }
 
 void check_origin(const Anatomy& anatomy, Findings& findings) {
-  for (const Leg leg : kLegs) {
+  const int num_legs = static_cast<int>(anatomy.legs->size());
+  for (const Leg leg : anatomy.legs->legs()) {
     const FoundLeg& found = (*anatomy.legs)[index(leg)];
-    if (is_front(leg) == (found.tip.x() > 0.0) && is_left(leg) == (found.tip.y() > 0.0)) continue;
+    const bool is_middle = !is_front(leg) && !is_hind(leg, num_legs);
+    if ((is_middle || is_front(leg) == (found.tip.x() > 0.0)) &&
+        is_left(leg) == (found.tip.y() > 0.0))
+      continue;
     findings.push_back({Severity::error, Confidence::certain, "link \"" + found.foot.link + "\"",
                         found.foot.line,
                         formatted("the foot of %s is at x = %.3g, y = %.3g m, so the base's origin "
                                   "is not between the legs",
-                                  kLegNames[index(leg)].data(), found.tip.x(), found.tip.y()),
+                                  leg_name(leg, num_legs).data(), found.tip.x(), found.tip.y()),
                         "move the base's frame between the hips"});
   }
 }
@@ -88,30 +94,67 @@ FoundLeg measured_leg(const Limb& limb, const std::map<std::string, model::Weld>
   return leg;
 }
 
+namespace {
+
+/// Do the six lowest reach as low, and stand in three pairs? Else the upper two are arms.
+bool are_alike(const std::vector<FoundLeg>& legs) {
+  constexpr double kAsLow = 0.2;  // of the leg's length
+  const auto six = std::span(legs).first(kMaxLegs);
+  const double length = six.front().thigh + six.front().shank;
+  const auto num_left =
+      std::ranges::count_if(six, [](const FoundLeg& leg) { return leg.hip.y() > 0.0; });
+  return six.back().tip.z() - six.front().tip.z() < kAsLow * length && num_left == kMaxLegs / 2;
+}
+
+/// The place of each of six legs: on both sides from the front to the hind one.
+PerLeg<const FoundLeg*> by_places(const std::vector<FoundLeg>& legs) {
+  std::vector<const FoundLeg*> left, right;
+  for (const FoundLeg& leg : legs) (leg.hip.y() > 0.0 ? left : right).push_back(&leg);
+  PerLeg<const FoundLeg*> found(kMaxLegs, nullptr);
+  for (auto* side : {&left, &right}) {
+    std::ranges::sort(*side, std::greater(), [](const FoundLeg* leg) { return leg->hip.x(); });
+    for (std::size_t i = 0; i < side->size(); ++i)
+      found[2 * i + (side == &left ? 0 : 1)] = (*side)[i];
+  }
+  return found;
+}
+
+/// The place of each of four legs: in the quadrants around their middle; null: none there.
+PerLeg<const FoundLeg*> by_quadrants(const std::vector<FoundLeg>& legs) {
+  Vec3 middle = Vec3::Zero();
+  for (const FoundLeg& leg : legs) middle += leg.hip / kNumLegs;
+  PerLeg<const FoundLeg*> found(kNumLegs, nullptr);
+  for (const FoundLeg& leg : legs) {
+    for (const Leg place : found.legs()) {
+      const bool fits = is_front(place) == (leg.hip.x() > middle.x()) &&
+                        is_left(place) == (leg.hip.y() > middle.y());
+      if (fits) found[index(place)] = &leg;
+    }
+  }
+  return found;
+}
+
+}  // namespace
+
 void keep_lowest(std::vector<FoundLeg>& legs, Anatomy& anatomy) {
   std::ranges::stable_sort(legs, {}, [](const FoundLeg& leg) { return leg.tip.z(); });
-  while (legs.size() > kNumLegs) {
-    anatomy.others.push_back(limb_of(legs.back(), "four others reach lower"));
+  const bool is_hexapod = legs.size() >= kMaxLegs && are_alike(legs);
+  const std::size_t num_legs = is_hexapod ? kMaxLegs : kNumLegs;
+  const char* const why = is_hexapod ? "six others reach lower" : "four others reach lower";
+  while (legs.size() > num_legs) {
+    anatomy.others.push_back(limb_of(legs.back(), why));
     legs.pop_back();
   }
 }
 
 void name_legs(const std::vector<FoundLeg>& legs, Anatomy& anatomy, Findings& findings) {
   anatomy.loose = legs;
-  if (legs.size() != kNumLegs) return tell_too_few(legs, findings);
-  Vec3 middle = Vec3::Zero();
-  for (const FoundLeg& leg : legs) middle += leg.hip / kNumLegs;
-  PerLeg<const FoundLeg*> found{};
-  for (const FoundLeg& leg : legs) {
-    for (const Leg place : kLegs) {
-      const bool fits = is_front(place) == (leg.hip.x() > middle.x()) &&
-                        is_left(place) == (leg.hip.y() > middle.y());
-      if (fits) found[index(place)] = &leg;
-    }
-  }
+  const bool is_hexapod = legs.size() == kMaxLegs;
+  if (!is_hexapod && legs.size() != kNumLegs) return tell_too_few(legs, findings);
+  const PerLeg<const FoundLeg*> found = is_hexapod ? by_places(legs) : by_quadrants(legs);
   if (std::ranges::find(found, nullptr) != found.end()) return tell_quadrants(legs, findings);
-  anatomy.legs.emplace();
-  for (const Leg leg : kLegs) (*anatomy.legs)[index(leg)] = *found[index(leg)];
+  anatomy.legs.emplace(static_cast<int>(legs.size()), FoundLeg{});
+  for (const Leg leg : found.legs()) (*anatomy.legs)[index(leg)] = *found[index(leg)];
   anatomy.loose.clear();
   check_heading(anatomy, findings);
   check_origin(anatomy, findings);

@@ -35,6 +35,9 @@ bool has_no_position(const model::UrdfJoint& joint) {
 /// The joints of all legs with the same fault, in one finding, by value.
 class JointList {
  public:
+  explicit JointList(const Diagnosis& robot)
+      : num_leg_joints_(kJointsPerLeg * static_cast<int>(robot.anatomy.legs->size())) {}
+
   void add(const model::UrdfJoint& joint, const std::string& value) {
     if (line_ == 0) line_ = joint.line;
     ++count_;
@@ -48,7 +51,7 @@ class JointList {
     std::string text;
     for (const Group& group : groups_) {
       text += (text.empty() ? "" : "; ") +
-              (group.count == kNumLegJoints ? "all joints of the legs" : group.names) +
+              (group.count == num_leg_joints_ ? "all joints of the legs" : group.names) +
               (group.value.empty() ? "" : ", " + group.value);
     }
     findings.push_back({severity, confidence, count_ == 1 ? "joint" : "joints", line_,
@@ -60,6 +63,7 @@ class JointList {
     std::string value, names;
     int count;
   };
+  int num_leg_joints_;
   std::vector<Group> groups_;
   int line_ = 0, count_ = 0;
 };
@@ -68,7 +72,7 @@ std::string number(double value, const char* unit) { return formatted("%.4g %s",
 
 void check_effort(Diagnosis& robot) {
   const std::string format = robot.urdf.format();
-  JointList missing, placeholders;
+  JointList missing(robot), placeholders(robot);
   for (const FoundLeg& leg : *robot.anatomy.legs) {
     for (const model::UrdfJoint& joint : leg.joints) {
       if (is_missing(joint.effort)) {
@@ -91,7 +95,7 @@ void check_effort(Diagnosis& robot) {
 
 void check_velocity(Diagnosis& robot) {
   const std::string format = robot.urdf.format();
-  JointList missing, placeholders;
+  JointList missing(robot), placeholders(robot);
   for (const FoundLeg& leg : *robot.anatomy.legs) {
     for (const model::UrdfJoint& joint : leg.joints) {
       if (is_missing(joint.velocity)) {
@@ -111,7 +115,7 @@ void check_velocity(Diagnosis& robot) {
 
 void check_position(Diagnosis& robot) {
   const std::string format = robot.urdf.format();
-  JointList missing, placeholders;
+  JointList missing(robot), placeholders(robot);
   for (const FoundLeg& leg : *robot.anatomy.legs) {
     for (const model::UrdfJoint& joint : leg.joints) {
       if (has_no_position(joint)) {
@@ -132,8 +136,8 @@ void check_position(Diagnosis& robot) {
 
 void check_strength(Diagnosis& robot) {
   if (std::isnan(most_standing_torque(robot))) return;
-  JointList weak, tired;
-  for (const Leg leg : kLegs) {
+  JointList weak(robot), tired(robot);
+  for (const Leg leg : robot.anatomy.legs->legs()) {
     for (std::size_t j = 0; j < kJointsPerLeg; ++j) {
       const model::UrdfJoint& joint = (*robot.anatomy.legs)[index(leg)].joints[j];
       const double needed =

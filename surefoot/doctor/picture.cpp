@@ -14,7 +14,8 @@ constexpr double kWidth = 400.0, kMargin = 240.0, kTop = 40.0, kBelow = 30.0;  /
 constexpr double kLine = 16.0;                                                 // of text
 constexpr double kArrow = 34.0;                                                // of an axis
 constexpr double kEdgeOn = 0.2;  // an axis whose share in the picture is less points to us or away
-constexpr std::array<const char*, kNumLegs> kColours{"#0072b2", "#d55e00", "#009e73", "#aa4499"};
+constexpr std::array<const char*, kMaxLegs> kColours{"#0072b2", "#d55e00", "#009e73",
+                                                     "#aa4499", "#b8860b", "#56b4e9"};
 constexpr const char* kOther = "#777777";
 constexpr const char* kBlack = "#222222";
 
@@ -121,11 +122,17 @@ class View {
 
   /// A closed line through where the limbs leave the base.
   void draw_trunk() {
-    if (robot_.limbs.size() < kNumLegs || !robot_.limbs.front().leg) return;
-    for (const auto& [a, b] : {std::pair{0, 1}, {1, 3}, {3, 2}, {2, 0}}) {
-      line(at(robot_.limbs[static_cast<std::size_t>(a)].joints.front().p),
-           at(robot_.limbs[static_cast<std::size_t>(b)].joints.front().p), kOther, 5.0, 0.35);
-    }
+    const std::ptrdiff_t num_legs = std::ranges::count_if(
+        robot_.limbs, [](const DrawnLimb& limb) { return limb.leg.has_value(); });
+    if (num_legs == 0) return;
+    std::vector<std::ptrdiff_t> around{0};  // to the hind leg on the right, and back on the left
+    for (std::ptrdiff_t right = 1; right < num_legs; right += 2) around.push_back(right);
+    for (std::ptrdiff_t left = num_legs - 2; left >= 0; left -= 2) around.push_back(left);
+    const auto hip = [&](std::ptrdiff_t limb) {
+      return at(robot_.limbs[static_cast<std::size_t>(limb)].joints.front().p);
+    };
+    for (std::size_t i = 1; i < around.size(); ++i)
+      line(hip(around[i - 1]), hip(around[i]), kOther, 5.0, 0.35);
   }
 
   void draw_limb(const DrawnLimb& limb, bool is_pale) {
@@ -194,8 +201,7 @@ class View {
   }
 
   void label_leg(const DrawnLimb& limb) {
-    const std::string name =
-        limb.leg ? std::string(kLegNames[index(*limb.leg)]) : limb.joints.front().name;
+    const std::string name = limb.name.empty() ? limb.joints.front().name : limb.name;
     labels_.push_back({name, colour_of(limb), at(limb.tip)});
   }
 

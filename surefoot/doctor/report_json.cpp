@@ -37,10 +37,12 @@ void add_leg(JsonText& json, const FoundLeg& leg) {
 
 void add_limbs(JsonText& json, const Anatomy& anatomy) {
   json.key("legs").object();
-  for (const Leg leg : kLegs) {
-    if (!anatomy.legs) break;
-    json.key(kLegNames[index(leg)]);
-    add_leg(json, (*anatomy.legs)[index(leg)]);
+  if (anatomy.legs) {
+    const auto names = leg_names(static_cast<int>(anatomy.legs->size()));
+    for (const Leg leg : anatomy.legs->legs()) {
+      json.key(names[index(leg)]);
+      add_leg(json, (*anatomy.legs)[index(leg)]);
+    }
   }
   json.end_object().key("limbs_of_three_hinges").array();
   for (const FoundLeg& leg : anatomy.loose) add_leg(json, leg);

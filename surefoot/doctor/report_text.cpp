@@ -37,9 +37,9 @@ std::string foot_text(const Foot& foot) {
 std::string legs_table(const PerLeg<FoundLeg>& legs) {
   std::vector<std::vector<std::string>> rows{
       {"leg", "hip x, y", "thigh", "shank", "knee bends", "foot, radius", "joints"}};
-  for (const Leg leg : kLegs) {
+  for (const Leg leg : legs.legs()) {
     const FoundLeg& found = legs[index(leg)];
-    rows.push_back({std::string(kLegNames[index(leg)]),
+    rows.push_back({std::string(leg_name(leg, static_cast<int>(legs.size()))),
                     formatted("%.3f, %.3f m", found.hip.x(), found.hip.y()),
                     formatted("%.3f m", found.thigh), formatted("%.3f m", found.shank),
                     name(knee_sides(found)), foot_text(found.foot),
@@ -107,6 +107,8 @@ std::string trials_text(const Diagnosis& robot, const std::vector<Trial>& trials
 
 std::string report_text(const Diagnosis& robot, const std::vector<Trial>& trials) {
   std::string text = base_text(robot);
+  if (robot.anatomy.legs && robot.anatomy.legs->size() == kMaxLegs)
+    text += "six legs, in three pairs from the front to the hind one\n";
   if (robot.anatomy.legs) text += "\n" + legs_table(*robot.anatomy.legs);
   text += limbs_text(robot.anatomy) + proportions_text(robot);
   text += "\n" + count_text(robot.findings) + "\n";

@@ -89,11 +89,12 @@ std::vector<Guess> guesses_for(const Diagnosis& robot) {
           {"position_max", &LimitGaps::position, {1.2, 2.6, 2.9}, "rad, HAA HFE KFE"}};
 }
 
-/// Which of a limit's twelve joints lack it.
+/// Which joints lack a limit.
 class Lacking {
  public:
   Lacking(const Diagnosis& robot, bool LimitGaps::* gap) {
-    for (const Leg leg : kLegs) {
+    lacks_.resize(static_cast<int>(robot.anatomy.legs->size()));
+    for (const Leg leg : lacks_.legs()) {
       for (std::size_t j = 0; j < kJointsPerLeg; ++j) {
         const model::UrdfJoint& joint = (*robot.anatomy.legs)[index(leg)].joints[j];
         lacks_[index(leg)][j] = gaps_of(robot, joint).*gap;
@@ -158,10 +159,10 @@ std::string limit_lines_of(Leg leg, const Diagnosis& robot, Guesses guesses) {
 std::string leg_lines(const Diagnosis& robot, Guesses guesses) {
   const PerLeg<FoundLeg>& legs = *robot.anatomy.legs;
   std::string text = "legs:\n";
-  for (const Leg leg : kLegs) {
+  for (const Leg leg : legs.legs()) {
     const Foot& foot = legs[index(leg)].foot;
     const std::string own = limit_lines_of(leg, robot, guesses);
-    text += "  " + std::string(kLegNames[index(leg)]) + ":" +
+    text += "  " + std::string(leg_name(leg, static_cast<int>(legs.size()))) + ":" +
             (own.empty() ? " {foot: " + quoted(foot.link) + "}\n"
                          : "\n    foot: " + quoted(foot.link) + "\n" + own);
   }
@@ -173,8 +174,9 @@ std::string leg_lines(const Diagnosis& robot, Guesses guesses) {
 std::string robot_file_text(const Diagnosis& robot, const std::filesystem::path& folder,
                             Guesses guesses) {
   if (!robot.anatomy.legs) {
-    throw Error(robot.urdf.path +
-                ": four legs were not found, so there is no robot file; the findings say why");
+    throw Error(
+        robot.urdf.path +
+        ": four or six legs were not found, so there is no robot file; the findings say why");
   }
   return std::string("# Written by `surefoot doctor`. What is not here follows from the ") +
          robot.urdf.format() + ": joints, limits, size.\nname: " + quoted(robot.name) +

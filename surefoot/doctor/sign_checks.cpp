@@ -7,46 +7,58 @@
 namespace surefoot::doctor {
 namespace {
 
-/// Signs of the four legs at one joint, LF, RF, LH, RH.
+/// Signs of the legs at one joint.
 PerLeg<double> signs_of(const PerLeg<FoundLeg>& legs, std::size_t joint) {
-  PerLeg<double> signs{};
-  for (const Leg leg : kLegs)
+  PerLeg<double> signs(static_cast<int>(legs.size()), 0.0);
+  for (const Leg leg : legs.legs())
     signs[index(leg)] = turning_signs(legs[index(leg)])[static_cast<Eigen::Index>(joint)];
   return signs;
 }
 
-/// The leg that alone turns its own way; kNumLegs: none.
+/// The leg that alone turns its own way; signs.size(): none.
 std::size_t odd_one(const PerLeg<double>& signs) {
   double sum = 0.0;
   for (const double sign : signs) sum += sign;
-  for (std::size_t leg = 0; leg < kNumLegs; ++leg) {
-    if (signs[leg] * sum == -2.0) return leg;
+  const double others = static_cast<double>(signs.size()) - 2.0;
+  for (std::size_t leg = 0; leg < signs.size(); ++leg) {
+    if (signs[leg] * sum == -others) return leg;
   }
-  return kNumLegs;
+  return signs.size();
 }
 
 void tell_odd(Diagnosis& robot, std::size_t leg, std::size_t joint) {
   const model::UrdfJoint& odd = (*robot.anatomy.legs)[leg].joints[joint];
   robot.findings.push_back(
       {Severity::error, Confidence::likely, "joint \"" + odd.name + "\"", odd.line,
-       "the " + std::string(kJointNames[joint]) + " of " + std::string(kLegNames[leg]) +
+       "the " + std::string(kJointNames[joint]) + " of " +
+           std::string(leg_names(static_cast<int>(robot.anatomy.legs->size()))[leg]) +
            " turns the other way than those of the other legs; all legs are commanded alike",
        "change the sign of its <axis>, and exchange and negate its lower and upper limit"});
 }
 
-/// Two and two: which belong together?
+/// Some and some: which belong together?
 void tell_pairs(Diagnosis& robot, const PerLeg<double>& signs, std::size_t joint) {
-  const bool sides_alike = signs[0] == signs[2] && signs[1] == signs[3];
+  bool sides_alike = signs[0] != signs[1], pairs_alike = true;
+  for (std::size_t leg = 2; leg < signs.size(); ++leg) sides_alike &= signs[leg] == signs[leg - 2];
+  for (std::size_t leg = 0; leg < signs.size(); leg += 2)
+    pairs_alike &= signs[leg] == signs[leg + 1];
+  const auto other = static_cast<std::size_t>(std::ranges::find(signs, -signs[0]) - signs.begin());
   if (joint == 0 && sides_alike) return;
-  const model::UrdfJoint& first = (*robot.anatomy.legs)[sides_alike ? 1 : 2].joints[joint];
-  const bool is_hind = !sides_alike && signs[0] == signs[1];
+  const model::UrdfJoint& first =
+      (*robot.anatomy.legs)[signs.size() == kNumLegs && !sides_alike ? 2 : other].joints[joint];
+  const bool is_hind = pairs_alike && signs.size() == kNumLegs;
   robot.findings.push_back(
       {joint == 0 ? Severity::note : Severity::warning, Confidence::certain,
        "joint \"" + first.name + "\"", first.line,
-       std::string(kJointNames[joint]) + " turns one way in two legs and the other way in the " +
-           (sides_alike ? "right ones"
-            : is_hind   ? "hind ones"
-                        : "diagonal ones"),
+       std::string(kJointNames[joint]) + " turns one way in " +
+           (signs.size() == kNumLegs ? "two"
+            : sides_alike            ? "three"
+                                     : "some") +
+           " legs and the other way in the " +
+           (sides_alike                ? "right ones"
+            : is_hind                  ? "hind ones"
+            : signs.size() == kNumLegs ? "diagonal ones"
+                                       : "others"),
        joint == 0 ? "fine as long as posture.nominal has HAA at 0"
                   : "give all legs the same direction of <axis>: posture.nominal is one for all"});
 }
@@ -56,9 +68,9 @@ void check_joint(Diagnosis& robot, std::size_t joint) {
   double sum = 0.0;
   for (const double sign : signs) sum += sign;
   const std::size_t odd = odd_one(signs);
-  if (odd < kNumLegs) {
+  if (odd < signs.size()) {
     tell_odd(robot, odd, joint);
-  } else if (sum == 0.0) {
+  } else if (std::abs(sum) < static_cast<double>(signs.size())) {
     tell_pairs(robot, signs, joint);
   }
 }
@@ -83,8 +95,10 @@ void check_pair(Diagnosis& robot, Leg left, Leg right) {
   const model::UrdfJoint& knee = legs[index(right)].joints[2];
   robot.findings.push_back(
       {Severity::error, Confidence::likely, "joint \"" + knee.name + "\"", knee.line,
-       "by their limits the knee of " + std::string(kLegNames[index(right)]) + " bends " + name(b) +
-           " only, that of " + std::string(kLegNames[index(left)]) + " " + name(a) + " only",
+       "by their limits the knee of " +
+           std::string(leg_name(right, static_cast<int>(legs.size()))) + " bends " + name(b) +
+           " only, that of " + std::string(leg_name(left, static_cast<int>(legs.size()))) + " " +
+           name(a) + " only",
        "exchange and negate lower and upper of the one that is wrong", true});
 }
 
@@ -93,13 +107,13 @@ void check_pair(Diagnosis& robot, Leg left, Leg right) {
 void check_signs(Diagnosis& robot) {
   if (!robot.anatomy.legs) return;
   for (std::size_t joint = 0; joint < kJointsPerLeg; ++joint) check_joint(robot, joint);
-  check_pair(robot, Leg::LF, Leg::RF);
-  check_pair(robot, Leg::LH, Leg::RH);
+  const int num_legs = static_cast<int>(robot.anatomy.legs->size());
+  for (int left = 0; left < num_legs; left += 2) check_pair(robot, Leg{left}, Leg{left + 1});
   for (const KneeSides& sides : {KneeSides{true, false}, KneeSides{false, true}, KneeSides{}}) {
     std::string legs;
-    for (const Leg leg : kLegs) {
+    for (const Leg leg : first_legs(num_legs)) {
       if (name(knee_sides((*robot.anatomy.legs)[index(leg)])) == std::string_view(name(sides)))
-        legs += " " + std::string(kLegNames[index(leg)]);
+        legs += " " + std::string(leg_name(leg, num_legs));
     }
     tell_knees(robot, name(sides), legs);
   }

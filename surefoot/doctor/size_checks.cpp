@@ -44,16 +44,16 @@ void check_mass(Diagnosis& robot) {
   }
 }
 
-std::string names_of(const std::vector<Leg>& legs) {
+std::string names_of(const std::vector<Leg>& legs, std::size_t num_legs) {
   std::string names;
-  for (const Leg leg : legs) names += " " + std::string(kLegNames[index(leg)]);
+  for (const Leg leg : legs) names += " " + std::string(leg_name(leg, static_cast<int>(num_legs)));
   return names;
 }
 
 void check_length(Diagnosis& robot) {
   std::vector<Leg> wrong;
   double length = 0.0;
-  for (const Leg leg : kLegs) {
+  for (const Leg leg : robot.anatomy.legs->legs()) {
     const FoundLeg& found = (*robot.anatomy.legs)[index(leg)];
     if (found.thigh + found.shank >= kShortLeg && found.thigh + found.shank <= kLongLeg) continue;
     wrong.push_back(leg);
@@ -63,25 +63,25 @@ void check_length(Diagnosis& robot) {
   const model::UrdfJoint& knee = (*robot.anatomy.legs)[index(wrong.front())].joints[2];
   robot.findings.push_back(
       {Severity::error, Confidence::likely, "joint \"" + knee.name + "\"", knee.line,
-       formatted("thigh and shank have %.4g m together in", length) + names_of(wrong) +
-           "; legs of robots have 0.05 to 2 m",
+       formatted("thigh and shank have %.4g m together in", length) +
+           names_of(wrong, robot.anatomy.legs->size()) + "; legs of robots have 0.05 to 2 m",
        length > kLongLeg ? "are the origins in mm? Divide them by 1000, and inertias by 1e6"
                          : "are the origins of HFE, KFE and foot missing? Expected are m",
        true});
 }
 
 double usual_shank(const PerLeg<FoundLeg>& legs) {
-  std::array<double, kNumLegs> shanks{};
+  PerLeg<double> shanks(static_cast<int>(legs.size()), 0.0);
   std::ranges::transform(legs, shanks.begin(), &FoundLeg::shank);
   std::ranges::sort(shanks);
-  return shanks[2];
+  return shanks[shanks.size() / 2];
 }
 
 /// Legs that end far nearer to the knee than the others, or than a thigh lets expect.
 std::vector<Leg> stubs(const PerLeg<FoundLeg>& legs) {
   const double usual = usual_shank(legs);
   std::vector<Leg> result;
-  for (const Leg leg : kLegs) {
+  for (const Leg leg : legs.legs()) {
     const FoundLeg& found = legs[index(leg)];
     if (found.shank < kStub * std::max(usual, found.thigh)) result.push_back(leg);
   }
@@ -90,17 +90,17 @@ std::vector<Leg> stubs(const PerLeg<FoundLeg>& legs) {
 
 void tell_stubs(const PerLeg<FoundLeg>& legs, const std::vector<Leg>& stubs, Findings& findings) {
   const Foot& foot = legs[index(stubs.front())].foot;
-  findings.push_back(
-      {Severity::error, Confidence::likely, "link \"" + foot.link + "\"", foot.line,
-       "the shank seems to end here, near the knee: the foot is missing of" + names_of(stubs),
-       "add a link with a collision sphere at the end of the shank, by a fixed "
-       "joint whose <origin> says how far it is",
-       true});
+  findings.push_back({Severity::error, Confidence::likely, "link \"" + foot.link + "\"", foot.line,
+                      "the shank seems to end here, near the knee: the foot is missing of" +
+                          names_of(stubs, legs.size()),
+                      "add a link with a collision sphere at the end of the shank, by a fixed "
+                      "joint whose <origin> says how far it is",
+                      true});
 }
 
-void tell_other_sphere(const Foot& foot, Leg leg, Findings& findings) {
+void tell_other_sphere(const Foot& foot, std::string_view leg, Findings& findings) {
   findings.push_back({Severity::error, Confidence::certain, "link \"" + foot.link + "\"", foot.line,
-                      "the sphere of " + std::string(kLegNames[index(leg)]) +
+                      "the sphere of " + std::string(leg) +
                           " differs from that of LF in radius or in its place in the foot's frame; "
                           "a robot file has one for all",
                       "give all feet the same sphere in their frames"});
@@ -141,10 +141,10 @@ void check_feet(Diagnosis& robot) {
   const PerLeg<FoundLeg>& legs = *robot.anatomy.legs;
   const std::vector<Leg> without_foot = stubs(legs);
   if (!without_foot.empty()) return tell_stubs(legs, without_foot, robot.findings);
-  for (const Leg leg : kLegs) {
+  for (const Leg leg : legs.legs()) {
     const Foot& foot = legs[index(leg)].foot;
     if (foot.guessed_from.empty() && !is_same_sphere(foot, legs[0].foot))
-      tell_other_sphere(foot, leg, robot.findings);
+      tell_other_sphere(foot, leg_name(leg, static_cast<int>(legs.size())), robot.findings);
   }
   tell_guesses(legs, robot.findings);
 }

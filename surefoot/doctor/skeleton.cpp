@@ -16,7 +16,7 @@ struct Frame {
 std::map<std::string, double> angles(const Diagnosis& robot) {
   std::map<std::string, double> angles;
   if (!robot.robot) return angles;
-  for (const Leg leg : kLegs) {
+  for (const Leg leg : robot.robot->legs.legs()) {
     for (std::size_t j = 0; j < kJointsPerLeg; ++j) {
       angles[robot.robot->legs[index(leg)].joints[j]] =
           robot.robot->q_nominal[first_joint(leg) + static_cast<Eigen::Index>(j)];
@@ -51,7 +51,7 @@ class Frames {
 };
 
 DrawnLimb drawn(const std::vector<model::UrdfJoint>& joints, const Frames& frames) {
-  DrawnLimb limb{.leg = {}, .joints = {}, .foot = {}, .tip = Vec3::Zero()};
+  DrawnLimb limb{.leg = {}, .name = {}, .joints = {}, .foot = {}, .tip = Vec3::Zero()};
   for (const model::UrdfJoint& joint : joints) {
     const Frame& frame = frames.of(joint.child);
     limb.joints.push_back({joint.name, frame.p, frame.R * joint.axis});
@@ -75,10 +75,12 @@ Skeleton skeleton_of(const Diagnosis& robot) {
   const Frames frames(robot);
   Skeleton skeleton;
   const Anatomy& anatomy = robot.anatomy;
-  for (const Leg leg : kLegs) {
-    if (!anatomy.legs) break;
-    skeleton.limbs.push_back(drawn((*anatomy.legs)[index(leg)], frames));
-    skeleton.limbs.back().leg = leg;
+  if (anatomy.legs) {
+    for (const Leg leg : anatomy.legs->legs()) {
+      skeleton.limbs.push_back(drawn((*anatomy.legs)[index(leg)], frames));
+      skeleton.limbs.back().leg = leg;
+      skeleton.limbs.back().name = leg_name(leg, static_cast<int>(anatomy.legs->size()));
+    }
   }
   for (const FoundLeg& leg : anatomy.loose) skeleton.limbs.push_back(drawn(leg, frames));
   for (const Limb& limb : anatomy.others) skeleton.limbs.push_back(drawn(limb.joints, frames));

@@ -16,7 +16,8 @@ struct JointPlace {
 
 /// The joints of a leg or another limb, from the base outward.
 struct DrawnLimb {
-  std::optional<Leg> leg;  ///< none: not one of four legs
+  std::optional<Leg> leg;  ///< none: not one of the legs
+  std::string name;        ///< of the leg; empty: none
   std::vector<JointPlace> joints;
   std::string foot;  ///< its link; empty: no foot was found
   Vec3 tip;          ///< centre of the foot sphere, else the last joint [m]

@@ -69,16 +69,18 @@ class Comparison {
     robot_.findings.push_back(
         {pair_.severity, Confidence::likely, "joint \"" + joint.name + "\"", joint.line,
          std::string(pair_.sides) + " differ, " +
-             formatted("%s and %s, ", kLegNames[index(pair_.first)].data(),
-                       kLegNames[index(pair_.second)].data()) +
-             difference,
+             formatted("%s and %s, ", name_of(pair_.first), name_of(pair_.second)) + difference,
          pair_.severity == Severity::note ? "fine if the robot is built so"
                                           : "correct the leg that is wrong, unless the robot is "
                                             "built so"});
   }
 
+  [[nodiscard]] const char* name_of(Leg leg) const {
+    return leg_name(leg, static_cast<int>(robot_.anatomy.legs->size())).data();
+  }
+
   Diagnosis& robot_;
-  const Pair& pair_;
+  const Pair pair_;
   const FoundLeg& a_;
   const FoundLeg& b_;
 };
@@ -88,12 +90,12 @@ class Comparison {
 void check_symmetry(Diagnosis& robot) {
   if (!robot.anatomy.legs) return;
   const Vec3 sideways(1.0, -1.0, 1.0), endways(-1.0, 1.0, 1.0);
-  for (const Pair& pair : {Pair{Leg::LF, Leg::RF, sideways, Severity::warning, "left and right"},
-                           Pair{Leg::LH, Leg::RH, sideways, Severity::warning, "left and right"},
-                           Pair{Leg::LF, Leg::LH, endways, Severity::note, "front and hind"},
-                           Pair{Leg::RF, Leg::RH, endways, Severity::note, "front and hind"}}) {
-    Comparison(robot, pair).run();
-  }
+  const int num_legs = static_cast<int>(robot.anatomy.legs->size());
+  for (int k = 0; k < num_legs; k += 2)
+    Comparison(robot, {Leg{k}, Leg{k + 1}, sideways, Severity::warning, "left and right"}).run();
+  for (const Leg leg : {Leg::LF, Leg::RF})
+    Comparison(robot, {leg, same_side(leg, num_legs), endways, Severity::note, "front and hind"})
+        .run();
 }
 
 }  // namespace surefoot::doctor

@@ -10,7 +10,7 @@ constexpr double kMinLossTime = 0.05;  // without a touch [s]
 }  // namespace
 
 void ContactLossJudge::add(const simulation::GroundTruth& truth, const MotionPlan& plan) {
-  for (const Leg leg : kLegs) {
+  for (const Leg leg : truth.feet.legs()) {
     Foot& foot = feet_[index(leg)];
     const bool touches = truth.feet[index(leg)].touched;
     const LegPhase phase = plan.feet[index(leg)].phase;

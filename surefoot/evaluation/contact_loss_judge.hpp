@@ -4,6 +4,7 @@
 #include "surefoot/signals/motion_plan.hpp"
 #include "surefoot/simulation/ground_truth.hpp"
 
+#include <array>
 #include <vector>
 
 namespace surefoot::evaluation {
@@ -25,7 +26,7 @@ class ContactLossJudge {
     bool is_lost = false;
   };
 
-  PerLeg<Foot> feet_{};
+  std::array<Foot, kMaxLegs> feet_{};
   std::vector<double> latencies_;  // [s]
   int noticed_ = 0, missed_ = 0, false_ = 0;
 };

@@ -84,7 +84,7 @@ void Evaluator::judge_plan(const simulation::GroundTruth& truth, const TickRecor
   add_torso(truth, tick);
   add_frames(tick);
   add_reach(truth, tick);
-  for (const Leg leg : kLegs) add_foot(leg, truth, tick.plan.feet[index(leg)]);
+  for (const Leg leg : tick.plan.feet.legs()) add_foot(leg, truth, tick.plan.feet[index(leg)]);
 }
 
 void Evaluator::add_reach(const simulation::GroundTruth& truth, const TickRecord& tick) {
@@ -137,7 +137,8 @@ void Evaluator::add_com(const simulation::GroundTruth& truth, const TickRecord& 
   com_error_.add(error);
   if (!tick.user.walk) return;
   Vec3 centre = Vec3::Zero();
-  for (const FootPlan& foot : tick.plan.feet) centre += foot.p_WF / kNumLegs;
+  for (const FootPlan& foot : tick.plan.feet)
+    centre += foot.p_WF / static_cast<double>(tick.plan.feet.size());
   const Vec3 across = frame_.R() * tick.plan.R_WC.col(1);
   const double lateral = across.dot(truth.p_WCom - frame_.to_truth(centre));
   const bool first = walk_ticks_ == 1;
@@ -225,7 +226,7 @@ void Evaluator::add_body_contacts(const simulation::GroundTruth& truth) {
 void Evaluator::check_fall(const simulation::GroundTruth& truth, bool may_lie, bool hangs) {
   double sum = 0.0;
   int count = 0;
-  for (const Leg leg : kLegs) {
+  for (const Leg leg : truth.feet.legs()) {
     if (!truth.feet[index(leg)].touching) continue;
     sum += truth.p_WF[index(leg)].z();
     ++count;

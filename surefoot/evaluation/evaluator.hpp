@@ -12,6 +12,7 @@
 #include "surefoot/signals/tick_record.hpp"
 #include "surefoot/simulation/ground_truth.hpp"
 
+#include <array>
 #include <functional>
 #include <optional>
 #include <string>
@@ -107,7 +108,7 @@ class Evaluator {
   JointVector torque_before_ = JointVector::Zero(kNumLegJoints);
   ReachCommand reach_;         // of the tick before
   double reach_begin_ = kNaN;  // [s]
-  PerLeg<Foot> feet_{};
+  std::array<Foot, kMaxLegs> feet_{};
   double footprint_height_ = kNaN;
   bool torso_touched_ = false;
   int shanks_touched_ = 0;                        // a bit a leg

@@ -10,7 +10,8 @@ namespace surefoot::evaluation {
 void PathJudge::add(const simulation::GroundTruth& truth, const UserCommand& user,
                     const Vec3& heading) {
   Vec2 centre = Vec2::Zero();
-  for (const Vec3& foot : truth.p_WF) centre += foot.head<2>() / kNumLegs;
+  for (const Vec3& foot : truth.p_WF)
+    centre += foot.head<2>() / static_cast<double>(truth.p_WF.size());
   if (!begun_) {
     begun_ = true;
     yaw_ = std::atan2(heading.y(), heading.x());

@@ -15,7 +15,7 @@ constexpr double kRounding = 1e-9;     // of summed times [s]
 }  // namespace
 
 void SlipJudge::add(const simulation::GroundTruth& truth, const TickRecord& tick) {
-  for (const Leg leg : kLegs) {
+  for (const Leg leg : truth.feet.legs()) {
     const std::size_t k = index(leg);
     Foot& foot = feet_[k];
     const simulation::TrueContact& contact = truth.feet[k];

@@ -5,6 +5,7 @@
 #include "surefoot/signals/tick_record.hpp"
 #include "surefoot/simulation/ground_truth.hpp"
 
+#include <array>
 #include <vector>
 
 namespace surefoot::evaluation {
@@ -39,7 +40,7 @@ class SlipJudge {
 
   double period_;
   Scale scale_;
-  PerLeg<Foot> feet_{};
+  std::array<Foot, kMaxLegs> feet_{};
   std::vector<double> latencies_;  // [s]
   int detected_ = 0, missed_ = 0, false_ = 0;
 };

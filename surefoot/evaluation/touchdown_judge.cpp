@@ -15,7 +15,7 @@ constexpr double kMaxLatency = 0.03;   // of a touchdown that is not late [s]
 
 void TouchdownJudge::add(const simulation::GroundTruth& truth, const MotionPlan& plan) {
   const double time = truth.time;
-  for (const Leg leg : kLegs) {
+  for (const Leg leg : truth.feet.legs()) {
     Foot& foot = feet_[index(leg)];
     const bool contact = plan.contact(leg);
     if (truth.feet[index(leg)].touched) {

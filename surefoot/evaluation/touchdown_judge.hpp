@@ -4,6 +4,7 @@
 #include "surefoot/signals/motion_plan.hpp"
 #include "surefoot/simulation/ground_truth.hpp"
 
+#include <array>
 #include <vector>
 
 namespace surefoot::evaluation {
@@ -25,7 +26,7 @@ class TouchdownJudge {
   };
   void judge(const Foot& foot, double time);
 
-  PerLeg<Foot> feet_{};
+  std::array<Foot, kMaxLegs> feet_{};
   std::vector<double> latencies_;  // [s]
   int false_touchdowns_ = 0;
 };

@@ -20,7 +20,7 @@ struct UserCommand {
   static constexpr double kFastest = 1.0;     ///< [m/s] and [rad/s]
   static constexpr double kMostHeight = 0.3;  ///< [m]
 
-  bool walk = false;        ///< false: stand on four feet
+  bool walk = false;        ///< false: stand on all feet
   Vec2 velocity{0.0, 0.0};  ///< forward (x) and lateral (y) [m/s]
   double yaw_rate = 0.0;    ///< [rad/s]
   double height = 0.0;      ///< offset from the nominal torso height [m]

@@ -6,7 +6,7 @@
 namespace surefoot::simulation {
 
 Actuators::Actuators(const ActuatorOptions& options, const JointVector& torque_limit,
-                     double timestep)
+                     double timestep, Eigen::Index num_leg_joints)
     : options_(options),
       limit_(torque_limit),
       gain_(options.torque_gain * options.joint_torque_gain),
@@ -16,7 +16,7 @@ Actuators::Actuators(const ActuatorOptions& options, const JointVector& torque_l
                JointVector::Zero(torque_limit.size())),
       commanded_(JointVector::Zero(torque_limit.size())),
       motor_(commanded_) {
-  quantum_.tail(torque_limit.size() - kNumLegJoints).setZero();
+  quantum_.tail(torque_limit.size() - num_leg_joints).setZero();
   if (options.model == ActuatorModel::sea && options.level == 2) {
     for (Eigen::Index joint = 0; joint < torque_limit.size(); ++joint)
       drives_.emplace_back(options, timestep, joint);

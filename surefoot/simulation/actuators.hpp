@@ -18,7 +18,8 @@ namespace surefoot::simulation {
 /// SeriesElasticDrive.
 class Actuators {
  public:
-  Actuators(const ActuatorOptions& options, const JointVector& torque_limit, double timestep);
+  Actuators(const ActuatorOptions& options, const JointVector& torque_limit, double timestep,
+            Eigen::Index num_leg_joints = kNumLegJoints);
 
   /// At rest under torques [N·m] commanded for long, with the joints at `q` [rad].
   void rest_at(const JointVector& q, const JointVector& torque) noexcept;

@@ -33,7 +33,7 @@ void shift_center_of_mass(mjsBody& body, const Vec3& offset) {
 /// Mass scale of the link behind this joint.
 double link_scale(mjsElement& joint, const model::RobotDescription& description,
                   const DisturbanceOptions& options) {
-  for (std::size_t leg = 0; leg < kNumLegs; ++leg) {
+  for (std::size_t leg = 0; leg < description.legs.size(); ++leg) {
     for (std::size_t j = 0; j < kJointsPerLeg; ++j) {
       if (description.legs[leg].joints[j] != name_of(&joint)) continue;
       const auto i = static_cast<Eigen::Index>(leg * kJointsPerLeg + j);

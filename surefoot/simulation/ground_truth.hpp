@@ -1,6 +1,6 @@
 #pragma once
 
-#include "surefoot/signals/leg.hpp"
+#include "surefoot/signals/per_leg.hpp"
 
 #include <vector>
 
@@ -33,8 +33,8 @@ struct GroundTruth {
       JointVector::Zero(kNumLegJoints);  ///< applied at the joints, after the actuator model [N·m]
   Vec3 p_WCom = Vec3::Zero();            ///< of all moving parts, with payload
   Vec3 v_WCom = Vec3::Zero();
-  PerLeg<Vec3> p_WF{Vec3::Zero(), Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};  ///< sphere centres
-  PerLeg<Vec3> v_WF{Vec3::Zero(), Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
+  PerLeg<Vec3> p_WF = per_leg<Vec3>(Vec3::Zero());  ///< sphere centres
+  PerLeg<Vec3> v_WF = per_leg<Vec3>(Vec3::Zero());
   std::vector<Vec3> p_WT;  ///< tips of arms
   PerLeg<TrueContact> feet;
   double body_contact_force = 0.0;  ///< largest force on any part of the robot besides feet [N]

@@ -27,6 +27,7 @@ class ModelComparison {
       : robot_(robot),
         physics_(physics),
         data_(mj_makeData(&physics)),
+        num_leg_joints_(static_cast<std::size_t>(robot.num_leg_joints())),
         tree_(model::make_body_tree(robot, model::read_urdf(robot))),
         model_(robot) {
     state_.v_WB = state_.w_WB_B = Vec3::Zero();
@@ -58,7 +59,7 @@ class ModelComparison {
   }
 
   [[nodiscard]] const model::Inertia& inertia_behind(std::size_t joint) const {
-    if (joint >= kNumLegJoints) return tree_.arm_bodies[joint - kNumLegJoints].inertia;
+    if (joint >= num_leg_joints_) return tree_.arm_bodies[joint - num_leg_joints_].inertia;
     return tree_.legs[joint / kJointsPerLeg].inertias[joint % kJointsPerLeg];
   }
 
@@ -116,17 +117,17 @@ class ModelComparison {
     // By body: the base, then the one behind each joint.
     std::vector<Place> places{{state_.q_WB.toRotationMatrix(), state_.p_WB}};
     for (std::size_t i = 0; i < joints_.size(); ++i) {
-      const bool is_leg = i < kNumLegJoints;
+      const bool is_leg = i < num_leg_joints_;
       const bool is_first = i % kJointsPerLeg == 0;
       const std::size_t parent =
           is_leg ? (is_first ? 0 : i)
-                 : static_cast<std::size_t>(tree_.arm_bodies[i - kNumLegJoints].parent);
+                 : static_cast<std::size_t>(tree_.arm_bodies[i - num_leg_joints_].parent);
       const model::Hinge& hinge =
           is_leg ? tree_.legs[i / kJointsPerLeg].chain.hinges[i % kJointsPerLeg]
-                 : tree_.arm_bodies[i - kNumLegJoints].hinge;
+                 : tree_.arm_bodies[i - num_leg_joints_].hinge;
       places.push_back(compare_joint(i, places[parent], hinge));
     }
-    for (const Leg leg : kLegs) compare_foot(leg);
+    for (const Leg leg : robot_.legs.legs()) compare_foot(leg);
   }
 
   struct Place {
@@ -209,6 +210,7 @@ class ModelComparison {
   const model::RobotDescription& robot_;
   const mjModel& physics_;
   const DataHandle data_;
+  const std::size_t num_leg_joints_;
   const model::BodyTree tree_;
   model::RobotModel model_;
   std::vector<int> joints_;  // MuJoCo's numbers of our joints

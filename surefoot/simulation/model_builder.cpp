@@ -70,10 +70,10 @@ void check_sphere(const mjsGeom& geom, const Vec3& center,
   const bool same = std::abs(geom.size[0] - description.foot_radius) < kSameSphere &&
                     (center - description.foot_center).norm() < kSameSphere;
   if (same) return;
-  throw Error(text("the foot sphere of ", kLegNames[index(leg)], " has radius ", geom.size[0],
-                   " m and centre (", center.transpose(), ") in ", description.urdf_path,
-                   ", but the robot's description says ", description.foot_radius, " m and (",
-                   description.foot_center.transpose(), ")"));
+  throw Error(text("the foot sphere of ", leg_name(leg, description.num_legs()), " has radius ",
+                   geom.size[0], " m and centre (", center.transpose(), ") in ",
+                   description.urdf_path, ", but the robot's description says ",
+                   description.foot_radius, " m and (", description.foot_center.transpose(), ")"));
 }
 
 mjsGeom& new_sphere(mjsBody& foot, const model::RobotDescription& description) {
@@ -216,9 +216,9 @@ BuiltModel build_model(const model::RobotDescription& description, const PlantOp
   mjsBody& base = find_body(*spec, description.base_link, "base link");
   set_physics(*spec, options);
   const std::map<std::string, model::Weld> welds = model::welds(model::read_urdf(description));
-  for (const Leg leg : kLegs) {
+  for (const Leg leg : description.legs.legs()) {
     mjsGeom& sphere = foot_sphere(*spec, description, leg, welds, notes);
-    mjs_setName(sphere.element, foot_geom_name(leg).c_str());
+    mjs_setName(sphere.element, foot_geom_name(leg, description.num_legs()).c_str());
   }
   set_collision(base, options.contact);
   exclude_neighbours(*spec, base, description);

@@ -36,9 +36,11 @@ struct Plant::Implementation {
         data(*data_handle),
         parts(find_parts(model, description)),
         pushes(options.disturbances, model, description.base_link, description.scale),
-        actuators(options.actuators, description.torque_limit, options.timestep),
+        actuators(options.actuators, description.torque_limit, options.timestep,
+                  description.num_leg_joints()),
         sensors(options.sensors, options.control_period, options.seed),
-        link(options.sensors, options.control_period) {
+        link(options.sensors, options.control_period),
+        touched(description.num_legs(), false) {
     place(description);
     mj_step1(&model, &data);
     check_starting_posture(model, data, parts, description.urdf_path);
@@ -61,6 +63,7 @@ struct Plant::Implementation {
     extend(options.actuators.joint_torque_gain, JointVector::Ones(n));
     extend(options.sensors.encoders.offset, JointVector::Zero(n));
     extend(options.initial.q, robot.q_nominal);
+    set_num_legs(options.disturbances, robot.num_legs());
     return options;
   }
 
@@ -89,7 +92,7 @@ struct Plant::Implementation {
   Actuators actuators;
   Sensors sensors;
   SensorLink link;
-  PerLeg<bool> touched{};  ///< feet that touched in a physics step since the tick before
+  PerLeg<bool> touched;  ///< feet that touched in a physics step since the tick before
   GroundTruth truth;
   SensorReading sampled;
   std::int64_t tick = 0;
@@ -192,10 +195,10 @@ void Plant::Implementation::observe() {
   check_state();
   truth.time = static_cast<double>(tick) * options.control_period;
   extract_truth(model, data, parts, truth);
-  for (std::size_t leg = 0; leg < kNumLegs; ++leg) {
+  for (std::size_t leg = 0; leg < truth.feet.size(); ++leg) {
     truth.feet[leg].touched = truth.feet[leg].touching || touched[leg];
   }
-  touched = {};
+  touched.fill(false);
   sensors.read(truth, sampled);
   link.transmit(sampled);
 }

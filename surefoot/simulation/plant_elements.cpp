@@ -1,16 +1,15 @@
 #include "surefoot/simulation/plant_elements.hpp"
 
-#include "surefoot/signals/leg.hpp"
-
 #include <array>
 #include <string_view>
 
 namespace surefoot::simulation {
 namespace {
 
-std::vector<std::string> of_each_leg(const std::array<std::string_view, kJointsPerLeg>& parts) {
+std::vector<std::string> of_each_leg(const std::array<std::string_view, kJointsPerLeg>& parts,
+                                     int num_legs) {
   std::vector<std::string> names;
-  for (const std::string_view leg : kLegNames) {
+  for (const std::string_view leg : leg_names(num_legs)) {
     for (const std::string_view part : parts) {
       names.push_back(std::string(leg) + "_" + std::string(part));
     }
@@ -20,19 +19,15 @@ std::vector<std::string> of_each_leg(const std::array<std::string_view, kJointsP
 
 }  // namespace
 
-const std::vector<std::string>& joint_elements() {
-  static const std::vector<std::string> kNames = of_each_leg(kJointNames);
-  return kNames;
+std::vector<std::string> joint_elements(int num_legs) { return of_each_leg(kJointNames, num_legs); }
+
+std::vector<std::string> link_elements(int num_legs) {
+  return of_each_leg({"HIP", "THIGH", "SHANK"}, num_legs);
 }
 
-const std::vector<std::string>& link_elements() {
-  static const std::vector<std::string> kNames = of_each_leg({"HIP", "THIGH", "SHANK"});
-  return kNames;
-}
-
-const std::vector<std::string>& leg_elements() {
-  static const std::vector<std::string> kNames(kLegNames.begin(), kLegNames.end());
-  return kNames;
+std::vector<std::string> leg_elements(int num_legs) {
+  const auto names = leg_names(num_legs);
+  return {names.begin(), names.end()};
 }
 
 const std::vector<std::string>& angle_elements() {

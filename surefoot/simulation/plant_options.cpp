@@ -3,6 +3,8 @@
 #include "surefoot/base/fields.hpp"
 #include "surefoot/simulation/plant_elements.hpp"
 
+#include <algorithm>
+
 namespace surefoot::simulation {
 namespace {
 
@@ -25,9 +27,17 @@ constexpr NumberRange kDuration{.min = 0.0,
 
 Numbers axes(Vec3& value) { return {value.data(), axis_elements()}; }
 Numbers angles(Vec3& value) { return {value.data(), angle_elements()}; }
-Numbers joints(JointVector& value) { return {value.data(), joint_elements()}; }
-Numbers one_or_joints(JointVector& value) { return {value.data(), joint_elements(), true}; }
-Numbers legs(PerLeg<double>& value) { return {value.data(), leg_elements()}; }
+/// How many legs have these joints? Those of arms may follow.
+int num_legs_of(const JointVector& joints) {
+  return joints.size() < kJointsPerLeg * kMaxLegs ? kNumLegs : kMaxLegs;
+}
+Numbers joints(JointVector& value) { return {value.data(), joint_elements(num_legs_of(value))}; }
+Numbers one_or_joints(JointVector& value) {
+  return {value.data(), joint_elements(num_legs_of(value)), true};
+}
+Numbers legs(PerLeg<double>& value) {
+  return {value.data(), leg_elements(static_cast<int>(value.size()))};
+}
 
 Field place_of(Vec3& position, const char* help) {
   return {"position", axes(position), kAnyNumber, "m", help};
@@ -92,7 +102,30 @@ Group fields(RotorOptions& o) {
            "friction is coulomb tanh(ω / speed)"}};
 }
 
+/// Further numbers are as this one.
+void resize(JointVector& values, Eigen::Index size, double value) {
+  const Eigen::Index known = std::min(values.size(), size);
+  values.conservativeResize(size);
+  values.tail(size - known).setConstant(value);
+}
+
 }  // namespace
+
+void set_num_legs(DisturbanceOptions& options, int num_legs) {
+  resize(options.link_mass_scale, kJointsPerLeg * num_legs, 1.0);
+  options.thigh_length_offset.resize(num_legs);
+  options.shank_length_offset.resize(num_legs);
+}
+
+void set_num_legs(PlantOptions& options, int num_legs) {
+  const Eigen::Index n = kJointsPerLeg * num_legs;
+  resize(options.actuators.stall_torque, n, options.actuators.stall_torque[0]);
+  resize(options.actuators.no_load_speed, n, options.actuators.no_load_speed[0]);
+  resize(options.actuators.joint_torque_gain, n, 1.0);
+  resize(options.sensors.encoders.offset, n, 0.0);
+  resize(options.initial.q, n, 0.0);
+  set_num_legs(options.disturbances, num_legs);
+}
 
 Group fields(TerrainBox& o) {
   return {place_of(o.position, "of its centre"),
@@ -192,8 +225,9 @@ Group fields(SensorFault& o) {
       Field{"time", &o.time, kNotNegative, "s", "start"}.required(),
       {"duration", &o.duration, kDuration, "s", "without it the fault stays"},
       {"size", &o.size, kAnyNumber, "", "in the sensor's unit; of late ticks, of scaled a factor"},
-      {"joint", place(o.joint, joint_elements(), "joint"), "of encoders and joint_torques"},
-      {"leg", place(o.leg, leg_elements(), "leg"), "of foot_force"}};
+      {"joint", place(o.joint, joint_elements(o.num_legs), "joint"),
+       "of encoders and joint_torques"},
+      {"leg", place(o.leg, leg_elements(o.num_legs), "leg"), "of foot_force"}};
 }
 
 Group fields(Push& o) {
@@ -219,7 +253,8 @@ Group disturbance_fields(DisturbanceOptions& o) {
        "that the controller does not know of"},
       {"base_mass_scale", &o.base_mass_scale, kScale, "", "of the base and what is fixed to it"},
       {"leg_mass_scale", &o.leg_mass_scale, kScale, "", "of all links of the legs"},
-      {"link_mass_scale", Numbers{o.link_mass_scale.data(), link_elements()}, kScale, "",
+      {"link_mass_scale",
+       Numbers{o.link_mass_scale.data(), link_elements(num_legs_of(o.link_mass_scale))}, kScale, "",
        "of each link, on top"},
       {"base_com_offset", axes(o.base_com_offset), kAnyNumber, "m", "in B"},
       {"thigh_length_offset", legs(o.thigh_length_offset), kLength, "m", "HFE to KFE axis"},

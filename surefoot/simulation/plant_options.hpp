@@ -156,6 +156,7 @@ struct SensorFault {
   double time = 0.0, duration = std::numeric_limits<double>::infinity();
   double size = 0.0;
   int joint = -1, leg = -1;  ///< these alone; −1: all
+  int num_legs = kNumLegs;   ///< of the robot, for their names
 };
 
 struct SensorOptions {
@@ -223,6 +224,10 @@ struct PlantOptions {
   DisturbanceOptions disturbances;
   InitialState initial;
 };
+
+/// For a robot with this many legs; numbers of further ones are the defaults.
+void set_num_legs(PlantOptions& options, int num_legs);
+void set_num_legs(DisturbanceOptions& options, int num_legs);
 
 /// Names, units, ranges and help of these options.
 [[nodiscard]] Group fields(TerrainBox& o);

@@ -13,7 +13,7 @@ bool is_below(const mjModel& model, int body, int ancestor) {
 
 /// The leg whose thigh or shank a body belongs to; −1 for the torso.
 int leg_of(const mjModel& model, const PerLeg<int>& thigh_body, int body) {
-  for (const Leg leg : kLegs) {
+  for (const Leg leg : thigh_body.legs()) {
     if (is_below(model, body, thigh_body[index(leg)])) return static_cast<int>(leg);
   }
   return -1;
@@ -31,8 +31,8 @@ void find_joints(const mjModel& model, const model::RobotDescription& descriptio
 
 void find_owners(const mjModel& model, const model::RobotDescription& description,
                  RobotParts& parts) {
-  PerLeg<int> thigh_body{};
-  for (const Leg leg : kLegs) {
+  PerLeg<int> thigh_body(description.num_legs(), -1);
+  for (const Leg leg : thigh_body.legs()) {
     const std::string& hfe = description.legs[index(leg)].joints[1];
     thigh_body[index(leg)] = model.jnt_bodyid[id_of(model, mjOBJ_JOINT, hfe)];
   }
@@ -44,22 +44,27 @@ void find_owners(const mjModel& model, const model::RobotDescription& descriptio
     }
     parts.owner.push_back(owner);
   }
-  for (const Leg leg : kLegs) {
+  for (const Leg leg : parts.foot_geom.legs()) {
     parts.owner[static_cast<std::size_t>(parts.foot_geom[index(leg)])].part = Part::foot;
   }
 }
 
 }  // namespace
 
-std::string foot_geom_name(Leg leg) { return std::string(kLegNames[index(leg)]) + "_foot_sphere"; }
+std::string foot_geom_name(Leg leg, int num_legs) {
+  return std::string(leg_name(leg, num_legs)) + "_foot_sphere";
+}
 
 RobotParts find_parts(const mjModel& model, const model::RobotDescription& description) {
   RobotParts parts;
   parts.base_body = id_of(model, mjOBJ_BODY, description.base_link);
   parts.base_qpos = model.jnt_qposadr[model.body_jntadr[parts.base_body]];
   parts.base_dof = model.jnt_dofadr[model.body_jntadr[parts.base_body]];
-  for (const Leg leg : kLegs) {
-    const int geom = id_of(model, mjOBJ_GEOM, foot_geom_name(leg));
+  const int num_legs = description.num_legs();
+  parts.foot_geom.resize(num_legs);
+  parts.foot_body.resize(num_legs);
+  for (const Leg leg : parts.foot_geom.legs()) {
+    const int geom = id_of(model, mjOBJ_GEOM, foot_geom_name(leg, num_legs));
     parts.foot_geom[index(leg)] = geom;
     parts.foot_body[index(leg)] = model.geom_bodyid[geom];
   }

@@ -33,7 +33,7 @@ struct RobotParts {
 };
 
 /// Name of a foot sphere's geom.
-[[nodiscard]] std::string foot_geom_name(Leg leg);
+[[nodiscard]] std::string foot_geom_name(Leg leg, int num_legs);
 
 [[nodiscard]] RobotParts find_parts(const mjModel& model,
                                     const model::RobotDescription& description);

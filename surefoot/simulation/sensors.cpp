@@ -112,9 +112,11 @@ void Sensors::read_imu(const GroundTruth& truth, const Noise& noise,
 }
 
 void Sensors::read_feet(const GroundTruth& truth, SensorReading& reading) noexcept {
-  const auto noise = normal_vector<PerLeg<double>>(foot_random_);
+  PerLeg<double> noise(static_cast<int>(truth.feet.size()), 0.0);
+  for (double& number : noise) number = foot_random_.normal();
+  reading.foot_force.resize(static_cast<int>(noise.size()));
   if (!foot_clock_.is_due()) return;
-  for (const Leg leg : kLegs) {
+  for (const Leg leg : noise.legs()) {
     const TrueContact& contact = truth.feet[index(leg)];
     reading.foot_force[index(leg)] =
         contact.force.dot(contact.normal) + options_.foot_force.noise * noise[index(leg)];

@@ -61,7 +61,7 @@ Mat3 foot_jacobian(const mjModel& model, const mjData& data, const RobotParts& p
 
 /// Springs would make the light bodies of arms chatter: arms are carried, and stand still.
 void hold_arms(const JointVector& q, const RobotParts& parts, mjData& data, JointVector& torque) {
-  for (auto i = static_cast<std::size_t>(kNumLegJoints); i < parts.qpos.size(); ++i) {
+  for (std::size_t i = kJointsPerLeg * parts.foot_geom.size(); i < parts.qpos.size(); ++i) {
     const auto joint = static_cast<Eigen::Index>(i);
     data.qpos[parts.qpos[i]] = q[joint];
     data.qvel[parts.dof[i]] = 0.0;
@@ -73,11 +73,12 @@ void hold_arms(const JointVector& q, const RobotParts& parts, mjData& data, Join
 double stable_damping(const mjModel& model, mjData& data, const RobotParts& parts, double damping,
                       double timestep) {
   const auto nv = static_cast<Eigen::Index>(model.nv);
-  Eigen::Matrix<double, kNumLegJoints, kNumLegJoints> mobility;
-  for (std::size_t j = 0; j < kNumLegJoints; ++j) {
+  const std::size_t n = kJointsPerLeg * parts.foot_geom.size();
+  Eigen::MatrixXd mobility(n, n);
+  for (std::size_t j = 0; j < n; ++j) {
     Eigen::VectorXd unit = Eigen::VectorXd::Unit(nv, parts.dof[j]), column(nv);
     mj_solveM(&model, &data, column.data(), unit.data(), 1);
-    for (std::size_t i = 0; i < kNumLegJoints; ++i)
+    for (std::size_t i = 0; i < n; ++i)
       mobility(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) = column[parts.dof[i]];
   }
   const Eigen::SelfAdjointEigenSolver<decltype(mobility)> modes(mobility, Eigen::EigenvaluesOnly);
@@ -94,11 +95,11 @@ JointVector stand_up(const mjModel& model, mjData& data, const RobotParts& parts
   double damping = scale.torque() * scale.time() * kDamping;
   if (options.limp) damping = stable_damping(model, data, parts, damping, options.timestep);
   JointVector held = options.q, torque = JointVector::Zero(held.size());
-  PerLeg<Foot> feet{};
+  PerLeg<Foot> feet(static_cast<int>(parts.foot_geom.size()), Foot{});
   const auto least = std::lround(options.at_least / options.timestep);
   const auto most = std::lround(scale.time() * kMaxDuration / options.timestep);
   for (long step = 0; step < least || (step < most && !at_rest(data, parts, scale)); ++step) {
-    for (const Leg leg : kLegs) {
+    for (const Leg leg : feet.legs()) {
       Foot& foot = feet[index(leg)];
       foot.in_the_air =
           touches(data, parts.foot_geom[index(leg)]) ? 0.0 : foot.in_the_air + options.timestep;

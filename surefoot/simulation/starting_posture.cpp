@@ -118,11 +118,12 @@ void check_feet(const mjModel& model, const mjData& data, const RobotParts& part
     const int sphere = parts.foot_geom[static_cast<std::size_t>(owner.leg)];
     const double depth = lowest_point(model, data, sphere) - lowest_point(model, data, geom);
     if (depth < kMinOverlap) continue;
-    throw Error(text(urdf, ": in the starting posture a collision shape of link \"",
-                     link_of(model, geom), "\" reaches ", millimetres(depth),
-                     " below the foot sphere of ", kLegNames[static_cast<std::size_t>(owner.leg)],
-                     ", which would never touch the ground; foot.radius and foot.center must "
-                     "enclose what the foot stands on"));
+    throw Error(text(
+        urdf, ": in the starting posture a collision shape of link \"", link_of(model, geom),
+        "\" reaches ", millimetres(depth), " below the foot sphere of ",
+        leg_names(static_cast<int>(parts.foot_geom.size()))[static_cast<std::size_t>(owner.leg)],
+        ", which would never touch the ground; foot.radius and foot.center must "
+        "enclose what the foot stands on"));
   }
 }
 

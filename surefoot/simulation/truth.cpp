@@ -81,11 +81,11 @@ void finish_foot(const mjModel& model, const mjData& data, int body, const FootS
 
 void extract_contacts(const mjModel& model, const mjData& data, const RobotParts& parts,
                       GroundTruth& truth) {
-  truth.feet = {};
+  truth.feet = PerLeg<TrueContact>(static_cast<int>(parts.foot_geom.size()), TrueContact{});
   truth.body_contact_force = 0.0;
   truth.torso_contact = false;
   truth.shank_contacts = 0;
-  PerLeg<FootSum> sums{};
+  PerLeg<FootSum> sums(static_cast<int>(parts.foot_geom.size()), FootSum{});
   for (int id = 0; id < data.ncon; ++id) {
     const mjContact& contact = data.contact[id];
     if (contact.efc_address < 0) continue;
@@ -102,14 +102,16 @@ void extract_contacts(const mjModel& model, const mjData& data, const RobotParts
     const auto leg = static_cast<std::size_t>(foot);
     add_foot_contact(contact, sign * force, sign, truth.feet[leg], sums[leg]);
   }
-  for (std::size_t leg = 0; leg < kNumLegs; ++leg) {
+  for (std::size_t leg = 0; leg < sums.size(); ++leg) {
     finish_foot(model, data, parts.foot_body[leg], sums[leg], truth.feet[leg]);
   }
 }
 
 void extract_feet(const mjModel& model, const mjData& data, const RobotParts& parts,
                   GroundTruth& truth) {
-  for (std::size_t leg = 0; leg < kNumLegs; ++leg) {
+  truth.p_WF.resize(static_cast<int>(parts.foot_geom.size()));
+  truth.v_WF.resize(static_cast<int>(parts.foot_geom.size()));
+  for (std::size_t leg = 0; leg < truth.p_WF.size(); ++leg) {
     truth.p_WF[leg] = vec3(data.geom_xpos + 3 * parts.foot_geom[leg]);
     truth.v_WF[leg] = point_velocity(model, data, parts.foot_body[leg], truth.p_WF[leg]);
   }
