@@ -21,7 +21,7 @@ constexpr double kMostTicks = std::numeric_limits<std::uint32_t>::max();
 /// A tick that is being read, message by message.
 struct GrowingTick {
   explicit GrowingTick(const logging::LogRobot& of) : robot(of) {
-    size_joints(record, std::ssize(robot.joint_names));
+    size_joints(record, std::ssize(robot.joint_names), robot.num_legs);
   }
 
   const logging::LogRobot& robot;

@@ -125,7 +125,7 @@ ViewChannels tick_channels(const logging::LogHeader& header, const simulation::G
   channels.level_names = header.level_names;
   channels.level_visible = logging::visible_residuals(header);
   TickRecord tick;
-  size_joints(tick, std::ssize(header.robot.joint_names));
+  size_joints(tick, std::ssize(header.robot.joint_names), header.robot.num_legs);
   logged::ChannelLister lister(channels);
   lister.add("readings", tick.reading);
   lister.add("health", tick.health);

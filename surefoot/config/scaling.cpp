@@ -166,9 +166,19 @@ void scale_ranges(ConfigNode& ranges, const Scale& scale) {
   }
 }
 
+/// An order of four legs says nothing of six: they take their usual one.
+void fit_order(ConfigNode& tree, const model::RobotDescription& robot) {
+  if (robot.num_legs() == kNumLegs) return;
+  ConfigNode* planner = tree.find("planner");
+  ConfigNode* gait = planner == nullptr ? nullptr : planner->find("gait");
+  if (gait != nullptr)
+    std::erase_if(gait->members, [](const auto& member) { return member.first == "order"; });
+}
+
 void fit_scenario(ConfigNode& tree, const model::RobotDescription& robot) {
   const Scale& scale = robot.scale;
   fit_joints(tree, robot);
+  fit_order(tree, robot);
   for (auto& [key, node] : tree.members) {
     if (key == "tasks") {
       scale_tasks(node, scale);

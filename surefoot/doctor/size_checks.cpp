@@ -71,8 +71,8 @@ void check_length(Diagnosis& robot) {
 }
 
 double usual_shank(const PerLeg<FoundLeg>& legs) {
-  PerLeg<double> shanks(static_cast<int>(legs.size()), 0.0);
-  std::ranges::transform(legs, shanks.begin(), &FoundLeg::shank);
+  std::vector<double> shanks;
+  for (const FoundLeg& leg : legs) shanks.push_back(leg.shank);
   std::ranges::sort(shanks);
   return shanks[shanks.size() / 2];
 }

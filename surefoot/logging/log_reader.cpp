@@ -186,7 +186,7 @@ void LogReader::skip_until(double time) {
 }
 
 bool LogReader::next(TickRecord& tick) {
-  size_joints(tick, std::ssize(header_.robot.joint_names));
+  size_joints(tick, std::ssize(header_.robot.joint_names), header_.robot.num_legs);
   McapMessage message;
   try {
     while (file_.next(message)) {
