@@ -36,7 +36,7 @@ int samples_of(const SupportPhase& phase, double interval) {
 
 Vec2 center_of(const PerLeg<Vec2>& feet) {
   Vec2 center = Vec2::Zero();
-  for (const Vec2& foot : feet) center += 0.25 * foot;
+  for (const Vec2& foot : feet) center += foot / static_cast<double>(feet.size());
   return center;
 }
 

@@ -8,7 +8,6 @@
 namespace surefoot::gaits {
 namespace {
 
-constexpr double kStrideShare = 5.0 / 8.0;
 constexpr double kStepUpReach = 1.25;         // of max_step, as a step up does not stretch the leg
 constexpr double kForcedReach = 1.25;         // of max_step, where the next print is too far
 constexpr double kMaxSlope = 0.36;            // rise over run; steeper ground is an edge
@@ -67,7 +66,8 @@ Vec3 FootholdPlanner::foothold(Leg leg, const PerLeg<Vec3>& footholds,
     center += (footholds[index(other)].head<2>() - R * nominal_offset(stance_, other, num_legs)) /
               num_legs;
   }
-  const double ahead = kStrideShare * cycle_duration;
+  // Feet of n legs in turn lie a stride's n-th apart, and the next one steps in front of all.
+  const double ahead = (num_legs + 1) / (2.0 * num_legs) * cycle_duration;
   const Mat2 R_ahead = rotation_about_z(yaw + ahead * user.yaw_rate).topLeftCorner<2, 2>();
   const Vec3& from = footholds[index(leg)];
   const Vec2 goal =
