@@ -2,6 +2,7 @@
 
     PYTHONPATH=python python3 tools/campaign_table.py results/blind/runs.csv [MORE.csv …]
     PYTHONPATH=python python3 tools/campaign_table.py --keep docs/results/blind.csv results/blind/runs.csv [MORE.csv …]
+    PYTHONPATH=python python3 tools/campaign_table.py --by-case results/robots/runs.csv
 
 A line a scenario, or a scenario and case: successes of runs with Wilson's 95 % interval; the worst tick's COM error of a run that succeeds
 (median, 90th percentile, worst run); false touchdowns of steps, of all runs; the largest change of a torque in a tick
@@ -9,7 +10,8 @@ A line a scenario, or a scenario and case: successes of runs with Wilson's 95 % 
 the walks within 30 ms, share of all touchdowns within 30 ms); contacts that a standing foot lost, how many were
 detected, missed, and reported where there were none, and how late; slips likewise. Then the seeds that failed, with what they missed and why they
 ended, and in how many of them a sensor was blamed (wrongly, where the scenario has no faults). With
---keep the runs are written to a file, shortened to the columns that the documents speak of and to five digits.
+--keep the runs are written to a file, shortened to the columns that the documents speak of and to five digits. With --by-case a line is a
+case and a column a scenario, with its successes, then the COM error of the second scenario, a walk.
 """
 
 import argparse
@@ -136,6 +138,34 @@ def cells(runs):
     return [success(runs), spread(numbers(succeeded(runs), "com_error_max_m", 1e3)), touchdowns]
 
 
+def by_case(runs):
+    """Of each case, what a row says: the successes in each scenario, the COM error of the walk."""
+    scenarios = list(dict.fromkeys(scenario_of(run) for run in runs))
+    cases = {}
+    for case in dict.fromkeys(run["case"] for run in runs):
+        own = [[run for run in runs if (run["case"], scenario_of(run)) == (case, scenario)] for scenario in scenarios]
+        errors = numbers(succeeded(own[1]), "com_error_max_m", 1e3)
+        cases[case] = [str(len(succeeded(some))) for some in own] + [f"{quantile(errors, 0.5):.2f}, {max(errors):.2f}" if errors else "–"]
+    return scenarios, cases
+
+
+def print_by_scenario(scenarios):
+    print(HEAD, "|---|---|---|---|---|", sep="\n")
+    for scenario, own in scenarios.items():
+        steps = spread(numbers(own, "torque_step_max_nm"))
+        print("|", " | ".join([f"`{scenario}`", *cells(own), steps]), "|")
+    print("", CONTACTS, "|---|---|---|---|---|", sep="\n")
+    for scenario, own in scenarios.items():
+        print("|", " | ".join([f"`{scenario}`", *contacts(own)]), "|")
+
+
+def print_by_case(runs):
+    scenarios, cases = by_case(runs)
+    print("|", " | ".join(["robot", *scenarios, "COM error [mm]"]), "|\n" + "|---" * (len(scenarios) + 2) + "|")
+    for case, cells_of_case in cases.items():
+        print("|", " | ".join([case, *cells_of_case]), "|")
+
+
 def blamed(run):
     """Whether the controller stopped in the name of a sensor."""
     stop = re.search(r"stopped for safety at [\d.]+ s: ([^,]*)", run["reason"])
@@ -145,6 +175,7 @@ def blamed(run):
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("runs", nargs="+", metavar="RUNS.csv")
+    parser.add_argument("--by-case", action="store_true", help="a line a case, a column a scenario")
     parser.add_argument("--keep", metavar="FILE", help="write the runs to FILE, shortened")
     asked = parser.parse_args()
     runs = read_once(asked.runs)
@@ -152,14 +183,11 @@ def main():
         keep(runs, asked.keep)
     versions = collections.Counter(run["version"] for run in runs)
     print("Of", ", ".join(f"{version} ({count})" for version, count in versions.items()), end="\n\n")
-    print(HEAD, "|---|---|---|---|---|", sep="\n")
     scenarios = by_scenario(runs)
-    for scenario, own in scenarios.items():
-        steps = spread(numbers(own, "torque_step_max_nm"))
-        print("|", " | ".join([f"`{scenario}`", *cells(own), steps]), "|")
-    print("", CONTACTS, "|---|---|---|---|---|", sep="\n")
-    for scenario, own in scenarios.items():
-        print("|", " | ".join([f"`{scenario}`", *contacts(own)]), "|")
+    if asked.by_case:
+        print_by_case(runs)
+    else:
+        print_by_scenario(scenarios)
     for scenario, own in scenarios.items():
         failed = [run for run in own if run["outcome"] != "succeeded"]
         if failed:
