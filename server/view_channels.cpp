@@ -1,6 +1,7 @@
 #include "server/view_channels.hpp"
 
 #include "surefoot/logging/json_text.hpp"
+#include "surefoot/signals/joint_name.hpp"
 
 #include <utility>
 
@@ -41,15 +42,14 @@ void ChannelLister::add_channel(std::string_view about, std::vector<std::string>
   table_.floats += size;
 }
 
-std::vector<std::string> ChannelLister::labels(int rows, int columns) {
+std::vector<std::string> ChannelLister::labels(int rows, int columns) const {
   std::vector<std::string> result;
   for (int i = 0; i < rows; ++i) {
     for (int j = 0; j < columns; ++j) {
       if (columns > 1) {
         result.push_back(std::to_string(i + 1) + std::to_string(j + 1));
-      } else if (rows >= kNumLegJoints) {
-        result.push_back(i < kNumLegJoints ? leg_joint_name(i)
-                                           : "arm " + std::to_string(i - kNumLegJoints + 1));
+      } else if (rows == std::ssize(table_.joint_names)) {
+        result.push_back(joint_name(i, table_.joint_names));
       } else if (rows <= 3) {
         result.emplace_back(server::kAxes[static_cast<std::size_t>(i)]);
       } else {

@@ -25,6 +25,7 @@ struct ViewChannel {
 struct ViewChannels {
   std::vector<std::string> level_names;  ///< of the hierarchy: each level has its channels
   std::vector<double> level_visible;     ///< of these levels, see `visible_residual`
+  std::vector<std::string> joint_names = std::vector<std::string>(kNumLegJoints);  ///< of the URDF
   std::vector<ViewChannel> channels;
   std::vector<std::size_t> list_sizes;  ///< of lists of numbers, in order
   std::size_t floats = 0;               ///< of a frame
@@ -112,7 +113,7 @@ class ChannelLister {
     }
   }
   void add_channel(std::string_view about, std::vector<std::string> labels);
-  [[nodiscard]] static std::vector<std::string> labels(int rows, int columns);
+  [[nodiscard]] std::vector<std::string> labels(int rows, int columns) const;
 
   server::ViewChannels& table_;
   std::string name_;

@@ -1,5 +1,7 @@
 #include "surefoot/model/description.hpp"
 
+#include "surefoot/signals/joint_name.hpp"
+
 namespace surefoot::model {
 
 int RobotDescription::num_joints() const {
@@ -18,8 +20,7 @@ std::vector<std::string> RobotDescription::joint_names() const {
 }
 
 std::string RobotDescription::joint_name(int joint) const {
-  return joint < kNumLegJoints ? leg_joint_name(joint)
-                               : joint_names()[static_cast<std::size_t>(joint)];
+  return surefoot::joint_name(joint, joint_names());
 }
 
 }  // namespace surefoot::model
