@@ -27,11 +27,9 @@ TEST(Arms, AreHeldWhileTheRobotWalks) {
 }
 
 TEST(Arms, KeepTheirPostureInTheWalkAndWhenTheRobotIsLiftedAndPutDown) {
-  const config::Scenario scenario =
-      test::scenario("walk_flat",
-                     {"robot=anymal_b_kinova",
-                      "disturbances.lifts.hands={time: 13, height: 0.3, hold: 2}"},
-                     1);
+  const config::Scenario scenario = test::scenario(
+      "walk_flat",
+      {"robot=anymal_b_kinova", "disturbances.lifts.hands={time: 13, height: 0.3, hold: 2}"}, 1);
   test::Loop loop(scenario);
   const JointVector& q_nominal = scenario.robot.q_nominal;
   double off = 0.0;  // largest error of an arm's joint [rad]
