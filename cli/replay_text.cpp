@@ -117,6 +117,24 @@ std::string residual(double value, const std::string& unit) {
   return formatted(value < 100.0 ? "%.3g" : "%.0f", value) + (unit.empty() ? "" : " " + unit);
 }
 
+/// Stands below the torques: says where they differ so much that the run would have been another.
+std::string far_apart(const replay::StackComparison& result) {
+  constexpr double kFar = 0.1;  // rms, of the limit
+  std::size_t worst = 0;
+  const auto share = [&](std::size_t i) {
+    return result.joints[i].rms / result.header.robot.torque_limit[static_cast<Eigen::Index>(i)];
+  };
+  for (std::size_t i = 1; i < result.joints.size(); ++i) {
+    if (share(i) > share(worst)) worst = i;
+  }
+  if (result.joints.empty() || !(share(worst) > kFar)) return "";
+  return "Torques of " + result.header.robot.joint_names[worst] +
+         formatted(
+             " differ by %.0f %% of its limit (rms): with the other hierarchy the run would "
+             "soon have been another.\n",
+             100.0 * share(worst));
+}
+
 /// Below rounding it is 0, as a residual is.
 std::string torque(const char* format, double value) {
   return std::abs(value) < kResidualRounding ? "0" : formatted(format, value) + " N·m";
@@ -268,7 +286,7 @@ Json verification_json(const std::string& path, const replay::Verification& resu
 }
 
 std::string comparison_text(const std::string& path, const replay::StackComparison& result) {
-  const std::string tables = joint_table(result) + "\n" + level_table(result);
+  const std::string tables = joint_table(result) + far_apart(result) + "\n" + level_table(result);
   return headline(path, result.header) + "Asked at each tick on the same states and plan: stack " +
          result.other + "; its torques are compared only, those of the log moved the robot.\n" +
          span(result.ticks, result.first_time, result.last_time) + "\n" + compared(result) + "\n" +

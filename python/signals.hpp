@@ -25,11 +25,28 @@ inline JointCommand joint_command(const JointNumbers& torque) {
   return command;
 }
 
+inline SensorReading sensor_reading(int num_joints) {
+  if (num_joints < kNumLegJoints || num_joints > kMaxJoints)
+    throw Error("num_joints is " + std::to_string(num_joints) + "; a robot has " +
+                std::to_string(kNumLegJoints) + " to " + std::to_string(kMaxJoints) + " joints");
+  SensorReading reading;
+  reading.q = reading.torque = JointVector::Constant(num_joints, kNaN);
+  return reading;
+}
+
 inline void bind_signals(nb::module_& module) {
   signal<SensorReading>(module, "SensorReading", "What the robot's sensors give at one tick.")
-      .def(nb::init<>());
+      .def(
+          "__init__",
+          [](SensorReading* self, int num_joints) {
+            new (self) SensorReading(sensor_reading(num_joints));
+          },
+          nb::arg("num_joints") = kNumLegJoints,
+          "All unknown. num_joints: of the robot, len(scenario.joint_names).");
 
-  signal<ReachCommand>(module, "ReachCommand", "Where the tip of an arm shall be.")
+  signal<ReachCommand>(module, "ReachCommand",
+                       "Where the tip of an arm shall be. An arm that is not there follows "
+                       "nothing: plan.arm.arm stays -1.")
       .def(
           "__init__",
           [](ReachCommand* self, int arm, std::array<double, 3> position, bool in_world,

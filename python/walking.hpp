@@ -36,6 +36,12 @@ inline std::vector<std::string> joint_names(const config::Scenario& scenario) {
   return scenario.robot.joint_names();
 }
 
+inline std::vector<std::string> arm_names(const config::Scenario& scenario) {
+  std::vector<std::string> names;
+  for (const model::ArmDescription& arm : scenario.robot.arms) names.push_back(arm.name);
+  return names;
+}
+
 inline nb::typed<nb::dict, std::string, double> drawn(const config::Scenario& scenario) {
   nb::typed<nb::dict, std::string, double> values;
   for (const config::RandomDraw& draw : scenario.drawn) values[nb::cast(draw.path)] = draw.value;
@@ -74,6 +80,7 @@ inline void bind_scenario(nb::module_& module) {
           "where the controller's state comes from")
       .def_prop_ro("joint_names", &joint_names,
                    "in the order of every array of joints: HAA, HFE, KFE of each leg, then arms")
+      .def_prop_ro("arms", &arm_names, "their names; ReachCommand.arm counts them from 0")
       .def_prop_ro(
           "torque_limit",
           [](nb::handle_t<config::Scenario> self) {

@@ -36,8 +36,8 @@ std::string text_event(double time, std::string_view kind, std::string_view text
 EventFinder::EventFinder(const ViewChannels& channels, std::vector<std::string> bodies)
     : num_legs_(channels.num_legs),
       mode_(find_channel(channels, "command.mode").offset),
-      stop_(find_channel(channels, "told.stop").offset),
       rotation_(find_channel(channels, "truth.q_WB").offset),
+      stop_(find_channel(channels, "told.stop")),
       force_(find_channel(channels, "truth.xfrc_applied")),
       bodies_(std::move(bodies)),
       scenario_(bodies_) {}
@@ -55,7 +55,7 @@ const std::vector<std::string>& EventFinder::see(const ViewFrame& frame) {
   if (has_last && now[mode_] != last_[mode_]) {
     const auto mode = static_cast<CommandMode>(now[mode_]);
     events_.push_back(text_event(
-        frame.time, "mode", logging::mode_text(mode, name_in(logging::stop_texts(), now[stop_]))));
+        frame.time, "mode", logging::mode_text(mode, name_in(stop_.values, now[stop_.offset]))));
   }
   if (force_.size > 0) see_forces(frame);
   last_ = now;

@@ -38,8 +38,8 @@ class EventFinder {
   void see_forces(const ViewFrame& frame);
 
   int num_legs_;
-  std::size_t mode_, stop_, rotation_;  // offsets of channels
-  ViewChannel force_;
+  std::size_t mode_, rotation_;  // offsets of channels
+  ViewChannel stop_, force_;
   std::vector<float> last_;          // floats of the frame before
   std::vector<std::string> events_;  // of the frame
   std::vector<std::string> bodies_;

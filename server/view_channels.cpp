@@ -42,15 +42,13 @@ void ChannelLister::add_channel(std::string_view about, std::vector<std::string>
 }
 
 std::vector<std::string> ChannelLister::labels(int rows, int columns) const {
-  const int num_leg_joints = kJointsPerLeg * table_.num_legs;
   std::vector<std::string> result;
   for (int i = 0; i < rows; ++i) {
     for (int j = 0; j < columns; ++j) {
       if (columns > 1) {
         result.push_back(std::to_string(i + 1) + std::to_string(j + 1));
-      } else if (rows >= num_leg_joints) {
-        result.push_back(i < num_leg_joints ? leg_joint_name(i, table_.num_legs)
-                                            : "arm " + std::to_string(i - num_leg_joints + 1));
+      } else if (rows == std::ssize(table_.joint_names)) {
+        result.push_back(table_.joint_names[static_cast<std::size_t>(i)]);
       } else if (rows <= 3) {
         result.emplace_back(server::kAxes[static_cast<std::size_t>(i)]);
       } else {

@@ -59,24 +59,29 @@ std::vector<ToldLevel> told_levels(const KnownTick& tick, const ViewChannels& ch
   return levels;
 }
 
+/// The texts that a channel's number stands for.
+const std::vector<std::string>& values_of(std::string_view name, const ViewChannels& channels) {
+  return std::ranges::find(channels.channels, name, &ViewChannel::name)->values;
+}
+
 Told told(const KnownTick& tick, const explain::CommandedForces& forces,
           const ViewChannels& channels) {
   const TickRecord& record = tick.record;
+  const std::vector<std::string>& joints = channels.joint_names;
+  const std::vector<std::string>& stops = values_of("told.stop", channels);
   const auto wrong = [&](StopCause group) {
     const GroupHealth& now = *group_of(record.health, group);
     const bool is_wrong = now.fault != SampleFault::none;
-    return is_wrong
-               ? number_of(logging::text_of_stop(group, now.fault, now.joint, channels.num_legs),
-                           logging::stop_texts())
-               : 0.0;
+    return is_wrong ? number_of(logging::text_of_stop(group, now.fault, now.joint, joints), stops)
+                    : 0.0;
   };
-  const explain::UnusedText unused = explain::unused_text(record);
-  Told result{.stop = number_of(logging::text_of_stop(record), logging::stop_texts()),
+  const explain::UnusedText unused = explain::unused_text(record, joints);
+  Told result{.stop = number_of(logging::text_of_stop(record, joints), stops),
               .encoders = wrong(StopCause::encoders),
               .joint_torques = wrong(StopCause::joint_torques),
               .imu = wrong(StopCause::imu),
               .unused = number_of(unused.what, explain::unused_texts()),
-              .because = number_of(unused.why, explain::unused_reasons()),
+              .because = number_of(unused.why, values_of("told.because", channels)),
               .levels = told_levels(tick, channels)};
   for (const Leg leg : first_legs(channels.num_legs))
     result.beyond[index(leg)] =
@@ -85,13 +90,13 @@ Told told(const KnownTick& tick, const explain::CommandedForces& forces,
 }
 
 /// The texts of a channel of `Told`.
-std::vector<std::string> texts_of(std::string_view name) {
+std::vector<std::string> texts_of(std::string_view name, const std::vector<std::string>& joints) {
   if (name == "told.unused") return explain::unused_texts();
-  if (name == "told.because") return explain::unused_reasons();
+  if (name == "told.because") return explain::unused_reasons(joints);
   if (name.starts_with("told.beyond.")) return {"", "force", "friction"};
   if (name.starts_with("told.level."))
     return {explain::kSeenLevelNames.begin(), explain::kSeenLevelNames.end()};
-  return logging::stop_texts();
+  return logging::stop_texts(joints);
 }
 
 void add_rows(const logged::Hierarchy& hierarchy, const ViewChannels& channels, ViewFrame& frame) {
@@ -124,6 +129,7 @@ ViewChannels tick_channels(const logging::LogHeader& header, const simulation::G
   channels.num_legs = header.robot.num_legs;
   channels.level_names = header.level_names;
   channels.level_visible = logging::visible_residuals(header);
+  channels.joint_names = header.robot.joints();
   TickRecord tick;
   size_joints(tick, std::ssize(header.robot.joint_names), header.robot.num_legs);
   logged::ChannelLister lister(channels);
@@ -138,7 +144,8 @@ ViewChannels tick_channels(const logging::LogHeader& header, const simulation::G
   lister.add("commanded", explain::CommandedForces());
   lister.add("told", Told());
   for (ViewChannel& channel : channels.channels)
-    if (channel.name.starts_with("told.")) channel.values = texts_of(channel.name);
+    if (channel.name.starts_with("told."))
+      channel.values = texts_of(channel.name, channels.joint_names);
   lister.add("timings", logged::Timing());
   lister.add("truth", truth);
   lister.add("estimate", evaluation::AlignedEstimate());

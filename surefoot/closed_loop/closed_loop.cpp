@@ -165,7 +165,7 @@ class ClosedLoop {
     evaluator_.add(plant_.truth(), controller_.record());
     const TickRecord& record = controller_.record();
     events_.add(timing.time, record.plan.events);
-    troubles_.add(timing.time, record);
+    troubles_.add(timing.time, record, plant_.truth());
     evaluator_.add(timing);
     if (options_.steering != nullptr) {
       options_.steering->after_tick(controller_.record(), plant_.truth(), timing);
@@ -183,7 +183,9 @@ class ClosedLoop {
     if (evaluator_.fell()) return Ending::fell;
     if (command.cause != StopCause::none && std::isnan(stopped_at_)) {
       stopped_at_ = time;
-      why_stopped_ = logging::text_of_stop(controller_.record());
+      why_stopped_ = logging::text_of_stop(
+          controller_.record(),
+          told_joints(scenario_.robot.joint_names(), scenario_.robot.num_legs()));
     }
     if (command.mode == CommandMode::damping && std::isnan(damped_at_)) damped_at_ = time;
     if (time - damped_at_ > kTimeAfterStop) return Ending::safety;
@@ -246,7 +248,7 @@ class ClosedLoop {
   GoalWatch goal_;
   evaluation::Evaluator evaluator_;
   evaluation::EventCounter events_;
-  TroubleCounter troubles_;
+  TroubleCounter troubles_{told_joints(scenario_.robot.joint_names(), scenario_.robot.num_legs())};
   evaluation::TorqueHash torques_;
   runtime::StageTimer timer_;
   std::optional<logging::Recorder> recorder_;

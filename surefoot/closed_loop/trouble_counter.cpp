@@ -9,9 +9,31 @@
 
 namespace surefoot::closed_loop {
 
-void TroubleCounter::add(double time, const TickRecord& record) {
+/// Empty if an arm follows, or none is asked to.
+std::string TroubleCounter::vain_reach(const TickRecord& record,
+                                       const simulation::GroundTruth& truth) {
+  constexpr double kArrived = 0.005, kOff = 0.03, kPatience = 1.0;  // [m], [m], [s]
+  const ReachCommand& command = record.user.reach;
+  const auto arm = static_cast<std::size_t>(std::max(command.arm, 0));
+  if (command.arm < 0) return "";
+  const std::string name = "arm " + std::to_string(command.arm);
+  if (arm >= truth.p_WT.size()) return "told to reach with " + name + ", which there is not";
+  if (record.plan.arm.arm != command.arm) return "";
+  const Quat to_base = record.state.q_WB.conjugate();
+  const Vec3 target =
+      command.in_world ? to_base * (command.position - record.state.p_WB) : command.position;
+  const Vec3 planned = to_base * (record.plan.arm.p_WT - record.state.p_WB);
+  const Vec3 tip = truth.q_WB.conjugate() * (truth.p_WT[arm] - truth.p_WB);
+  const bool is_off = (planned - target).norm() < kArrived && (tip - target).norm() > kOff;
+  if (!is_off) tip_since_ = kNaN;
+  if (is_off && std::isnan(tip_since_)) tip_since_ = truth.time;
+  return truth.time - tip_since_ > kPatience ? name + ": target out of reach" : "";
+}
+
+void TroubleCounter::add(double time, const TickRecord& record,
+                         const simulation::GroundTruth& truth) {
   std::vector<std::string> now;
-  for (logging::FaultText& fault : logging::faults_of(record)) {
+  for (logging::FaultText& fault : logging::faults_of(record.health, joints_)) {
     if (std::isfinite(fault.age)) now.push_back(std::move(fault.text));
   }
   const CommandMode mode = record.command.mode;
@@ -19,6 +41,8 @@ void TroubleCounter::add(double time, const TickRecord& record) {
     now.push_back("command mode: " +
                   std::string(logged::kModeNames[static_cast<std::size_t>(mode)]));
   }
+  std::string reach = vain_reach(record, truth);
+  if (!reach.empty()) now.push_back(std::move(reach));
   for (const std::string& what : now) {
     if (std::ranges::find(before_, what) != before_.end()) continue;
     auto entry = std::ranges::find(counts_, what, &TroubleCount::what);

@@ -23,6 +23,11 @@ std::string urdf_of_mjcf_named(const std::string& name, const std::string& path)
 
 DescriptionFile read_description(const std::string& name) {
   DescriptionFile file{.path = name, .urdf = {}};
+  if (std::filesystem::path(name).extension() == ".yaml" && std::filesystem::is_regular_file(name))
+    throw FileError(name +
+                    " is a robot file, not a URDF or an MJCF; give the one that it names, or "
+                    "check the robot file: surefoot run walk_flat --check --set robot=" +
+                    name);
   if (name.find("://") != std::string::npos) file.path = find_description(name, {});
   if (model::root_of_xml(file.path, "description") == "mujoco")
     file.urdf = urdf_of_mjcf_named(name, file.path);

@@ -15,6 +15,29 @@ std::string key_of(Leg leg, int num_legs) {
   return "legs." + std::string(leg_name(leg, num_legs)) + ".";
 }
 
+/// The arm of a joint; null: it is a leg's.
+const model::ArmDescription* arm_of(const model::RobotDescription& robot, Eigen::Index joint) {
+  Eigen::Index end = robot.num_leg_joints();
+  for (const model::ArmDescription& arm : robot.arms) {
+    end += static_cast<Eigen::Index>(arm.joints.size());
+    if (joint >= robot.num_leg_joints() && joint < end) return &arm;
+  }
+  return nullptr;
+}
+
+/// As in messages: "leg LF", "arm \"kinova\"".
+std::string limb_of(const model::RobotDescription& robot, Eigen::Index joint) {
+  const model::ArmDescription* arm = arm_of(robot, joint);
+  if (arm != nullptr) return "arm \"" + arm->name + "\"";
+  return "leg " + std::string(leg_name(static_cast<Leg>(joint / kJointsPerLeg), robot.num_legs()));
+}
+
+/// Key of a joint's limits.
+std::string key_of(const model::RobotDescription& robot, Eigen::Index joint) {
+  const model::ArmDescription* arm = arm_of(robot, joint);
+  return arm == nullptr ? "limits" : "arms." + arm->name;
+}
+
 /// Is a leg's posture within the limits? `bad` gets the index of the first joint that is not.
 bool is_within_limits(const model::RobotDescription& robot, Leg leg, const Vec3& q,
                       Eigen::Index& bad) {
@@ -104,7 +127,7 @@ class JointNumbers {
           urdf_.joints, names[static_cast<std::size_t>(joint)], &model::UrdfJoint::name);
       numbers[joint] = from.*described;
       if (std::isnan(numbers[joint]) || (is_positive && numbers[joint] <= 0.0)) {
-        top_.fail((joint < given_.robot.num_leg_joints() ? "limits." : "arms: ") + std::string(key),
+        top_.fail(key_of(given_.robot, joint) + "." + key,
                   std::string("this key is missing, and the ") + urdf_.format() +
                       " does not limit joint \"" + from.name + "\" (" + urdf_.path + ":" +
                       std::to_string(from.line) + ")");
@@ -150,6 +173,35 @@ JointVector or_else(const LegJoints& given, const JointVector& others, int num_l
   return all;
 }
 
+/// Joints up to an arm's tip that belong to no limb before it.
+std::vector<std::string> free_chain(const Section& top, const model::Urdf& urdf,
+                                    const model::ArmDescription& arm,
+                                    const model::RobotDescription& robot) {
+  const std::string tip = "\"" + arm.tip_frame + "\"";
+  const std::vector<std::string> known = robot.joint_names();
+  std::vector<std::string> chain;
+  for (std::string link = arm.tip_frame; link != robot.base_link && link != urdf.root;) {
+    const auto joint = std::ranges::find(urdf.joints, link, &model::UrdfJoint::child);
+    const auto taken = std::ranges::find(known, joint->name);
+    if (taken != known.end()) {
+      const std::string limb = limb_of(robot, taken - known.begin());
+      if (chain.empty())
+        top.fail("arms." + arm.name + ".tip",
+                 tip + " moves with joint \"" + joint->name + "\" of " + limb +
+                     ", and no joint lies between them; an arm has joints of its own");
+      if (taken - known.begin() < robot.num_leg_joints())
+        top.fail("arms." + arm.name + ".tip",
+                 tip + " is on " + limb + "; an arm is on the base, or on an arm above it");
+      return chain;
+    }
+    if (joint->type != "fixed") chain.insert(chain.begin(), joint->name);
+    link = joint->parent;
+  }
+  if (chain.empty())
+    top.fail("arms." + arm.name + ".tip", "no joint moves between the base and " + tip);
+  return chain;
+}
+
 }  // namespace
 
 void complete_leg(const Section& top, const model::Urdf& urdf, const std::string& base,
@@ -182,18 +234,10 @@ void complete_leg(const Section& top, const model::Urdf& urdf, const std::string
 void complete_arm(const Section& top, const model::Urdf& urdf, const ArmInFile& given,
                   model::RobotDescription& robot) {
   model::ArmDescription arm = given.names;
-  const std::vector<std::string> known = robot.joint_names();
-  if (arm.joints.empty()) {
-    for (std::string link = arm.tip_frame; link != robot.base_link && link != urdf.root;) {
-      const auto joint = std::ranges::find(urdf.joints, link, &model::UrdfJoint::child);
-      if (std::ranges::find(known, joint->name) != known.end()) break;
-      if (joint->type != "fixed") arm.joints.insert(arm.joints.begin(), joint->name);
-      link = joint->parent;
-    }
-  }
   const std::string key = "arms." + arm.name;
-  if (arm.joints.empty())
-    top.fail(key, "no joint moves between the base and \"" + arm.tip_frame + "\"");
+  if (std::ranges::find(robot.arms, arm.name, &model::ArmDescription::name) != robot.arms.end())
+    top.fail("arms", "two arms have the name \"" + arm.name + "\"");
+  if (arm.joints.empty()) arm.joints = free_chain(top, urdf, arm, robot);
   for (const auto& [what, numbers] : {std::pair{".posture", &given.posture},
                                       {".torque", &given.torque},
                                       {".velocity", &given.velocity},
@@ -227,7 +271,7 @@ void complete_limits(const Section& top, const model::Urdf& urdf, const RobotInF
                            of_arms(given, robot, &ArmInFile::position_max));
   for (Eigen::Index i = 0; i < robot.num_joints(); ++i) {
     if (robot.q_min[i] < robot.q_max[i]) continue;
-    top.fail("limits.position_max",
+    top.fail(key_of(robot, i) + ".position_max",
              formatted("must be above position_min at every joint, but joint \"%s\" has %g and %g "
                        "rad",
                        robot.joint_names()[static_cast<std::size_t>(i)].c_str(), robot.q_min[i],
@@ -242,7 +286,7 @@ void complete_limits(const Section& top, const model::Urdf& urdf, const RobotInF
     const double q = std::clamp(std::isnan(wanted) ? 0.0 : wanted, robot.q_min[i], robot.q_max[i]);
     robot.q_nominal[i] = q;
     if (std::isnan(wanted) || wanted == q) continue;
-    top.fail("arms",
+    top.fail(key_of(robot, i) + ".posture",
              formatted("the posture of joint \"%s\" is %g rad; its limits allow %g to %g rad",
                        robot.joint_names()[static_cast<std::size_t>(i)].c_str(), wanted,
                        robot.q_min[i], robot.q_max[i]));

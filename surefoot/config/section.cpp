@@ -34,6 +34,17 @@ bool parse(const std::string& text, Number& value) {
   return error == std::errc() && stopped == end;
 }
 
+/// The value of a key, or a list's entry with this `name`; null without one.
+const ConfigNode* child(const ConfigNode& node, const std::string& key) {
+  if (node.kind != ConfigNode::Kind::list) return node.find(key);
+  const auto is_meant = [&](const ConfigNode& item) {
+    const ConfigNode* name = item.find("name");
+    return name != nullptr && name->text == key;
+  };
+  const auto found = std::ranges::find_if(node.items, is_meant);
+  return found == node.items.end() ? nullptr : &*found;
+}
+
 }  // namespace
 
 std::optional<double> number_in(const std::string& text) {
@@ -75,22 +86,22 @@ std::string Section::path_of(const std::string& key) const {
 }
 
 void Section::fail(const std::string& key, const std::string& message) const {
-  const ConfigNode* given = below(key);
-  fail_at(given == nullptr ? node_ : *given, path_of(key), message);
+  fail_at(below(key).node, path_of(key), message);
 }
 
-bool Section::has(const std::string& key) const { return below(key) != nullptr; }
+bool Section::has(const std::string& key) const { return below(key).is_whole; }
 
-const ConfigNode* Section::below(const std::string& key) const {
-  const ConfigNode* found = node_.find(key);
+Section::Place Section::below(const std::string& key) const {
+  if (const ConfigNode* found = node_.find(key)) return {*found, true};
   const ConfigNode* node = &node_;
-  for (std::size_t begin = 0; found == nullptr && node != nullptr && begin <= key.size();) {
+  for (std::size_t begin = 0; begin <= key.size();) {
     const std::size_t end = std::min(key.find('.', begin), key.size());
-    node = node->find(key.substr(begin, end - begin));
+    const ConfigNode* next = child(*node, key.substr(begin, end - begin));
+    if (next == nullptr) return {*node, false};
+    node = next;
     begin = end + 1;
-    if (begin > key.size()) found = node;
   }
-  return found;
+  return {*node, true};
 }
 
 const ConfigNode* Section::node(const char* key) {

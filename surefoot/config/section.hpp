@@ -59,12 +59,18 @@ class Section final : public Given {
   [[nodiscard]] const std::string& where() const { return node_.where; }
   /// Is there this key, or dotted path below this map?
   [[nodiscard]] bool has(const std::string& key) const override;
-  /// Throws Error about a key of this section, at the line where it is written.
+  /// Throws Error about a key or dotted path of this section, at the line where it is written, or
+  /// as much of it as is there.
   [[noreturn]] void fail(const std::string& key, const std::string& message) const override;
 
  private:
   const ConfigNode* present(const char* key);
-  [[nodiscard]] const ConfigNode* below(const std::string& key) const;
+  /// As much of a dotted path as is there; entries of a list by their `name`.
+  struct Place {
+    const ConfigNode& node;
+    bool is_whole;
+  };
+  [[nodiscard]] Place below(const std::string& key) const;
 
   const ConfigNode& node_;
   std::string path_;

@@ -25,6 +25,13 @@
 namespace surefoot::control {
 namespace {
 
+/// The inertia that each joint's torque alone turns in the nominal posture, 1 / (M⁻¹)_jj [kg·m²].
+JointVector turned_inertia(model::RobotModel& model) {
+  const model::RobotDescription& robot = model.description();
+  const MatX inverse = model.update(level_at_rest(robot.q_nominal), Vec3::UnitZ()).M.inverse();
+  return inverse.diagonal().tail(robot.num_joints()).cwiseInverse();
+}
+
 double checked_period(double period) {
   if (period > 0.0 && std::isfinite(period)) return period;
   throw Error("period is " + std::to_string(period) + " s; valid is a time > 0, such as 0.0025");
@@ -129,6 +136,7 @@ Controller::Implementation::Implementation(
   size_joints(record, robot.num_joints(), robot.num_legs());
   record.command.torque.setZero();
   memory.last = at_start.last = remember({});
+  if (!robot.arms.empty()) safety.soften_arms(turned_inertia(model));
 }
 
 const JointCommand& Controller::Implementation::step(const SensorReading& reading,

@@ -20,7 +20,8 @@ constexpr double kLastSpring = 0.1;  // share of the spring at the end
 // Shares of the PD gains for a swing leg: `hold` fits a quarter of the robot's inertia, which would
 // make a free leg oscillate with delayed drives.
 constexpr double kSoftSpring = 0.4, kSoftDamping = 0.175;
-constexpr double kSettleTime = 2.0;  // of `hold` before the first good tick [s]
+constexpr double kFastestArm = 25.0;  // damping of an arm's joint over its inertia [1/s]
+constexpr double kSettleTime = 2.0;   // of `hold` before the first good tick [s]
 constexpr double kDampFadeTime =
     1.0;  // of the damping gain, in which a falling robot comes to lie [s]
 constexpr double kTiltConfirmTime = 0.03;  // in which the first readings may be wrong [s]
@@ -85,6 +86,11 @@ Safety::Safety(const SafetyOptions& options, const model::RobotDescription& robo
     stiffness_[i] = std::min(1.0, torque_limit_[i] / strongest);
   }
   stands_now_ = stands_ = PerLeg<bool>(robot.num_legs(), true);
+}
+
+void Safety::soften_arms(const JointVector& inertia) {
+  for (Eigen::Index i = kNumLegJoints; i < stiffness_.size(); ++i)
+    stiffness_[i] = std::min(stiffness_[i], kFastestArm * inertia[i] / hold_kd_);
 }
 
 const JointCommand& Safety::command(const RobotState& state, const solver::Solution* solution,

@@ -38,7 +38,8 @@ namespace surefoot::control {
 ///                (`give_up`); the end of `sit`; or lost encoders of several legs, then plus the
 ///                torques before, which fade out within 0.5 s
 ///
-/// An arm's joints are held as far as their drives are weaker than a leg's. The PD of a swing leg
+/// An arm's joints are held as far as their drives are weaker than a leg's, and light ones softly
+/// (`soften_arms`). The PD of a swing leg
 /// (`set_standing`) is soft, as its inertia is small.
 ///
 /// Torques change by at most `max_torque_change` a tick while the robot is off its feet, a sensor
@@ -57,6 +58,10 @@ class Safety {
   [[nodiscard]] const JointCommand& command(const RobotState& state,
                                             const solver::Solution* solution,
                                             const SensorHealth& health = {}) noexcept;
+
+  /// Drives are late: their PD would shake light bodies. Takes the inertia that the torque of each
+  /// joint turns [kg·m²], and softens those of arms.
+  void soften_arms(const JointVector& inertia);
 
   /// For a new stack.
   void set_first_free_level(int level) { first_free_level_ = level; }

@@ -26,6 +26,13 @@ void lower(double& minimum, double value) {
   if (std::isnan(minimum) || value < minimum) minimum = value;
 }
 
+/// Do both ask for the same?
+bool is_same(const ReachCommand& a, const ReachCommand& b) {
+  const bool are_free = a.orientation.array().isNaN().all() && b.orientation.array().isNaN().all();
+  return a.arm == b.arm && a.in_world == b.in_world && a.position == b.position &&
+         (are_free || a.orientation == b.orientation);
+}
+
 double tilt(const Quat& q_WB) {
   return std::acos(std::clamp(q_WB.toRotationMatrix()(2, 2), -1.0, 1.0));
 }
@@ -89,7 +96,7 @@ void Evaluator::judge_plan(const simulation::GroundTruth& truth, const TickRecor
 
 void Evaluator::add_reach(const simulation::GroundTruth& truth, const TickRecord& tick) {
   const ReachCommand& command = tick.user.reach;
-  if (command.arm != reach_.arm || command.position != reach_.position) reach_begin_ = truth.time;
+  if (!is_same(command, reach_)) reach_begin_ = truth.time;
   reach_ = command;
   const auto arm = static_cast<std::size_t>(tick.plan.arm.arm);
   if (tick.plan.arm.arm < 0 || arm >= truth.p_WT.size()) return;

@@ -185,9 +185,10 @@ std::string nothing_gave_way(const std::string& every,
          (names.size() == 1 ? "does." : "do.");
 }
 
-std::string without_solution(const TickRecord& tick) {
+std::string without_solution(const TickExplanation& explanation) {
+  const TickRecord& tick = explanation.tick;
   const std::string mode(logged::kModeNames[static_cast<std::size_t>(tick.command.mode)]);
-  const UnusedText text = unused_text(tick);
+  const UnusedText text = unused_text(tick, explanation.header.robot.joints());
   return text.what + ": " + mode + ", because " + text.why + ".";
 }
 
@@ -310,7 +311,7 @@ logging::LevelStatus level_status(const TickExplanation& explanation, std::size_
 }
 
 std::string TickExplanation::sentence() const {
-  if (!logging::was_used(tick)) return without_solution(tick);
+  if (!logging::was_used(tick)) return without_solution(*this);
   if (!blend) return outcome(*this) + estimates(*this);
   return blended(*this) + outcome(*this) + neighbour_text(*this, blend->before, " Before") +
          neighbour_text(*this, blend->after, " Behind");

@@ -202,7 +202,7 @@ class Search {
         add_plan_events();
         if (mode_before && log_.follows())
           add_mode(*mode_before);
-        else if (std::isinf(window_) && !logging::text_of_stop(tick_).empty())
+        else if (std::isinf(window_) && !stop_text().empty())
           add_mode(CommandMode::optimal);  // the log, or what is left after a gap, begins in a stop
       }
       mode_before = tick_.command.mode;
@@ -242,9 +242,12 @@ class Search {
   void add_mode(CommandMode before) {
     const CommandMode now = tick_.command.mode;
     if (now == before) return;
-    found_.events.push_back({tick_.reading.time,
-                             logging::mode_text(now, logging::text_of_stop(tick_)), "",
-                             "controller"});
+    found_.events.push_back(
+        {tick_.reading.time, logging::mode_text(now, stop_text()), "", "controller"});
+  }
+
+  [[nodiscard]] std::string stop_text() const {
+    return logging::text_of_stop(tick_, log_.header().robot.joints());
   }
 
   /// Behind the last tick.

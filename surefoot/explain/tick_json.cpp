@@ -199,7 +199,7 @@ Json explanation_json(const TickExplanation& explanation) {
                {"limits", limits_json(explanation)},
                {"missed", missed_json(explanation)},
                {"events", events_json(explanation.events)},
-               {"why_stopped", logging::text_of_stop(tick)},
+               {"why_stopped", logging::text_of_stop(tick, explanation.header.robot.joints())},
                {"readings", message(tick.reading)},
                {"health", message(tick.health)},
                {"user", message(tick.user)},

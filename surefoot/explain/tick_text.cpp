@@ -60,6 +60,29 @@ std::string carried(const BaseLoad& load) {
                           rounded(at.y(), 0.01), rounded(at.z(), 0.01));
 }
 
+std::string place(const Vec3& p) {
+  return formatted("x %.3f, y %.3f, z %.3f m", rounded(p.x(), 1e-3), rounded(p.y(), 1e-3),
+                   rounded(p.z(), 1e-3));
+}
+
+/// Of an arm that follows the operator, and where its tip is in truth; empty without one.
+std::string reach(const TickExplanation& explanation) {
+  const ReachCommand& command = explanation.tick.user.reach;
+  if (command.arm < 0) return "";
+  const std::string wanted = "arm " + std::to_string(command.arm) + " to " +
+                             place(command.position) + (command.in_world ? " in W" : " in B");
+  const ArmPlan& plan = explanation.tick.plan.arm;
+  const auto arm = static_cast<std::size_t>(std::max(plan.arm, 0));
+  if (plan.arm < 0) return wanted + "; its tip follows nothing";
+  const std::string out = wanted + "; reference now " + place(plan.p_WT) + " in W";
+  if (!explanation.truth || arm >= explanation.truth->p_WT.size()) return out;
+  const Vec3 is = explanation.truth->q_WB.conjugate() *
+                  (explanation.truth->p_WT[arm] - explanation.truth->p_WB);
+  const RobotState& state = explanation.tick.state;
+  const double off = (is - state.q_WB.conjugate() * (plan.p_WT - state.p_WB)).norm();
+  return out + formatted(", the tip is %.1f cm from it, seen from the base", 100.0 * off);
+}
+
 std::string asked(const UserCommand& user) {
   if (!user.walk) return formatted("stands, height %+g m", user.height);
   return formatted("walks, %g m/s forward, %g m/s to the left, turns by %g rad/s, height %+g m",
@@ -75,9 +98,10 @@ std::string largest_torque(const TickExplanation& explanation) {
          formatted(" of %g", robot.torque_limit[joint]);
 }
 
-std::string faults(const TickRecord& tick) {
+std::string faults(const TickExplanation& explanation) {
   std::string out;
-  for (const logging::FaultText& fault : logging::faults_of(tick))
+  for (const logging::FaultText& fault :
+       logging::faults_of(explanation.tick.health, explanation.header.robot.joints()))
     out += (out.empty() ? "" : ", ") + fault.text + formatted(" (last good %.4f s ago)", fault.age);
   return out.empty() ? "sensors are good" : "sensors now: " + out;
 }
@@ -96,10 +120,10 @@ bool asks_beyond_limits(const TickExplanation& explanation) {
 std::string command(const TickExplanation& explanation) {
   const TickRecord& tick = explanation.tick;
   std::string out(logged::kModeNames[static_cast<std::size_t>(tick.command.mode)]);
-  const std::string why = logging::text_of_stop(tick);
+  const std::string why = logging::text_of_stop(tick, explanation.header.robot.joints());
   if (!why.empty()) out += ", as " + why;
   if (asks_beyond_limits(explanation)) out += ", but for contact forces that no ground gives";
-  return out + "; " + largest_torque(explanation) + "; " + faults(tick);
+  return out + "; " + largest_torque(explanation) + "; " + faults(explanation);
 }
 
 std::string facts(const TickExplanation& explanation) {
@@ -122,6 +146,8 @@ std::string facts(const TickExplanation& explanation) {
     table.push_back({"pushed by", logging::applied_force_text(force, explanation.bodies) +
                                       " (truth: the controller is not told)"});
   table.push_back({"asked", asked(tick.user)});
+  const std::string reaches = reach(explanation);
+  if (!reaches.empty()) table.push_back({"reaches", reaches});
   table.push_back({"command", command(explanation)});
   std::string out;
   for (const std::vector<std::string>& row : table)

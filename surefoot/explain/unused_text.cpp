@@ -18,9 +18,9 @@ const char* without_state(CommandMode mode) {
 
 }  // namespace
 
-UnusedText unused_text(const TickRecord& tick) {
+UnusedText unused_text(const TickRecord& tick, const std::vector<std::string>& joints) {
   if (logging::was_used(tick)) return {};
-  const std::string stop = logging::text_of_stop(tick);
+  const std::string stop = logging::text_of_stop(tick, joints);
   return {unused_texts()[logging::was_solved(tick.hierarchy) ? 2 : 1],
           stop.empty() ? without_state(tick.command.mode) : stop};
 }
@@ -31,13 +31,10 @@ const std::vector<std::string>& unused_texts() {
   return texts;
 }
 
-const std::vector<std::string>& unused_reasons() {
-  static const std::vector<std::string> texts = [] {
-    std::vector<std::string> all = logging::stop_texts();
-    all.insert(all.end(), {kLifted, kRises, kNoState});
-    return all;
-  }();
-  return texts;
+std::vector<std::string> unused_reasons(const std::vector<std::string>& joints) {
+  std::vector<std::string> all = logging::stop_texts(joints);
+  all.insert(all.end(), {kLifted, kRises, kNoState});
+  return all;
 }
 
 }  // namespace surefoot::explain

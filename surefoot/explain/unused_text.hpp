@@ -14,10 +14,12 @@ struct UnusedText {
   std::string why;   ///< "IMU stopped", "it stands up"
 };
 
-[[nodiscard]] UnusedText unused_text(const TickRecord& tick);
+/// `joints`: names of all joints of the robot.
+[[nodiscard]] UnusedText unused_text(const TickRecord& tick,
+                                     const std::vector<std::string>& joints);
 
 /// All possible values of `what` and `why`; first the empty text.
 [[nodiscard]] const std::vector<std::string>& unused_texts();
-[[nodiscard]] const std::vector<std::string>& unused_reasons();
+[[nodiscard]] std::vector<std::string> unused_reasons(const std::vector<std::string>& joints);
 
 }  // namespace surefoot::explain

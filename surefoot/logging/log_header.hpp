@@ -1,5 +1,6 @@
 #pragma once
 
+#include "surefoot/signals/joint_name.hpp"
 #include "surefoot/signals/leg.hpp"
 #include "surefoot/signals/sensor_reading.hpp"
 
@@ -25,6 +26,11 @@ struct LogRobot {
   JointVector torque_limit = JointVector::Constant(kNumLegJoints, kNaN);  ///< [N·m]
   double mass = kNaN;                                                     ///< [kg]
   double foot_radius = kNaN;                                              ///< [m]
+
+  /// Names of the joints as in messages.
+  [[nodiscard]] std::vector<std::string> joints() const {
+    return told_joints(joint_names, num_legs);
+  }
 };
 
 /// Limits of the distance between hip and foot (Eq. 35), from the stack; NaN: no such level.

@@ -119,7 +119,7 @@ void fields(Archive& field, T& group) {
         "since the last good sample, or for how long it has been late, frozen or in contradiction "
         "[s]; "
         "null before the first");
-  field("joint", group.joint, "the only one at fault, counted from 0; -1: none, or several");
+  field("joint", group.joint, "the only one at fault, of all joints from 0; -1: none, or several");
 }
 
 template <typename Archive, Is<SensorHealth> T>

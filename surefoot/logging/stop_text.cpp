@@ -30,30 +30,22 @@ std::string verb(SampleFault fault) {
   return "";
 }
 
-std::string joint_name(int joint, int num_legs) {
-  const int of_arm = joint - kJointsPerLeg * num_legs;
-  return of_arm < 0 ? leg_joint_name(joint, num_legs)
-                    : "of arm joint " + std::to_string(of_arm + 1);
-}
-
-int num_legs(const TickRecord& tick) { return static_cast<int>(tick.plan.feet.size()); }
-
-/// A log may hold any number.
-bool is_joint(int joint) { return joint >= 0 && joint < kMaxJoints; }
-
 /// A group is silent or late as a whole; other faults are of single values.
 bool is_of_one_value(SampleFault fault) {
   return fault != SampleFault::none && fault != SampleFault::silent && fault != SampleFault::late;
 }
 
-std::string of_joint(const char* one, const char* all, SampleFault fault, int joint, int num_legs) {
-  if (is_joint(joint)) return one + (" " + joint_name(joint, num_legs));
+std::string of_joint(const char* one, const char* all, SampleFault fault, int joint,
+                     const std::vector<std::string>& joints) {
+  if (joint >= 0 && joint < std::ssize(joints))
+    return one + (" " + joints[static_cast<std::size_t>(joint)]);
   return all + std::string(is_of_one_value(fault) ? " of several joints" : "");
 }
 
 }  // namespace
 
-std::string text_of_stop(StopCause cause, SampleFault fault, int joint, int num_legs) {
+std::string text_of_stop(StopCause cause, SampleFault fault, int joint,
+                         const std::vector<std::string>& joints) {
   switch (cause) {
     case StopCause::none:
       return "";
@@ -62,9 +54,9 @@ std::string text_of_stop(StopCause cause, SampleFault fault, int joint, int num_
     case StopCause::failures:
       return "too many ticks without a solution";
     case StopCause::encoders:
-      return of_joint("encoder", "encoders", fault, joint, num_legs) + " " + verb(fault);
+      return of_joint("encoder", "encoders", fault, joint, joints) + " " + verb(fault);
     case StopCause::joint_torques:
-      return of_joint("joint torque", "joint torques", fault, joint, num_legs) + " " + verb(fault);
+      return of_joint("joint torque", "joint torques", fault, joint, joints) + " " + verb(fault);
     case StopCause::imu:
       return "IMU " + verb(fault);
     case StopCause::cannot_stand:
@@ -75,12 +67,12 @@ std::string text_of_stop(StopCause cause, SampleFault fault, int joint, int num_
   return "";
 }
 
-std::string text_of_stop(const TickRecord& tick) {
+std::string text_of_stop(const TickRecord& tick, const std::vector<std::string>& joints) {
   const JointCommand& command = tick.command;
   const GroupHealth* now = group_of(tick.health, command.cause);
   if (now == nullptr || command.fault != SampleFault::none)
-    return text_of_stop(command.cause, command.fault, command.joint, num_legs(tick));
-  return text_of_stop(command.cause, now->fault, now->joint, num_legs(tick));
+    return text_of_stop(command.cause, command.fault, command.joint, joints);
+  return text_of_stop(command.cause, now->fault, now->joint, joints);
 }
 
 std::string mode_text(CommandMode mode, std::string_view why) {
@@ -88,29 +80,26 @@ std::string mode_text(CommandMode mode, std::string_view why) {
   return "command mode: " + name + (why.empty() ? "" : ", as " + std::string(why));
 }
 
-const std::vector<std::string>& stop_texts() {
-  static const std::vector<std::string> texts = [] {
-    std::vector<std::string> all;
-    const auto add = [&](const std::string& text) {
-      if (std::ranges::find(all, text) == all.end()) all.push_back(text);
-    };
-    for (std::size_t cause = 0; cause < logged::kCauseNames.size(); ++cause)
-      for (std::size_t fault = 0; fault < logged::kFaultNames.size(); ++fault)
-        for (int joint = -1; joint < kMaxJoints; ++joint)
-          for (const int num_legs : {kNumLegs, kMaxLegs})
-            add(text_of_stop(static_cast<StopCause>(cause), static_cast<SampleFault>(fault), joint,
-                             num_legs));
-    return all;
-  }();
-  return texts;
+std::vector<std::string> stop_texts(const std::vector<std::string>& joints) {
+  std::vector<std::string> all;
+  const auto add = [&](const std::string& text) {
+    if (std::ranges::find(all, text) == all.end()) all.push_back(text);
+  };
+  for (std::size_t cause = 0; cause < logged::kCauseNames.size(); ++cause)
+    for (std::size_t fault = 0; fault < logged::kFaultNames.size(); ++fault)
+      for (int joint = -1; joint < static_cast<int>(joints.size()); ++joint)
+        add(text_of_stop(static_cast<StopCause>(cause), static_cast<SampleFault>(fault), joint,
+                         joints));
+  return all;
 }
 
-std::vector<FaultText> faults_of(const TickRecord& tick) {
+std::vector<FaultText> faults_of(const SensorHealth& health,
+                                 const std::vector<std::string>& joints) {
   std::vector<FaultText> faults;
   for (const StopCause group : {StopCause::encoders, StopCause::joint_torques, StopCause::imu}) {
-    const GroupHealth& now = *group_of(tick.health, group);
+    const GroupHealth& now = *group_of(health, group);
     if (now.fault != SampleFault::none)
-      faults.push_back({text_of_stop(group, now.fault, now.joint, num_legs(tick)), now.age});
+      faults.push_back({text_of_stop(group, now.fault, now.joint, joints), now.age});
   }
   return faults;
 }

@@ -16,7 +16,7 @@ constexpr std::array<std::pair<std::string_view, double>, 4> kVisible{
 }  // namespace
 
 double visible_residual(std::string_view level_name, std::string_view unit) {
-  if (level_name.ends_with("_minimisation")) return kNaN;
+  if (level_name.ends_with("_minimisation") || level_name == "arm_rest") return kNaN;
   const auto found = std::ranges::find(kVisible, unit, &std::pair<std::string_view, double>::first);
   return found == kVisible.end() ? kOtherUnits : found->second;
 }

@@ -1,5 +1,7 @@
 #include "surefoot/model/description.hpp"
 
+#include "surefoot/signals/joint_name.hpp"
+
 namespace surefoot::model {
 
 int RobotDescription::num_joints() const {
@@ -18,8 +20,7 @@ std::vector<std::string> RobotDescription::joint_names() const {
 }
 
 std::string RobotDescription::joint_name(int joint) const {
-  return joint < num_leg_joints() ? leg_joint_name(joint, num_legs())
-                                  : joint_names()[static_cast<std::size_t>(joint)];
+  return told_joints(joint_names(), num_legs())[static_cast<std::size_t>(joint)];
 }
 
 }  // namespace surefoot::model

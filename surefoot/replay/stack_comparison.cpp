@@ -47,7 +47,7 @@ class Comparison {
  public:
   Comparison(const logging::LogHeader& header, const control::AskedStack& other,
              StackComparison& result)
-      : num_legs_(header.robot.num_legs),
+      : joints_(header.robot.joints()),
         names_(header.level_names),
         other_names_(other.level_names()),
         result_(result) {
@@ -116,7 +116,7 @@ class Comparison {
     const JointCommand& command = other.command;
     if (command.cause != StopCause::none)
       result_.other_stopped.add(
-          time, logging::text_of_stop(command.cause, command.fault, command.joint, num_legs_));
+          time, logging::text_of_stop(command.cause, command.fault, command.joint, joints_));
   }
 
   [[nodiscard]] std::string why_unanswered(const control::StackAnswer& other) const {
@@ -124,7 +124,7 @@ class Comparison {
     const StopCause cause = other.command.cause;
     const bool is_by_posture = cause != StopCause::none && cause != StopCause::failures;
     if (status == solver::SolveStatus::optimal || is_by_posture)
-      return logging::text_of_stop(cause, SampleFault::none, -1);
+      return logging::text_of_stop(cause, SampleFault::none, -1, joints_);
     const auto level = static_cast<std::size_t>(other.hierarchy.failed_level);
     const std::string where = level < other_names_.size() ? " in " + other_names_[level] : "";
     return status == solver::SolveStatus::iteration_cap
@@ -167,8 +167,7 @@ class Comparison {
     at = time;
   }
 
-  const int num_legs_;
-  const std::vector<std::string> names_, other_names_;
+  const std::vector<std::string> joints_, names_, other_names_;
   std::vector<OtherLevel> other_levels_;
   StackComparison& result_;
   std::vector<long> solved_;  // ticks, of each level
@@ -213,7 +212,7 @@ StackComparison compare_stack(const std::string& path, const std::string& stack,
                             : &other.ask(controller.record().state, *dynamics, logged.plan);
     if (!replay.is_same()) result.not_reproduced.add(logged.reading.time);
     comparison.add(logged, answer);
-    walk.see(logged);
+    walk.see(logged, replay.header().robot.joints());
     if (observer) observer(logged, answer, comparison.other_levels());
   }
   comparison.finish();

@@ -20,9 +20,10 @@ void WalkEndWatch::see(const logging::McapMessage& message) {
     feet_up_ = truth.time;
 }
 
-void WalkEndWatch::see(const TickRecord& tick) {
+void WalkEndWatch::see(const TickRecord& tick, const std::vector<std::string>& joints) {
   if (stop_ || tick.command.cause == StopCause::none) return;
-  stop_ = {tick.reading.time, "its controller stopped for safety: " + logging::text_of_stop(tick)};
+  stop_ = {tick.reading.time,
+           "its controller stopped for safety: " + logging::text_of_stop(tick, joints)};
 }
 
 std::optional<WalkEnd> WalkEndWatch::end() const {

@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace surefoot {
 struct TickRecord;
@@ -22,7 +23,8 @@ class WalkEndWatch {
  public:
   /// Any message; only /truth is used.
   void see(const logging::McapMessage& message);
-  void see(const TickRecord& tick);
+  /// `joints`: names of all joints of the robot.
+  void see(const TickRecord& tick, const std::vector<std::string>& joints);
 
   /// After the last message: the first end; empty if the walk went on to the log's end.
   [[nodiscard]] std::optional<WalkEnd> end() const;

@@ -127,7 +127,14 @@ class ModelComparison {
                  : tree_.arm_bodies[i - num_leg_joints_].hinge;
       places.push_back(compare_joint(i, places[parent], hinge));
     }
-    for (const Leg leg : robot_.legs.legs()) compare_foot(leg);
+    for (const Leg leg : robot_.legs.legs()) {
+      const std::string& name = robot_.legs[index(leg)].foot_frame;
+      compare_frame("foot", name, model_.dynamics().foot[index(leg)].p, robot_.foot_center);
+    }
+    for (std::size_t arm = 0; arm < robot_.arms.size(); ++arm) {
+      const std::string& name = robot_.arms[arm].tip_frame;
+      compare_frame("tip", name, model_.dynamics().arm_tips[arm].point.p, Vec3::Zero());
+    }
   }
 
   struct Place {
@@ -147,9 +154,9 @@ class ModelComparison {
     return {R * exp_rotation(angle * hinge.axis).toRotationMatrix(), p};
   }
 
-  /// The foot's frame is a body, or a geom or site of an MJCF.
-  void compare_foot(Leg leg) {
-    const std::string& name = robot_.legs[index(leg)].foot_frame;
+  /// A body, or a geom or site of an MJCF, and a point in it.
+  void compare_frame(const char* what, const std::string& name, const Vec3& ours,
+                     const Vec3& point) {
     const double *p = nullptr, *R = nullptr;
     if (const int body = id_of(physics_, mjOBJ_BODY, name); body >= 0) {
       p = data_->xpos + 3 * body;
@@ -162,8 +169,7 @@ class ModelComparison {
       R = data_->site_xmat + 9 * site;
     }
     if (p == nullptr) return;
-    tell("foot \"" + name + "\": its place", model_.dynamics().foot[index(leg)].p,
-         Vec3(Vec3(p) + RowMajor3(R) * robot_.foot_center), 1.0);
+    tell(what + (" \"" + name + "\": its place"), ours, Vec3(Vec3(p) + RowMajor3(R) * point), 1.0);
   }
 
   void compare_dynamics() {

@@ -1,10 +1,18 @@
 #include "surefoot/simulation/robot_parts.hpp"
 
+#include "surefoot/base/error.hpp"
 #include "surefoot/simulation/terrain.hpp"
 
 namespace surefoot::simulation {
 
 namespace {
+
+/// Throws Error where the model does not have the name.
+int found(const mjModel& model, mjtObj type, const std::string& name) {
+  const int id = id_of(model, type, name);
+  if (id < 0) throw Error("the physics model lost \"" + name + "\" of the robot");
+  return id;
+}
 
 bool is_below(const mjModel& model, int body, int ancestor) {
   while (body > ancestor) body = model.body_parentid[body];
@@ -22,10 +30,10 @@ int leg_of(const mjModel& model, const PerLeg<int>& thigh_body, int body) {
 void find_joints(const mjModel& model, const model::RobotDescription& description,
                  RobotParts& parts) {
   for (const std::string& name : description.joint_names()) {
-    const int joint = id_of(model, mjOBJ_JOINT, name);
+    const int joint = found(model, mjOBJ_JOINT, name);
     parts.qpos.push_back(model.jnt_qposadr[joint]);
     parts.dof.push_back(model.jnt_dofadr[joint]);
-    parts.actuator.push_back(id_of(model, mjOBJ_ACTUATOR, name));
+    parts.actuator.push_back(found(model, mjOBJ_ACTUATOR, name));
   }
 }
 
@@ -34,7 +42,7 @@ void find_owners(const mjModel& model, const model::RobotDescription& descriptio
   PerLeg<int> thigh_body(description.num_legs(), -1);
   for (const Leg leg : thigh_body.legs()) {
     const std::string& hfe = description.legs[index(leg)].joints[1];
-    thigh_body[index(leg)] = model.jnt_bodyid[id_of(model, mjOBJ_JOINT, hfe)];
+    thigh_body[index(leg)] = model.jnt_bodyid[found(model, mjOBJ_JOINT, hfe)];
   }
   for (int geom = 0; geom < model.ngeom; ++geom) {
     GeomOwner owner;
@@ -57,19 +65,19 @@ std::string foot_geom_name(Leg leg, int num_legs) {
 
 RobotParts find_parts(const mjModel& model, const model::RobotDescription& description) {
   RobotParts parts;
-  parts.base_body = id_of(model, mjOBJ_BODY, description.base_link);
+  parts.base_body = found(model, mjOBJ_BODY, description.base_link);
   parts.base_qpos = model.jnt_qposadr[model.body_jntadr[parts.base_body]];
   parts.base_dof = model.jnt_dofadr[model.body_jntadr[parts.base_body]];
   const int num_legs = description.num_legs();
   parts.foot_geom.resize(num_legs);
   parts.foot_body.resize(num_legs);
   for (const Leg leg : parts.foot_geom.legs()) {
-    const int geom = id_of(model, mjOBJ_GEOM, foot_geom_name(leg, num_legs));
+    const int geom = found(model, mjOBJ_GEOM, foot_geom_name(leg, num_legs));
     parts.foot_geom[index(leg)] = geom;
     parts.foot_body[index(leg)] = model.geom_bodyid[geom];
   }
   for (const model::ArmDescription& arm : description.arms) {
-    parts.tip_body.push_back(id_of(model, mjOBJ_BODY, arm.tip_frame));
+    parts.tip_body.push_back(found(model, mjOBJ_BODY, arm.tip_frame));
   }
   find_joints(model, description, parts);
   find_owners(model, description, parts);

@@ -1,14 +1,15 @@
 #include "surefoot/tasks/frame_orientation.hpp"
 
 #include "surefoot/math/rotation.hpp"
+#include "surefoot/tasks/reaching_tip.hpp"
 
 namespace surefoot::tasks {
 
 void FrameOrientation::write(const TaskInput& input, solver::Level& level) const noexcept {
+  const model::FrameKinematics* frame = reaching_tip(input);
+  if (frame == nullptr) return;
+  const model::RotationKinematics& tip = frame->rotation;
   const ArmPlan& plan = input.plan.arm;
-  if (plan.arm < 0 || plan.arm >= static_cast<int>(input.dynamics.arm_tips.size())) return;
-  const model::RotationKinematics& tip =
-      input.dynamics.arm_tips[static_cast<std::size_t>(plan.arm)].rotation;
   const Vec3 error = clip_norm<3>(box_minus(plan.q_WT, Quat(tip.R)), options_.max_error);
   solver::Rows rows = level.add(3, first_id());
   rows.A.leftCols(input.dynamics.num_velocities()) = tip.J;

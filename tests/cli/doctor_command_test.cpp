@@ -53,5 +53,13 @@ TEST_F(DoctorCommand, refuses_what_is_no_urdf) {
   (void)testing::internal::GetCapturedStdout();
 }
 
+TEST_F(DoctorCommand, tells_how_to_check_a_robot_file) {
+  const std::string file = folder_ / "robot.yaml";
+  test::write_file(file, "name: r\n");
+  arguments_.urdf = file;
+  EXPECT_TRUE(test::holds(test::message_of([&] { (void)doctor_command(arguments_); }),
+                          file + " is a robot file, not a URDF or an MJCF"));
+}
+
 }  // namespace
 }  // namespace surefoot::cli

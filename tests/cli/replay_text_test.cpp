@@ -47,6 +47,15 @@ TEST(ComparisonText, WhereNothingIsMarkedNoMarkIsExplained) {
   EXPECT_TRUE(holds(text, "\nFrom 0.7500 s on the run says nothing of its walk"));
 }
 
+TEST(ComparisonText, SaysWhereTheTorquesAreFarApart) {
+  replay::StackComparison result = compared();
+  result.header.robot.torque_limit = JointVector::Constant(kNumLegJoints, 40.0);
+  EXPECT_FALSE(holds(comparison_text("run.mcap", result), "would soon have been another"));
+  result.joints[5].rms = 10.0;
+  EXPECT_TRUE(holds(comparison_text("run.mcap", result),
+                    "Torques of joint5 differ by 25 % of its limit (rms)"));
+}
+
 TEST(ComparisonText, SaysOfWhichTicksTheTablesAreAndWhyTheOthersHaveNoAnswer) {
   replay::StackComparison result = compared();
   result.compared = 300;

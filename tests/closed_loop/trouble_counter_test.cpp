@@ -13,12 +13,12 @@ TickRecord tick(SampleFault imu = SampleFault::none, CommandMode mode = CommandM
 }
 
 TEST(TroubleCounter, TellsHowOftenASensorWasMarkedAndWhenFirst) {
-  TroubleCounter troubles;
-  troubles.add(1.0, tick());
-  for (const double time : {2.0, 2.1, 4.0}) troubles.add(time, tick(SampleFault::silent));
-  troubles.add(5.0, tick());
-  troubles.add(6.0, tick(SampleFault::silent));
-  troubles.add(6.1, tick(SampleFault::jump));
+  TroubleCounter troubles{std::vector<std::string>(kNumLegJoints)};
+  troubles.add(1.0, tick(), {});
+  for (const double time : {2.0, 2.1, 4.0}) troubles.add(time, tick(SampleFault::silent), {});
+  troubles.add(5.0, tick(), {});
+  troubles.add(6.0, tick(SampleFault::silent), {});
+  troubles.add(6.1, tick(SampleFault::jump), {});
   ASSERT_EQ(troubles.counts().size(), 2U);
   EXPECT_EQ(troubles.counts()[0].what, "IMU stopped");
   EXPECT_EQ(troubles.counts()[0].count, 2);
@@ -28,10 +28,10 @@ TEST(TroubleCounter, TellsHowOftenASensorWasMarkedAndWhenFirst) {
 }
 
 TEST(TroubleCounter, TellsOfTheModesThatEndAWalkOnceEach) {
-  TroubleCounter troubles;
+  TroubleCounter troubles{std::vector<std::string>(kNumLegJoints)};
   for (const CommandMode mode : {CommandMode::hold, CommandMode::optimal, CommandMode::degraded,
                                  CommandMode::sit, CommandMode::sit, CommandMode::damping}) {
-    troubles.add(static_cast<double>(mode), tick(SampleFault::none, mode));
+    troubles.add(static_cast<double>(mode), tick(SampleFault::none, mode), {});
   }
   ASSERT_EQ(troubles.counts().size(), 2U);
   EXPECT_EQ(troubles.counts()[0].what, "command mode: sit");
@@ -40,11 +40,43 @@ TEST(TroubleCounter, TellsOfTheModesThatEndAWalkOnceEach) {
 }
 
 TEST(TroubleCounter, ASensorThatNeverGaveAGoodSampleIsNone) {
-  TroubleCounter troubles;
+  TroubleCounter troubles{std::vector<std::string>(kNumLegJoints)};
   TickRecord record = tick(SampleFault::silent);
   record.health.imu.age = kNaN;
-  troubles.add(0.0, record);
+  troubles.add(0.0, record, {});
   EXPECT_TRUE(troubles.counts().empty());
+}
+
+/// Arm 0 is told to reach 1 m; its reference and its tip are there or not, for a second and a half.
+std::vector<TroubleCount> told_of_reach(double reference, double tip, int arm = 0) {
+  TroubleCounter troubles{std::vector<std::string>(kNumLegJoints)};
+  TickRecord record = tick();
+  record.user.reach = {.arm = arm, .in_world = true, .position = Vec3(1.0, 0.0, 0.0)};
+  record.plan.arm = {.arm = 0, .p_WT = Vec3(reference, 0.0, 0.0)};
+  record.state.p_WB = Vec3(0.2, 0.0, 0.0);  // 10 cm off
+  record.state.q_WB = Quat::Identity();
+  simulation::GroundTruth truth;
+  truth.p_WB = Vec3(0.1, 0.0, 0.0);
+  truth.p_WT = {Vec3(tip - 0.1, 0.0, 0.0)};
+  for (truth.time = 0.0; truth.time < 1.5; truth.time += 0.1)
+    troubles.add(truth.time, record, truth);
+  return troubles.counts();
+}
+
+TEST(TroubleCounter, TellsOnceOfATargetThatAnArmDoesNotComeTo) {
+  EXPECT_TRUE(told_of_reach(1.0, 0.98).empty());
+  EXPECT_TRUE(told_of_reach(0.9, 0.8).empty()) << "its reference is on its way";
+  const std::vector<TroubleCount> troubles = told_of_reach(1.0, 0.8);
+  ASSERT_EQ(troubles.size(), 1U);
+  EXPECT_EQ(troubles[0].what, "arm 0: target out of reach");
+  EXPECT_EQ(troubles[0].count, 1);
+  EXPECT_NEAR(troubles[0].first, 1.1, 0.15);
+}
+
+TEST(TroubleCounter, TellsOfAnArmThatThereIsNot) {
+  const std::vector<TroubleCount> troubles = told_of_reach(0.0, 0.0, 3);
+  ASSERT_EQ(troubles.size(), 1U);
+  EXPECT_EQ(troubles[0].what, "told to reach with arm 3, which there is not");
 }
 
 }  // namespace

@@ -264,6 +264,51 @@ TEST_F(ShortRobotFile, says_how_many_joints_it_found) {
                     "LF_HAA LF_HFE; a leg has three"));
 }
 
+/// ANYmal B with an arm; what is changed, and what is said of it.
+class ArmRobotFile : public RobotFile, public testing::WithParamInterface<BadFile> {
+ protected:
+  ArmRobotFile() { text_ = test::contents(find_data_file("robots", "anymal_b_kinova").string()); }
+};
+
+TEST_P(ArmRobotFile, says_where_and_what_is_wrong) {
+  const BadFile& bad = GetParam();
+  change(text_, bad.text, bad.becomes);
+  const std::string message = complaint();
+  for (const char* part : bad.told) EXPECT_TRUE(holds(message, part));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Each, ArmRobotFile,
+    testing::Values(
+        BadFile{kFile,
+                "[0.0, 3.6, 1.2, 0.0, 1.6, 0.0]",
+                "[0.0, 3.6]",
+                {"robot.yaml:12: arms.kinova.posture: has 2 numbers, but the arm has 6 joints"}},
+        BadFile{kFile,
+                "[0.0, 3.6,",
+                "[0.0, 9.6,",
+                {"robot.yaml:12: arms.kinova.posture: the posture of joint \"j2s6s200_joint_2\""}},
+        BadFile{
+            kFile, "tip: j2s6s200_end", "tip: j2_end", {"robot.yaml:11: arms.kinova.tip: unkn"}},
+        BadFile{kFile,
+                "tip: j2s6s200_end_effector",
+                "tip: LF_SHANK",
+                {"robot.yaml:11: arms.kinova.tip: \"LF_SHANK\" moves with joint \"LF_KFE\" of leg "
+                 "LF, and no joint lies between them; an arm has joints of its own"}},
+        BadFile{kFile,
+                "foot:\n",
+                "  - {name: other, tip: j2s6s200_end_effector}\nfoot:\n",
+                {"robot.yaml:13: arms.other.tip: \"j2s6s200_end_effector\" moves with joint "
+                 "\"j2s6s200_joint_6\" of arm \"kinova\", and no joint lies between them"}},
+        BadFile{kFile,
+                "foot:\n",
+                "  - {name: kinova, tip: j2s6s200_link_3}\nfoot:\n",
+                {"arms: two arms have the name \"kinova\""}},
+        BadFile{kFile,
+                "posture: [0.0, 3.6",
+                "position_min: [9, 9, 9, 9, 9, 9]\n    posture: [0.0, 3.6",
+                {"robot.yaml:10: arms.kinova.position_max: must be above", "j2s6s200_joint_1"}}));
+
 TEST_F(RobotFile, that_does_not_exist_lists_those_that_do) {
   EXPECT_TRUE(holds(message_of([] { (void)load_robot("anymal_x"); }),
                     "unknown robot \"anymal_x\"; did you mean \"anymal_b\"?"));

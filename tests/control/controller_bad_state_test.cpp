@@ -205,6 +205,24 @@ TEST(Controller, StartsSafelyWithoutAState) {
   EXPECT_EQ(statue.tick().mode, CommandMode::optimal);
 }
 
+TEST(Controller, WithoutAClockFromTheStartARobotWithAnArmGetsLegalCommands) {
+  const model::RobotDescription robot = test::anymal_b_with_arm();
+  ControllerOptions options = test::options_of();
+  options.stack = with_arms(options.stack);
+  RobotState state;
+  Controller controller(robot, options, std::make_unique<test::ScriptedEstimator>(state));
+  SensorReading reading;
+  for (int tick = 0; tick < 400; ++tick) {
+    if (tick == 1) reading.q = reading.torque = JointVector::Zero(robot.num_joints());
+    const JointCommand& command = controller.step(reading, {});
+    ASSERT_EQ(command.torque.size(), robot.num_joints()) << tick;
+    ASSERT_TRUE(command.torque.allFinite()) << tick;
+    ASSERT_TRUE((command.torque.cwiseAbs().array() <= robot.torque_limit.array()).all()) << tick;
+    ASSERT_TRUE(std::isfinite(command.time)) << tick;
+    ASSERT_NE(command.mode, CommandMode::optimal) << tick;
+  }
+}
+
 TEST(Controller, AnyGarbageGivesALegalCommand) {
   const std::array<double, 10> odd{kNaN, kInfinity, -kInfinity, 1e308, -1e308,
                                    1e30, -1e9,      1e-308,     0.0,   7.0};

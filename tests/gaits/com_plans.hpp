@@ -26,12 +26,13 @@ inline PerLeg<Vec2> nominal_feet() {
 }
 
 inline gaits::SupportPhase standing(double duration, const PerLeg<Vec2>& feet) {
-  return {.duration = duration,
-          .feet = feet,
-          .down = {true, true, true, true},
-          .loaded_for = {10.0, 10.0, 10.0, 10.0},
-          .lifts_in = {kInfinity, kInfinity, kInfinity, kInfinity},
-          .must_rest = false};
+  gaits::SupportPhase phase;
+  phase.duration = duration;
+  phase.feet = feet;
+  phase.down.fill(true);
+  phase.loaded_for.fill(10.0);
+  phase.lifts_in.fill(kInfinity);
+  return phase;
 }
 
 inline void elapse(gaits::SupportPhase& phase) {

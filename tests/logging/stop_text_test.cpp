@@ -17,6 +17,8 @@ nlohmann::json table() {
   return nlohmann::json::parse(std::ifstream(test::source_file("tests/support/stop_words.json")));
 }
 
+const std::vector<std::string> kJoints(kNumLegJoints);
+
 template <typename Value>
 Value value_of(const auto& names, const nlohmann::json& name) {
   return static_cast<Value>(std::ranges::find(names, name.get<std::string>()) - names.begin());
@@ -28,10 +30,10 @@ TEST(StopText, IsThatOfTheTableForEveryCauseAndFault) {
   for (const auto& row : rows) {
     const auto cause = value_of<StopCause>(logged::kCauseNames, row[0]);
     const auto fault = value_of<SampleFault>(logged::kFaultNames, row[1]);
-    EXPECT_EQ(text_of_stop(cause, fault, -1), row[2]) << row;
-    EXPECT_EQ(text_of_stop(cause, fault, 2), row[3]) << row;
+    EXPECT_EQ(text_of_stop(cause, fault, -1, kJoints), row[2]) << row;
+    EXPECT_EQ(text_of_stop(cause, fault, 2, kJoints), row[3]) << row;
     for (const int joint : {kMaxJoints, 99})  // no joint of the robot
-      EXPECT_EQ(text_of_stop(cause, fault, joint), row[2]) << row;
+      EXPECT_EQ(text_of_stop(cause, fault, joint, kJoints), row[2]) << row;
   }
 }
 
@@ -46,12 +48,21 @@ TEST(StopText, NamesTheJointsOfTheRobotsLegs) {
 }
 
 TEST(StopText, IsOneOfTheTextsThatThePageKnowsByTheirNumbers) {
-  const std::vector<std::string>& all = stop_texts();
+  const std::vector<std::string> all = stop_texts(kJoints);
   EXPECT_EQ(all.front(), "");
   for (const auto& row : table()) {
     for (const std::size_t text : {2, 3})
       EXPECT_EQ(std::ranges::count(all, row[text].get<std::string>()), 1) << row;
   }
+}
+
+TEST(StopText, NamesAJointOfAnArmAsTheUrdfDoes) {
+  std::vector<std::string> joints(kNumLegJoints);
+  joints.emplace_back("shoulder");
+  joints.emplace_back("wrist");
+  const std::string text = text_of_stop(StopCause::encoders, SampleFault::jump, 13, joints);
+  EXPECT_EQ(text, "encoder wrist changed too fast");
+  EXPECT_EQ(std::ranges::count(stop_texts(joints), text), 1);
 }
 
 }  // namespace

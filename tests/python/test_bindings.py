@@ -214,6 +214,16 @@ def test_a_controller_keeps_its_plant_alive(scenario):
     assert np.isfinite(controller.step(reading, surefoot.UserCommand()).torque).all()
 
 
+def test_a_reading_has_the_joints_of_a_robot_with_an_arm():
+    scenario = surefoot.load_scenario("reach")
+    assert scenario.arms == ["kinova"]
+    reading = surefoot.SensorReading(num_joints=len(scenario.joint_names))
+    assert reading.q.shape == reading.torque.shape == (18,)
+    assert np.isnan(reading.q).all()
+    with pytest.raises(surefoot.Error, match="num_joints is 3; a robot has 12 to 32 joints"):
+        surefoot.SensorReading(num_joints=3)
+
+
 def test_torques_of_ones_own_are_applied(scenario):
     torque = np.linspace(-3, 3, 12)
     plants = [surefoot.Plant(scenario) for _ in range(3)]

@@ -2,8 +2,11 @@
 #include "surefoot/base/error.hpp"
 #include "surefoot/closed_loop/closed_loop.hpp"
 #include "surefoot/config/scenario_file.hpp"
+#include "tests/scenarios/loop.hpp"
 
 #include <gtest/gtest.h>
+
+#include <algorithm>
 
 namespace surefoot {
 namespace {
@@ -21,6 +24,39 @@ TEST(Arms, AreHeldWhileTheRobotWalks) {
     EXPECT_EQ(metrics.false_touchdowns, 0) << robot;
     EXPECT_EQ(metrics.fallback_ticks, 0) << robot;
   }
+}
+
+TEST(Arms, KeepTheirPostureInTheWalkAndWhenTheRobotIsLiftedAndPutDown) {
+  const config::Scenario scenario = test::scenario(
+      "walk_flat",
+      {"robot=anymal_b_kinova", "disturbances.lifts.hands={time: 13, height: 0.3, hold: 2}"}, 1);
+  test::Loop loop(scenario);
+  const JointVector& q_nominal = scenario.robot.q_nominal;
+  double off = 0.0;  // largest error of an arm's joint [rad]
+  const auto watch = [&] {
+    const Eigen::Index count = q_nominal.size() - kNumLegJoints;
+    off = std::max(off, (loop.truth().q - q_nominal).tail(count).cwiseAbs().maxCoeff());
+    return false;
+  };
+  loop.run_until(13.0, watch);
+  EXPECT_LT(off, 0.05) << "standing and walking";
+  loop.run_until(22.0, watch);
+  EXPECT_LT(off, 0.3) << "lifted";
+  EXPECT_EQ(loop.count(PlanEvent::lifted), 1);
+  EXPECT_EQ(loop.count(PlanEvent::stands_up), 1);
+  EXPECT_EQ(loop.record().command.mode, CommandMode::optimal);
+  EXPECT_EQ(loop.allocations(), 0U) << loop.last_allocation();
+}
+
+TEST(Arms, LightJointsKeepStillAsTheRobotGetsUp) {
+  test::Loop loop(test::scenario("lying_start", {"robot=b1_z1"}, 1));
+  double fastest = 0.0;  // of an arm's joint [rad/s]
+  loop.run_until(2.0, [&] {
+    fastest = std::max(fastest, loop.truth().qd.tail(7).cwiseAbs().maxCoeff());
+    return loop.record().command.cause != StopCause::none;
+  });
+  EXPECT_EQ(loop.record().command.cause, StopCause::none);
+  EXPECT_LT(fastest, 3.0);
 }
 
 TEST(Arms, FollowTheOperatorStandingAndWalking) {

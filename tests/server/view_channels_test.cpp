@@ -99,6 +99,19 @@ TEST(ViewChannels, the_floats_of_a_signal_stand_where_its_channels_say) {
   EXPECT_EQ(std::ranges::count(floats, kUnwritten), 0) << "all are written";
 }
 
+TEST(ViewChannels, joints_have_their_names_and_other_long_lists_numbers) {
+  simulation::GroundTruth truth;
+  truth.qvel.resize(20);
+  truth.ctrl.resize(14);
+  ViewChannels table;
+  table.joint_names.resize(14, "shoulder");
+  table.joint_names.back() = "wrist";
+  logged::ChannelLister(table).add("truth", truth);
+  EXPECT_EQ(channel(table, "truth.ctrl").labels.at(2), "LF_KFE");
+  EXPECT_EQ(channel(table, "truth.ctrl").labels.at(13), "wrist");
+  EXPECT_EQ(channel(table, "truth.qvel").labels.at(13), "13");
+}
+
 TEST(ViewChannels, levels_have_their_channels_by_name_whatever_their_order) {
   ViewChannels table;
   table.level_names = {"first", "second", "third"};

@@ -54,7 +54,9 @@ TEST(FramePosition, PullsTheTipToThePlan) {
   plan.a_WT = Vec3(1.0, 2.0, 3.0);
   WrittenRows rows = bench.rows(FramePosition(options));
   const model::PointKinematics& tip = bench.tip().point;
+  ASSERT_EQ(rows.A.cols(), 6 + 2 * (kNumLegJoints + kArmJoints));
   EXPECT_TRUE(rows.A.leftCols(tip.J.cols()) == tip.J);
+  EXPECT_TRUE(rows.A.rightCols(kNumLegJoints + kArmJoints).isZero(0.0)) << "torques";
   EXPECT_TRUE(rows.upper == rows.lower);
   const Vec3 wanted = plan.a_WT + 12.0 * (plan.v_WT - tip.v) + 80.0 * (plan.p_WT - tip.p);
   EXPECT_LT((asked(rows, tip.Jdot_u) - wanted).norm(), 1e-9);

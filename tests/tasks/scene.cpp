@@ -5,8 +5,17 @@
 
 namespace surefoot::test {
 
+namespace {
+
+/// u̇ and τ.
+Eigen::Index num_unknowns(const tasks::TaskInput& input) {
+  return input.dynamics.num_velocities() + input.dynamics.num_joints();
+}
+
+}  // namespace
+
 WrittenRows written(const tasks::Task& task, const tasks::TaskInput& input) {
-  solver::Level level("test", task.max_rows(), kNumUnknowns);
+  solver::Level level("test", task.max_rows(), num_unknowns(input));
   solver::Rows stale = level.add(task.max_rows(), -1);
   stale.A.setConstant(12345.0);
   stale.lower.setConstant(12345.0);
@@ -19,11 +28,11 @@ WrittenRows written(const tasks::Task& task, const tasks::TaskInput& input) {
 }
 
 WrittenRows stacked(const std::vector<const tasks::Task*>& tasks, const tasks::TaskInput& input) {
-  WrittenRows all{MatX(0, kNumUnknowns), VecX(0), VecX(0), {}};
+  WrittenRows all{MatX(0, num_unknowns(input)), VecX(0), VecX(0), {}};
   for (const tasks::Task* task : tasks) {
     const WrittenRows rows = written(*task, input);
     const Eigen::Index old = all.count();
-    all.A.conservativeResize(old + rows.count(), kNumUnknowns);
+    all.A.conservativeResize(old + rows.count(), num_unknowns(input));
     all.lower.conservativeResize(old + rows.count());
     all.upper.conservativeResize(old + rows.count());
     all.A.bottomRows(rows.count()) = rows.A;
