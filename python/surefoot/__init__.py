@@ -1,5 +1,3 @@
-from __future__ import annotations
-
 import os as _os
 from typing import TYPE_CHECKING as _TYPE_CHECKING
 
@@ -11,7 +9,7 @@ if _TYPE_CHECKING:
     from surefoot_log.recorded import Recorded
 
 
-def read(path: str | _os.PathLike[str]) -> Recorded:
+def read(path: "str | _os.PathLike[str]") -> "Recorded":
     """Reads the log of a run: `read("run.mcap")["state.p_WB.x"]` is a NumPy array."""
     from surefoot_campaign.errors import InputError
     from surefoot_log.recorded import Recorded

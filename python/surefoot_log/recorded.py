@@ -5,7 +5,7 @@ from functools import cached_property
 import numpy as np
 import pyarrow as pa
 
-from surefoot_campaign.errors import InputError, valid_names
+from surefoot_campaign.errors import valid_names
 from surefoot_log.log_file import LogFile
 from surefoot_log.table import Table
 
@@ -44,11 +44,14 @@ class Recorded:
         return self._tables[topic]
 
     def __getitem__(self, name: str) -> np.ndarray:
-        topic = name.partition(".")[0]
-        table = self.table(topic) if f"/{topic}" in self._log.topics() else None
-        if table is not None and name in table.column_names:
+        topic, topics = name.partition(".")[0], [each.removeprefix("/") for each in self._log.topics()]
+        if topic not in topics:
+            raise KeyError(f"{self._log.path} has no topic {topic}; {valid_names(topic, topics)}")
+        table = self.table(topic)
+        if name in table.column_names:
             return table[name].to_numpy()
-        inside = [column for column in table.column_names if column.startswith(f"{name}.")] if table is not None else []
+        inside = [column for column in table.column_names if column.startswith(f"{name}.")]
         if not inside:
-            raise InputError(f'{self._log.path}: there is no channel "{name}"; {valid_names(name, list(self.channels))}')
+            members = list(dict.fromkeys(".".join(column.split(".")[:2]) for column in table.column_names if column != "time"))
+            raise KeyError(f"{self._log.path} has no channel {name}; {valid_names(name, members)}")
         return np.column_stack([table[column].to_numpy() for column in inside])

@@ -104,10 +104,10 @@ def test_programs_of_the_log_work(surefoot, log):
     surefoot("replay", log, "--verify")
     assert "walk_flat_ideal" in surefoot("info", log)
     assert surefoot("explain", log, "--at", "1.5")
-    surefoot("export", log, "--csv", "run.csv", "--parquet", "run.parquet", "--foxglove", "scene.mcap")
+    surefoot("export", log, "--csv", "run.csv", "--parquet", "run.parquet")
     surefoot("video", log, "--out", "run.mp4", "--from", "1", "--to", "1.2", "--size", "320x180")
     surefoot("report", log, "--out", "report", "--no-pictures")
-    for name in ("run.csv", "run.parquet", "scene.mcap", "run.mp4", "report/index.html"):
+    for name in ("run.csv", "run.parquet", "run.mp4", "report/index.html"):
         assert (surefoot.folder / name).stat().st_size > 1000, name
 
 
@@ -115,7 +115,7 @@ def test_many_runs_work(surefoot):
     surefoot("run", "walk_flat_ideal", "--seeds", 2, "--jobs", 2, "--set", "duration=0.2", status=1)
     (surefoot.folder / "short.yaml").write_text("scenario: walk_flat_ideal\nseeds: [1]\nset: {duration: 0.2}\n")
     surefoot("campaign", "short.yaml", "--no-plots")
-    assert (surefoot.folder / "results/short/results.csv").exists()
+    assert (surefoot.folder / "results/short/rows.jsonl").exists()
     assert surefoot("campaign", "step_down_height", "--dry-run").splitlines()[0].startswith("to do ")
     assert "experiments" in surefoot("demo", "--help").lower()
 
