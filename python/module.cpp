@@ -1,5 +1,5 @@
-// The compiled part of the Python package `surefoot`: scenario, plant, controller and solver under the names that they
-// have in C++. One translation unit.
+// The compiled part of the Python package `surefoot`: scenario, plant, controller and solver under
+// the names that they have in C++. One translation unit.
 
 #include "python/explaining.hpp"
 #include "python/signals.hpp"
