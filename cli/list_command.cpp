@@ -27,10 +27,20 @@ using Table = std::vector<std::vector<std::string>>;
 
 std::string number(double value) { return formatted("%g", value); }
 
+/// A robot's URDF, or why there is none: descriptions come with other packages.
+std::string description_of(const std::string& robot) {
+  try {
+    return config::load_robot(robot).urdf_path;
+  } catch (const Error& error) {
+    const std::string text = error.what();
+    return text.substr(0, text.find("; "));
+  }
+}
+
 Table robots() {
   Table table;
   for (const std::string& name : config::list_data("robots")) {
-    table.push_back({name, config::load_robot(name).urdf_path});
+    table.push_back({name, description_of(name)});
   }
   return table;
 }

@@ -7,7 +7,6 @@
 #include "cli/log_commands.hpp"
 #include "cli/program_log.hpp"
 #include "cli/program_view.hpp"
-#include "cli/python_tools.hpp"
 #include "cli/run_command.hpp"
 #include "cli/solve_command.hpp"
 #include "surefoot/base/build_info.hpp"
@@ -313,18 +312,6 @@ void add_dump(CLI::App& app, Command& chosen) {
   });
 }
 
-/// A Python program, which also reads its own arguments.
-void add_demo(CLI::App& app, Command& chosen) {
-  CLI::App* demo =
-      app.add_subcommand("demo", "Run the paper's experiments and print them beside its numbers");
-  demo->prefix_command()->set_help_flag();
-  demo->callback([&chosen, demo] {
-    chosen = [words = demo->remaining()]() -> int {
-      become_python("demo", "surefoot_campaign.demo", words);
-    };
-  });
-}
-
 int fail(const std::string& message) {
   std::cerr << "surefoot: " << printable(message, "\n") << "\n";
   return kWrongInput;
@@ -377,13 +364,19 @@ int run_program(int argc, char** argv) {
   add_solve(app, chosen);
   add_dump(app, chosen);
   add_log_commands(app, chosen);
-  add_demo(app, chosen);
-  add_python_command(app, chosen, "report", "Write the HTML report of a log, with its figures");
+  add_python_command(app, chosen, "demo",
+                     "Run the paper's experiments and print them beside its numbers",
+                     "surefoot_campaign.demo");
+  add_python_command(app, chosen, "report", "Write the HTML report of a log, with its figures",
+                     "surefoot_report");
   add_python_command(app, chosen, "export",
-                     "Write a log as CSV or Parquet, or its scene for Foxglove");
-  add_python_command(app, chosen, "video", "Film a log, without a screen");
+                     "Write a log as CSV or Parquet, or its scene for Foxglove", "surefoot_log",
+                     {"export"});
+  add_python_command(app, chosen, "video", "Film a log, without a screen", "surefoot_log",
+                     {"video"});
   add_python_command(app, chosen, "campaign",
-                     "Run a grid of parameters over many seeds: table, rates, plots");
+                     "Run a grid of parameters over many seeds: table, rates, plots",
+                     "surefoot_campaign");
   app.footer(kFooter);  // only now: commands that are added later would have it, too
   try {
     app.parse(argc, argv);

@@ -2,8 +2,8 @@
 
 #include "cli/log_commands.hpp"
 #include "cli/program_view.hpp"
+#include "cli/python_tools.hpp"
 #include "cli/replay_command.hpp"
-#include "surefoot/base/error.hpp"
 
 #include <cstdlib>
 #include <iostream>
@@ -132,15 +132,14 @@ void add_log_commands(CLI::App& app, Command& chosen) {
 }
 
 void add_python_command(CLI::App& app, Command& chosen, const std::string& name,
-                        const std::string& help) {
-  CLI::App* command = app.add_subcommand(name, help + " (bin/surefoot)");
-  command->allow_extras();
-  command->footer("\nIt is part of the source tree: bin/surefoot " + name + " --help");
-  command->callback([&chosen, name] {
-    chosen = [name]() -> int {
-      throw Error(name + " is started by the launcher of the source tree: bin/surefoot " + name +
-                  " …");
-    };
+                        const std::string& help, const std::string& module,
+                        const std::vector<std::string>& first) {
+  CLI::App* command = app.add_subcommand(name, help);
+  command->prefix_command()->set_help_flag();
+  command->callback([&chosen, command, name, module, first] {
+    std::vector<std::string> words = first;
+    for (const std::string& word : command->remaining()) words.push_back(word);
+    chosen = [name, module, words]() -> int { become_python(name, module, words); };
   });
 }
 

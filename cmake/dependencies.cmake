@@ -1,13 +1,16 @@
 # Third-party packages: those of dependencies/python.txt from the virtual environment's prefix,
 # those of dependencies/debian.txt from the system.
 
-set(SUREFOOT_PYTHON ${PROJECT_SOURCE_DIR}/.venv/bin/python CACHE FILEPATH
-    "Python of the virtual environment that holds Pinocchio and MuJoCo")
+set(default_python ${PROJECT_SOURCE_DIR}/.venv/bin/python)
+if(SKBUILD)  # pip builds a wheel, in an environment of its own
+  set(default_python ${Python_EXECUTABLE})
+endif()
+set(SUREFOOT_PYTHON ${default_python} CACHE FILEPATH "Python of the environment that holds Pinocchio and MuJoCo")
 if(NOT EXISTS ${SUREFOOT_PYTHON})
   message(FATAL_ERROR "There is no ${SUREFOOT_PYTHON}: run tools/setup.sh first.")
 endif()
 
-execute_process(COMMAND ${SUREFOOT_PYTHON} -c "import sysconfig; print(sysconfig.get_path('platlib'))"
+execute_process(COMMAND ${SUREFOOT_PYTHON} -c "import cmeel, pathlib; print(pathlib.Path(cmeel.__file__).parents[1])"
                 OUTPUT_VARIABLE site_packages OUTPUT_STRIP_TRAILING_WHITESPACE COMMAND_ERROR_IS_FATAL ANY)
 set(SUREFOOT_CMEEL_PREFIX ${site_packages}/cmeel.prefix)
 set(SUREFOOT_MUJOCO_PREFIX ${site_packages}/mujoco)

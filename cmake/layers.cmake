@@ -56,12 +56,15 @@ add_custom_target(surefoot_commit BYPRODUCTS ${commit_header}
                           -P ${PROJECT_SOURCE_DIR}/cmake/commit.cmake
                   COMMENT "")
 add_dependencies(surefoot_base surefoot_commit)
-set_source_files_properties(${PROJECT_SOURCE_DIR}/surefoot/base/build_info.cpp PROPERTIES
-  INCLUDE_DIRECTORIES ${PROJECT_BINARY_DIR}/generated COMPILE_DEFINITIONS
-  "SUREFOOT_VERSION=\"${PROJECT_VERSION}\";\
-SUREFOOT_SOURCE_DATA=\"${PROJECT_SOURCE_DIR}\";\
+set(built_folders "SUREFOOT_SOURCE_DATA=\"${PROJECT_SOURCE_DIR}\";\
 SUREFOOT_INSTALLED_DATA=\"${CMAKE_INSTALL_FULL_DATADIR}/surefoot\";\
 SUREFOOT_ROBOT_PACKAGES=\"${SUREFOOT_ROBOT_PACKAGES}\"")
+if(SKBUILD)
+  set(built_folders "SUREFOOT_SOURCE_DATA=\"\";SUREFOOT_INSTALLED_DATA=\"\";SUREFOOT_ROBOT_PACKAGES=\"\"")
+endif()
+set_source_files_properties(${PROJECT_SOURCE_DIR}/surefoot/base/build_info.cpp PROPERTIES
+  INCLUDE_DIRECTORIES ${PROJECT_BINARY_DIR}/generated
+  COMPILE_DEFINITIONS "SUREFOOT_VERSION=\"${PROJECT_VERSION}\";${built_folders}")
 
 # Roots without errno, and no calls of memset for a few packs of zeros.
 set_source_files_properties(${PROJECT_SOURCE_DIR}/surefoot/solver/sweep_kernels.cpp PROPERTIES

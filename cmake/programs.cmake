@@ -15,6 +15,8 @@ endforeach()
 
 if(TARGET surefoot_cli)
   target_link_libraries(surefoot_server PRIVATE surefoot_boost)
+  # Boost's errors name its files; the program names no folder of the machine that built it.
+  target_compile_options(surefoot_server PRIVATE -ffile-prefix-map=${SUREFOOT_CMEEL_PREFIX}/include/=)
   target_link_libraries(surefoot_cli PUBLIC CLI11::CLI11)
   add_executable(surefoot cli/main.cpp)
   target_link_libraries(surefoot PRIVATE surefoot_compiler ${SUREFOOT_LIBRARIES})

@@ -10,10 +10,13 @@
 #include <nanobind/stl/string_view.h>
 #include <nanobind/stl/vector.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 namespace surefoot::python {
@@ -29,9 +32,30 @@ struct NamedEvent : GaitEvent {
   int num_legs = kNumLegs;
 };
 
+/// Throws Error on a NaN or an infinity in a command.
+inline void check_finite(double value, const std::string& name) {
+  if (!std::isfinite(value)) {
+    throw Error(name + " is " + std::to_string(value) + "; a finite number would be valid");
+  }
+}
+
 /// "joint positions [rad]" → "joint positions [rad], shape (number of joints,)"
 inline std::string with_shape(std::string_view description, const std::string& shape) {
   return std::string(description) + ", shape (" + shape + ")";
+}
+
+/// Writes numbers over a vector of the same length. Those of a command are finite.
+template <typename Vector>
+void assign(Vector& values, const std::vector<double>& numbers, const std::string& name,
+            bool is_command) {
+  if (static_cast<Eigen::Index>(numbers.size()) != values.size()) {
+    throw Error(name + " has " + std::to_string(values.size()) + " numbers; " +
+                std::to_string(numbers.size()) + " were given");
+  }
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    if (is_command) check_finite(numbers[i], name + "[" + std::to_string(i) + "]");
+  }
+  std::ranges::copy(numbers, values.data());
 }
 
 /// Gives a class one property for each field of its struct, by the functions `fields` that also
@@ -49,6 +73,21 @@ class FieldProperties {
     const auto offset =
         reinterpret_cast<const char*>(&member) - reinterpret_cast<const char*>(&example_);
     add(name.data(), Place<Member>{offset}, std::string(description));
+    names_.push_back(name.data());
+  }
+
+  /// "UserCommand(walk=True, velocity=[0.1 0. ], …)"
+  void add_text(const std::string& type_name) {
+    type_.def("__repr__", [type_name, names = names_](nb::handle self) {
+      std::string text;
+      for (const char* name : names) {
+        const nb::object value = self.attr(name);
+        const bool is_array = nb::hasattr(value, "shape");
+        text += (text.empty() ? "" : ", ") + std::string(name) + "=";
+        text += nb::cast<std::string>(is_array ? nb::str(value) : nb::repr(value));
+      }
+      return type_name + "(" + text + ")";
+    });
   }
 
  private:
@@ -63,12 +102,25 @@ class FieldProperties {
     }
   };
 
+  static constexpr bool kIsCommand =
+      std::is_same_v<T, UserCommand> || std::is_same_v<T, JointCommand>;
+
+  /// Lets `command.velocity = [0.1, 0]` write into the vector.
+  template <typename Vector>
+  static auto setter(const char* name, Place<Vector> place) {
+    return [name, place](Self self, const std::vector<double>& numbers) {
+      assign(place.in(self), numbers, name, kIsCommand);
+    };
+  }
+
   template <typename Member>
     requires logged::Number<Member>
   void add(const char* name, Place<Member> place, const std::string& doc) {
-    type_.def_prop_rw(
-        name, [place](Self self) { return place.in(self); },
-        [place](Self self, Member value) { place.in(self) = value; }, doc.c_str());
+    const auto set = [place, name](Self self, Member value) {
+      if constexpr (kIsCommand && std::is_floating_point_v<Member>) check_finite(value, name);
+      place.in(self) = value;
+    };
+    type_.def_prop_rw(name, [place](Self self) { return place.in(self); }, set, doc.c_str());
   }
 
   template <typename Member>
@@ -126,7 +178,8 @@ class FieldProperties {
     const auto get = [place](Self self) {
       return View<kRows>(place.in(self).data(), {kRows}, self);
     };
-    type_.def_prop_ro(name, get, with_shape(doc, std::to_string(kRows) + ",").c_str());
+    type_.def_prop_rw(name, get, setter(name, place),
+                      with_shape(doc, std::to_string(kRows) + ",").c_str());
   }
 
   void add(const char* name, Place<JointVector> place, const std::string& doc) {
@@ -134,7 +187,7 @@ class FieldProperties {
       JointVector& values = place.in(self);
       return View<-1>(values.data(), {static_cast<std::size_t>(values.size())}, self);
     };
-    type_.def_prop_ro(name, get, with_shape(doc, "number of joints,").c_str());
+    type_.def_prop_rw(name, get, setter(name, place), with_shape(doc, "number of joints,").c_str());
   }
 
   void add(const char* name, Place<Mat3> place, const std::string& doc) {
@@ -191,6 +244,7 @@ class FieldProperties {
 
   nb::class_<T>& type_;
   const T& example_;
+  std::vector<const char*> names_;
 };
 
 /// A class for a signal, with all fields of what the log describes.
@@ -200,6 +254,7 @@ nb::class_<T> signal(nb::module_& module, const char* name, const char* doc) {
   const T example{};
   FieldProperties<T> properties(type, example);
   logged::fields(properties, static_cast<const Described&>(example));
+  properties.add_text(name);
   return type;
 }
 

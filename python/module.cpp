@@ -1,5 +1,5 @@
-// The Python module `surefoot`: scenario, plant, controller and solver under the names that they
-// have in C++. One translation unit.
+// The compiled part of the Python package `surefoot`: scenario, plant, controller and solver under
+// the names that they have in C++. One translation unit.
 
 #include "python/explaining.hpp"
 #include "python/signals.hpp"
@@ -20,7 +20,7 @@ void bind_errors(nb::module_& module) {
 
 }  // namespace
 
-NB_MODULE(surefoot, module) {
+NB_MODULE(_core, module) {
   module.doc() =
       "Whole-body control of legged robots by strict task hierarchies.\n\n"
       "Units are SI. Frames stand in the names: p_WB is the position of the base B in the world "

@@ -21,7 +21,7 @@ inline JointCommand joint_command(const JointNumbers& torque) {
                 std::to_string(kMaxJoints) + " joints");
   JointCommand command;
   command.torque.resize(static_cast<Eigen::Index>(torque.size()));
-  std::ranges::copy(torque, command.torque.data());
+  assign(command.torque, torque, "torque", true);
   return command;
 }
 
@@ -60,12 +60,15 @@ inline void bind_signals(nb::module_& module) {
   signal<UserCommand>(module, "UserCommand", "What the operator asks for.")
       .def(
           "__init__",
-          [](UserCommand* self, bool walk, std::array<double, 2> velocity, double yaw_rate,
+          [](UserCommand* self, bool walk, const std::vector<double>& velocity, double yaw_rate,
              double height, bool calibrate, const ReachCommand& reach) {
-            new (self) UserCommand{
-                walk, Vec2(velocity[0], velocity[1]), yaw_rate, height, calibrate, reach};
+            UserCommand command{walk, Vec2::Zero(), yaw_rate, height, calibrate, reach};
+            assign(command.velocity, velocity, "velocity", true);
+            check_finite(yaw_rate, "yaw_rate");
+            check_finite(height, "height");
+            new (self) UserCommand(command);
           },
-          nb::arg("walk") = false, nb::arg("velocity") = std::array<double, 2>{},
+          nb::arg("walk") = false, nb::arg("velocity") = std::vector<double>(2),
           nb::arg("yaw_rate") = 0.0, nb::arg("height") = 0.0, nb::arg("calibrate") = false,
           nb::arg("reach").sig("ReachCommand()") = ReachCommand());
 

@@ -66,6 +66,11 @@ inline nb::typed<nb::dict, std::string, std::string> scenarios() {
 inline void bind_scenario(nb::module_& module) {
   nb::class_<config::Scenario>(module, "Scenario",
                                "An experiment, complete: everything that a run is made from.")
+      .def("__repr__",
+           [](const config::Scenario& self) {
+             return "<scenario " + self.name + " of " + self.robot.name + ", seed " +
+                    std::to_string(self.seed) + ">";
+           })
       .def_ro("name", &config::Scenario::name)
       .def_ro("description", &config::Scenario::description, "what it shows")
       .def_ro("file", &config::Scenario::file, "that it was read from")
@@ -114,6 +119,10 @@ inline void bind_plant(nb::module_& module) {
             new (self) simulation::Plant(scenario.robot, scenario.plant);
           },
           nb::arg("scenario"), nb::call_guard<nb::gil_scoped_release>())
+      .def("__repr__",
+           [](const simulation::Plant& self) {
+             return "<plant after " + std::to_string(self.time()) + " s>";
+           })
       .def("read", &simulation::Plant::read, nb::rv_policy::copy,
            "Readings at the current time; the first is there before the first write().")
       .def("write", &simulation::Plant::write, nb::arg("command"),
@@ -152,6 +161,11 @@ inline void bind_controller(nb::module_& module) {
           },
           nb::arg("reading"), nb::arg("user"), nb::call_guard<nb::gil_scoped_release>(),
           "One tick. Always gives finite torques inside the limits, and never raises.")
+      .def("__repr__",
+           [](const Self& self) {
+             return "<controller of " + std::to_string(self.controller.level_names().size()) +
+                    " levels, after " + std::to_string(self.controller.steps_taken()) + " steps>";
+           })
       .def(
           "levels", [](const Self& self) { return outcomes(self.controller); },
           "The hierarchy at the last tick, highest priority first.")

@@ -48,10 +48,10 @@ install_debian_packages() {
   command -v dpkg-query >/dev/null && command -v apt-get >/dev/null ||
     give_up "this is not Debian (no dpkg or apt-get here): use Debian 12, in a container if need be."
   local -a missing=() as_root=()
-  local name version present
+  local name least present
   present=$(dpkg-query -W -f '[${db:Status-Status} ${Package}]' $(debian_listed | cut -d' ' -f1) 2>/dev/null || true)
-  while read -r name version; do
-    [[ $present == *"[installed $name]"* ]] || missing+=("$name=$version")
+  while read -r name least; do
+    [[ $present == *"[installed $name]"* ]] || missing+=("$name")
   done < <(debian_listed)
   ((${#missing[@]})) || return 0
 
@@ -67,6 +67,18 @@ install_debian_packages() {
   "${apt[@]}" update >>"$log" 2>&1 || true # the lists that are there may do
   "${apt[@]}" install --no-install-recommends "${missing[@]}" >>"$log" 2>&1 ||
     give_up "Debian packages could not be installed (the reason is in $log): check the network and that this is Debian 12, then start again or run \`$command\` yourself."
+  check_debian_versions "${missing[@]}"
+}
+
+# apt takes no lower bound: what it has installed is compared with the list's.
+check_debian_versions() {
+  local name least version
+  while read -r name least; do
+    [[ $least && " $* " == *" $name "* ]] || continue
+    version=$(dpkg-query -W -f '${Version}' "$name")
+    dpkg --compare-versions "$version" ge "$least" ||
+      give_up "the Debian package $name is version $version here, and at least $least is needed: use Debian 12 or newer."
+  done < <(debian_listed)
 }
 
 python_state() { cat "$root"/dependencies/{python,robots}.txt | sha256sum; }
@@ -157,7 +169,7 @@ build_program() {
 
 # Tells the program how to make pictures of logs, and Python where our packages lie.
 name_python() {
-  export SUREFOOT_PYTHON=$venv/bin/python SUREFOOT_MESH_CACHE=$build/meshes PYTHONPATH=$root/python
+  export SUREFOOT_PYTHON=$venv/bin/python SUREFOOT_MESH_CACHE=$build/meshes PYTHONPATH=$build/python
 }
 
 if [[ ${BASH_SOURCE[0]} == "$0" ]]; then locked set_up; fi

@@ -40,14 +40,14 @@ Exit codes: 0 every run came to its end, whether it succeeded or not; 1 some cra
 were refused by the program; 2 the input is wrong, or the campaign was interrupted.
 
 Examples:
-  surefoot campaign campaigns/step_down_height.yaml --dry-run
+  surefoot campaign step_down_height --dry-run
   surefoot campaign campaigns/step_down_height.yaml --jobs 2 --out results/steps
 """
 
 
 def parser():
     made = Parser("campaign", DESCRIPTION, EPILOG)
-    made.add_argument("spec", type=pathlib.Path, metavar="SPEC.yaml", help="what to run")
+    made.add_argument("spec", type=pathlib.Path, metavar="SPEC.yaml", help="what to run; or the name of one that ships, as step_down_height")
     made.add_argument("--out", type=folder_name, metavar="DIR", help="folder of the results; results/NAME by default")
     made.add_argument("--jobs", type=whole_number(), metavar="N", default=len(os.sched_getaffinity(0)),
                       help="processes at once; one a core (%(default)s) by default")  # fmt: skip
@@ -167,13 +167,11 @@ def make_campaign(plan, program, arguments, folder, typed):
         missing = [run for run in plan.runs if not is_done(run, journal.rows, arguments.retry)]
         missing.sort(key=lambda run: run.seed)  # early results are of every point
         tell_what_is_done(plan, missing, journal)
-        copy = program.copied_to(folder / "program")
-        try:
-            ended = run_missing(plan, missing, scheduler, journal, Program(copy.absolute()))
-        except OSError as error:
-            raise InputError(f"{error}; rows that are finished are kept") from None
-        finally:
-            copy.unlink(missing_ok=True)
+        with program.copied_to(folder / "program") as copy:
+            try:
+                ended = run_missing(plan, missing, scheduler, journal, copy)
+            except OSError as error:
+                raise InputError(f"{error}; rows that are finished are kept") from None
         status = finish(plan, journal, program, arguments, folder)
         if not ended and not scheduler.stopped:
             return status

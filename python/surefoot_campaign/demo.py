@@ -19,7 +19,8 @@ from surefoot_campaign.seeds import FAILED, PASSED, enough_succeeded, run_rows, 
 from surefoot_campaign.text import aligned, asked_of, pretty, printable
 
 SEEDS, JOBS = 10, 2
-DEFAULT_FOLDER = pathlib.Path(__file__).resolve().parents[2] / "build/demo"
+FIRST = "step_down"  # its pictures come first
+DEFAULT_FOLDER = pathlib.Path("results/demo")
 MOST_SEEDS, MOST_JOBS = 1_000_000, 1000
 EPILOG = f"""Experiments, each with a report:
 {"".join(f"  {one.name}{', and over --seeds' * one.seeds}{' (as found: any result is one)' * one.as_found}{chr(10)}" for one in EXPERIMENTS)}
@@ -52,7 +53,7 @@ class Row:
 
 def parser():
     made = Parser("demo", "Run the paper's experiments and print them beside its numbers.", EPILOG)
-    made.add_argument("--out", type=folder_name, metavar="DIR", help="folder for the reports; build/demo by default")
+    made.add_argument("--out", type=folder_name, metavar="DIR", help="folder for the reports; results/demo by default")
     made.add_argument("--seeds", type=whole_number(MOST_SEEDS), metavar="N", help=f"seeds of each random experiment; {SEEDS} by default")
     made.add_argument("--jobs", type=whole_number(MOST_JOBS), metavar="N", help=f"processes at once; {JOBS} by default")
     made.add_argument("--no-pictures", action="store_true", help="leave strip and clip out of the reports, which take seconds each")
@@ -110,6 +111,11 @@ def print_rows(rows):
     print(printable("\n" + aligned(table)), end="")
 
 
+def link_to(folder, row):
+    """To the report with its pictures, as terminals open it."""
+    return "" if "crashed" in row else f" {(folder / 'index.html').absolute().as_uri()}"
+
+
 def remove_results(experiment, out):
     folder = out / experiment.name
     remove_outdated(folder, folder / "run.mcap")
@@ -125,9 +131,9 @@ def make_demo(program, arguments, out):
     with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
         about = dict(zip([one.name for one in EXPERIMENTS], pool.map(lambda one: program.about(one.words()), EXPERIMENTS)))
     of = {experiment.name: tasks_of(experiment, program, arguments, out) for experiment in EXPERIMENTS}
-    tasks = [task for of_one in of.values() for task in of_one]
+    tasks = sorted((task for of_one in of.values() for task in of_one), key=lambda task: (task.id[1] > 0, task.id[0] != FIRST))
     print(f"{len(of)} experiments of the paper in {len(tasks)} runs, {jobs} at a time; reports go to {out}", file=sys.stderr)
-    found = run_rows("experiments", tasks, jobs, lambda name, seed, row: [f"{name}: {row['reason']}"] if seed == 0 else [])
+    found = run_rows("experiments", tasks, jobs, lambda name, seed, row: [] if seed else [f"{name}: {row['reason']}{link_to(out / name, row)}"])
     whole = [one for one in EXPERIMENTS if all(task.id in found for task in of[one.name])]
     for experiment in (one for one in EXPERIMENTS if one not in whole):
         remove_results(experiment, out)

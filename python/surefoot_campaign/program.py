@@ -1,5 +1,6 @@
 """The program surefoot, called as its users call it."""
 
+import contextlib
 import hashlib
 import json
 import os
@@ -63,12 +64,20 @@ class Program:
         digest = hashlib.sha256(self.path.read_bytes()).hexdigest()[:12]
         return f"{version}+{commit or 'unknown'}.{digest}"
 
+    @contextlib.contextmanager
     def copied_to(self, path):
-        """A copy that stays as it is while somebody builds the program again."""
+        """A copy that stays as it is while somebody builds the program again. An installed one, which has its data and libraries beside itself, is the
+        same program where it is."""
+        if (self.path.parent.parent / "share/surefoot").is_dir():
+            yield Program(self.path)
+            return
         partial = path.with_name(path.name + ".new")
         shutil.copy2(self.path, partial)
         partial.replace(path)
-        return path
+        try:
+            yield Program(path.absolute())
+        finally:
+            path.unlink(missing_ok=True)
 
     def pinned(self):
         """The program as this file is now, even if it is built again meanwhile; also for those who read its runs' logs."""

@@ -2,6 +2,7 @@
 
 import itertools
 import math
+import os
 import pathlib
 import re
 from dataclasses import dataclass, field
@@ -250,5 +251,20 @@ def shown(node):
     return "nothing" if node.value is None else yaml_text(node.value) if not isinstance(node.value, str) else f'"{node.value}"'
 
 
-def load_spec(path):
-    return Reader(pathlib.Path(path)).read()
+def data_folder():
+    """Where robots/, scenarios/ and campaigns/ are, as surefoot/config/data_directory.hpp has it."""
+    chosen, here = os.environ.get("SUREFOOT_DATA_DIR"), pathlib.Path(__file__).resolve()
+    wheel = here.parents[1] / "surefoot/share/surefoot"
+    return pathlib.Path(chosen) if chosen else wheel if wheel.is_dir() else here.parents[2]
+
+
+def load_spec(name_or_path):
+    """Reads a file, or a campaign that ships, by its name."""
+    path = pathlib.Path(name_or_path)
+    if path.suffix != ".yaml" and not path.exists():
+        shipped = data_folder() / "campaigns"
+        names = [file.stem for file in sorted(shipped.glob("*.yaml"))]
+        if str(path) not in names:
+            raise InputError(f'"{path}" is no file, and no campaign that ships; {valid_names(str(path), names)}')
+        path = shipped / f"{path}.yaml"
+    return Reader(path).read()

@@ -26,6 +26,7 @@ SUMMARY = "summary.json"
 HEAD, MESSAGE = struct.Struct("<BQ"), struct.Struct("<HIQQ")
 FOOTER, MAGIC = struct.Struct("<BQQQI"), 8  # bytes at the end of a closed file
 LARGEST_INDEX = 1 << 28  # bytes
+WHEEL = str(pathlib.Path(__file__).parents[1] / "surefoot/bin/surefoot")  # the program, where a wheel has it
 
 
 class Message(NamedTuple):
@@ -36,7 +37,7 @@ class Message(NamedTuple):
 
 def program(*words):
     """What the program prints, and its notes. Throws InputError with its complaint."""
-    command = [os.environ.get("SUREFOOT_PROGRAM", "surefoot"), *map(str, words)]
+    command = [os.environ.get("SUREFOOT_PROGRAM") or (WHEEL if os.path.exists(WHEEL) else "surefoot"), *map(str, words)]
     try:
         done = subprocess.run(command, stdin=subprocess.DEVNULL, capture_output=True, text=True)
     except OSError as error:

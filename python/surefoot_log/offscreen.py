@@ -10,6 +10,6 @@ try:
     import mujoco
 except (ImportError, AttributeError, OSError) as error:
     raise InputError(f"MuJoCo can't render without a screen here ({' '.join(str(error).split())}): the Debian package libosmesa6 "
-                     "and the Python packages of dependencies/python.txt are needed") from None  # fmt: skip
+                     "(`apt install libosmesa6`) and the Python packages of dependencies/python.txt are needed") from None  # fmt: skip
 
 __all__ = ["mujoco"]

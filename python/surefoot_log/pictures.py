@@ -29,7 +29,8 @@ def package_folders():
     """Where package://NAME/… is looked for, as the program does (surefoot/config/data_directory.hpp)."""
     listed = {name: [entry for entry in os.environ.get(name, "").split(":") if entry]
               for name in ("SUREFOOT_ROBOT_PACKAGES", "ROS_PACKAGE_PATH", "AMENT_PREFIX_PATH")}  # fmt: skip
-    robots = listed["SUREFOOT_ROBOT_PACKAGES"] or [pathlib.Path(sysconfig.get_path("platlib")) / "cmeel.prefix/share"]
+    site = pathlib.Path(sysconfig.get_path("platlib"))
+    robots = listed["SUREFOOT_ROBOT_PACKAGES"] or [site / "cmeel.prefix/share", site]
     shares = [pathlib.Path(prefix) / "share" for prefix in listed["AMENT_PREFIX_PATH"]]
     return [pathlib.Path(folder) for folder in robots + listed["ROS_PACKAGE_PATH"] + shares]
 

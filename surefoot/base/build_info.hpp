@@ -4,7 +4,7 @@
 
 namespace surefoot {
 
-/// What the build knows about itself; set by CMake.
+/// What the build knows about itself; set by CMake. A wheel names no folders: it can lie anywhere.
 struct BuildInfo {
   std::string_view version;         ///< as in project(VERSION …)
   std::string_view commit;          ///< of git, "-dirty" if files differ from it; may be empty

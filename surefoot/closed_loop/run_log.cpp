@@ -73,7 +73,7 @@ std::vector<logging::LogAttachment> attachments(const config::Scenario& scenario
 }  // namespace
 
 std::string run_again(const config::Scenario& scenario) {
-  std::string command = "bin/surefoot run " + shell_word(scenario.requested);
+  std::string command = "surefoot run " + shell_word(scenario.requested);
   if (scenario.seed != 0) command += " --seed " + std::to_string(scenario.seed);
   for (const std::string& assignment : scenario.assignments) {
     command += " --set " + shell_word(assignment);

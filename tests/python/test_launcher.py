@@ -109,3 +109,20 @@ def test_without_a_last_build_the_launcher_says_that_it_waits(launcher, tmp_path
         assert waiting.stderr.readline() == "surefoot: waiting for another launcher, which sets up or builds here\n"
     out, err = waiting.communicate(timeout=60)
     assert (waiting.returncode, out, err) == (0, "built\n", "")
+
+
+@pytest.mark.parametrize(("version", "status"), [("1.9-3", 2), ("2.0-1", 0)])
+def test_a_debian_package_older_than_the_list_says_is_told(tmp_path, version, status):
+    for folder in ("tools", "dependencies", "bin"):
+        (tmp_path / folder).mkdir()
+    shutil.copy(ROOT / "tools/setup.sh", tmp_path / "tools")
+    (tmp_path / "dependencies/debian.txt").write_text("thing 2.0\nother\n")
+    programs = {"dpkg-query": f'case "$3" in *Status*) ;; *) echo {version} ;; esac', "apt-get": "exit 0", "sudo": '[ "$1" = -n ] && shift; exec "$@"'}
+    for name, text in programs.items():
+        (tmp_path / "bin" / name).write_text(f"#!/bin/sh\n{text}\n")
+        (tmp_path / "bin" / name).chmod(0o755)
+    done = subprocess.run(["bash", "-c", "source tools/setup.sh; install_debian_packages"], env=found_in(tmp_path), cwd=tmp_path,
+                          capture_output=True, text=True)  # fmt: skip
+    assert (done.returncode, done.stdout) == (status, "setup: installing Debian packages: thing other\n")
+    told = f"surefoot: the Debian package thing is version {version} here, and at least 2.0 is needed: use Debian 12 or newer.\n"
+    assert done.stderr == (told if status else "")

@@ -54,7 +54,7 @@ def test_a_page_shows_all_figures_and_numbers_of_a_run(page):
                  "(a) orientation error", "(b) height error", "LF hip–foot distance", "RH hip–foot distance", "limits 0.18 m (outside) and 0.535 m",
                  "x [m]", "torque [N·m]", "7  limb extension limits", "(a) tilt", "(c) position, drift", "(b) from the side", "ground at −0.14 m",
                  "touchdown", "time per tick [µs]", "period 2500 µs", "calibrates itself on the spot (0 to 9.5 s)", "amber: the limb limits act",
-                 "amber: it searches for ground", "<pre>bin/surefoot run", "2.5 ms, 400 Hz", "as it truly was", "What gave way to what"):  # fmt: skip
+                 "amber: it searches for ground", "<pre>surefoot run", "2.5 ms, 400 Hz", "as it truly was", "What gave way to what"):  # fmt: skip
         assert text in page, text
     assert re.findall(r"<b>Figure (\d+)\.</b>", page) == [str(number) for number in range(1, len(FIGURES) + 1)]
     assert page.count('<svg class="plot"') == len(FIGURES) and "prefers-color-scheme: dark" in page and "stroke: var(--c0)" in page

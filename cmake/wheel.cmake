@@ -1,0 +1,20 @@
+# What a Python wheel has of the build (pyproject.toml): program, module and data, all inside the package surefoot. They find
+# the libraries of the packages that pip puts beside it relative to themselves.
+
+function(surefoot_in_wheel target folder site)
+  set_target_properties(${target} PROPERTIES
+    INSTALL_RPATH "${site}/cmeel.prefix/lib;${site}/cmeel.prefix/lib64;${site}/mujoco;${site}/surefoot/lib")
+  install(TARGETS ${target} RUNTIME DESTINATION ${folder} COMPONENT wheel LIBRARY DESTINATION ${folder} COMPONENT wheel)
+endfunction()
+
+surefoot_in_wheel(surefoot bin "$ORIGIN/../..")
+surefoot_in_wheel(surefoot_python . "$ORIGIN/..")
+# What no other package brings.
+foreach(target yaml-cpp zstd::libzstd_shared)
+  get_target_property(library ${target} IMPORTED_LOCATION_NONE)
+  get_target_property(name ${target} IMPORTED_SONAME_NONE)
+  file(REAL_PATH ${library} library)
+  install(FILES ${library} RENAME ${name} DESTINATION lib COMPONENT wheel)
+endforeach()
+install(FILES ${PROJECT_BINARY_DIR}/python/surefoot/_core.pyi DESTINATION . COMPONENT wheel)
+install(DIRECTORY robots stacks scenarios randomisations campaigns DESTINATION share/surefoot COMPONENT wheel)
