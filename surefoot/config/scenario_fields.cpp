@@ -183,6 +183,7 @@ Group named_fields(Scenario& scenario) {
           {kScaled, Other{"flag"}, "numbers are for ANYmal B; another robot gets its own by size"},
           {"robot", Other{"text"}, "name or file"},
           {"stack", Other{"text"}, "name or file"},
+          {"gait", Other{"text"}, "name or file, laid under planner; none: the crawl"},
           {"tasks", Other{"tasks"}, "changes to the stack's tasks"},
           {"stack_switches", changes, "levels that come and go"},
           {"randomise", Other{"randomise"}, "ranges that the seed draws from"},

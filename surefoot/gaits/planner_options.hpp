@@ -28,6 +28,17 @@ struct GaitOptions {
   double same_side_duration = 0.3, switch_duration = 0.6, start_duration = 1.0;
 };
 
+/// A gait whose legs step by a clock, as gaits/*.yaml give it. Each leg lifts off at its `offset`
+/// in the cycle, and stands for its `duty`; both are shares of the period.
+struct RhythmOptions {
+  bool enabled = false;
+  double period = 0.5;
+  PerLeg<double> duty{0.55, 0.55, 0.55, 0.55};
+  PerLeg<double> offset{0.0, 0.5, 0.5, 0.0};
+  double capture = 1.0, leash = 0.05, acceleration = 1.0;
+  double wait = 0.15, stop_speed = 0.1;
+};
+
 /// Contact forces at phase changes, Eq. (30).
 struct ForceOptions {
   double friction = 0.5;
@@ -121,6 +132,7 @@ struct PlannerOptions {
   CalibrationOptions calibration;
   StanceOptions stance;
   GaitOptions gait;
+  RhythmOptions rhythm;
   ForceOptions force;
   GripOptions grip;
   ComPlannerOptions com;
