@@ -12,7 +12,7 @@ void CommandJudge::add(const simulation::GroundTruth& truth, const UserCommand& 
   steady_for_ = is_same ? steady_for_ + period_ : 0.0;
   if (steady_for_ < settled_) return;
   const Mat3 R_WB = truth.q_WB.toRotationMatrix();
-  const Vec3 v = rotation_about_z(-yaw(R_WB)) * truth.v_WB;
+  const Vec3 v = rotation_about_z(-yaw(R_WB)) * truth.v_WCom;
   velocity_squares_ += (v.head<2>() - user.velocity).squaredNorm();
   const double turn = (R_WB * truth.w_WB_B).z() - user.yaw_rate;
   turn_squares_ += turn * turn;

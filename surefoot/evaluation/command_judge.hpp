@@ -7,8 +7,8 @@
 
 namespace surefoot::evaluation {
 
-/// Compares the base's true velocity with the command, in heading axes of the torso. Only while the
-/// command has not changed for `kSettled`, at scale 1, so that the robot has reached it.
+/// Compares the true velocity of the centre of mass, and the torso's yaw rate, with the command, in
+/// heading axes of the torso. (The base alone swings against the legs.) Only while the command has not changed for `kSettled`, at scale 1, so that the robot has reached it.
 class CommandJudge {
  public:
   static constexpr double kSettled = 3.0;  ///< [s]

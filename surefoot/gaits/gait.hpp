@@ -25,8 +25,9 @@ class Gait {
   GaitOutcome advance(Situation& now, Body& body);
   /// Does the heading keep still, because there is no step or the next one waits?
   [[nodiscard]] virtual bool waits(const Body& body) const = 0;
-  /// Does the heading wait for late feet? Otherwise it is kept near the estimated one.
-  [[nodiscard]] virtual bool turns_with_feet() const { return true; }
+  /// Can the robot stop at any moment? Then its heading waits for late feet, its first step has the
+  /// commanded velocity, and it leans against pushes and is slower for them.
+  [[nodiscard]] virtual bool is_static() const { return true; }
   /// Time in which a foot moves by its stride relative to the torso [s].
   [[nodiscard]] virtual double stride_duration(double) const { return 0.0; }
   /// Reference of the COM at this tick.

@@ -76,11 +76,13 @@ void Planner::relearn_ground() {
 CommandContext Planner::command_context() const {
   CommandContext context{.cycle_duration = walk().stride_duration(body_.pace()),
                          .pace = body_.pace(),
-                         .caution = std::max(body_.grip.caution(), body_.balance.caution()),
+                         .caution = body_.grip.caution(),
                          .hips = hips_,
                          .stands = !walks_,
-                         .starts_at_rest = !walk().turns_with_feet(),
+                         .starts_at_rest = !walk().is_static(),
                          .calibrates = calibration_.is_due()};
+  if (!walk().is_static()) return context;
+  context.caution = std::max(context.caution, body_.balance.caution());
   const Mat2 R = rotation_about_z(-yaw_).topLeftCorner<2, 2>();
   for (Vec2& hip : context.hips) hip -= R * body_.balance.shift();
   return context;
@@ -91,7 +93,7 @@ UserCommand Planner::limit(const UserCommand& command) {
   const CommandContext now = command_context();
   UserCommand user = limits_.update(command, now);
   user.walk = user.walk && !calibration_.is_due();
-  if (walk().turns_with_feet()) {
+  if (walk().is_static()) {
     user.yaw_rate *= limits_.strides().turning_share(user.yaw_rate, body_.legs.footholds(),
                                                      body_.legs.down(), yaw_, now.cycle_duration);
   }

@@ -99,26 +99,29 @@ void RhythmicGait::lift(Leg k, const Situation& now, Body& body) {
                                .apex = body.options.swing.apex});
 }
 
-// The middle of the stance is under the COM, shifted by what catches a velocity error and, in a
-// turn, by what gives the centripetal acceleration:
+// A pendulum over its feet goes slowest in the middle of a stance of duration T:
 //
-//     p = c + t v + v_cmd tanh(ω T/2) / ω + R(ψ) offset + capture (v − v_cmd) / ω − a / ω²
+//     v(t) = v_cmd (ω T/2) / sinh(ω T/2) cosh(ω (T/2 − t))        t before the next landing
 //
-// with ω² = g / h, the time t until the landing, the duration T of the stance and the heading ψ in
-// its middle. The feet of a pendulum over a point that moves at v_cmd are tanh(ω T/2) / ω ahead.
+// and the middle of its next stance is v_cmd T/2 ahead of where it is then. What it is faster than
+// this moves the foothold on, and so does the centripetal acceleration a of a turn:
+//
+//     p = c + t v + v_cmd T/2 + R(ψ) offset + capture (v − v(t)) / ω − a / ω²
+//
+// with ω² = g / h and the heading ψ in the middle of the next stance.
 Vec3 RhythmicGait::foothold(Leg k, double until_landing, const Situation& now) const {
   const Body& body = now.body;
   const double w = std::sqrt(kGravity / body.com_height(now.dynamics));
-  const double stance = clock_.stance_duration(k);
+  const double half = 0.5 * clock_.stance_duration(k);
+  const double t = std::clamp(until_landing, 0.0, 2.0 * half);
+  const double pace = w * half / std::sinh(w * half) * std::cosh(w * (half - t));
   const double yaw_rate = now.user.walk ? now.user.yaw_rate : 0.0;
-  const double yaw = now.yaw + yaw_rate * (until_landing + 0.5 * stance);
-  const Mat2 R = rotation_about_z(yaw).topLeftCorner<2, 2>();
+  const Mat2 R = rotation_about_z(now.yaw + yaw_rate * (t + half)).topLeftCorner<2, 2>();
   const Vec2 v = now.dynamics.com.v.head<2>(), wanted = com_.plan().v;
   const Vec2 centripetal = yaw_rate * Vec2(-wanted.y(), wanted.x());
-  const Vec2 place = now.dynamics.com.p.head<2>() + until_landing * v +
-                     std::tanh(0.5 * w * stance) / w * wanted +
+  const Vec2 place = now.dynamics.com.p.head<2>() + t * v + half * wanted +
                      R * nominal_offset(body.options.stance, k) +
-                     options_.capture / w * (v - wanted) - centripetal / (w * w);
+                     options_.capture / w * (v - pace * wanted) - centripetal / (w * w);
   Vec3 result;
   result << place, body.plane.height(place);
   return result;

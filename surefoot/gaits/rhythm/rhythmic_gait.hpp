@@ -15,7 +15,7 @@ class RhythmicGait final : public Gait {
 
   void begin(Situation& now, Body& body, const std::optional<Action>& first) override;
   [[nodiscard]] bool waits(const Body&) const override { return false; }
-  [[nodiscard]] bool turns_with_feet() const override { return false; }
+  [[nodiscard]] bool is_static() const override { return false; }
   [[nodiscard]] double stride_duration(double) const override;
   [[nodiscard]] ComPlan com(const Situation&, const Body&) const override { return com_.plan(); }
 
