@@ -43,8 +43,8 @@ TEST(PhaseClock, starts_with_all_feet_down_for_the_time_asked) {
   PhaseClock clock(trot());
   clock.start(0.03);
   EXPECT_NEAR(clock.until_lift_off(Leg::LF), 0.03, 1e-9);
-  EXPECT_FALSE(clock.is_lift_off_due(0.02));
-  EXPECT_TRUE(clock.is_lift_off_due(0.04));
+  EXPECT_NEAR(clock.until_lift_off(Leg::RF), 0.28, 1e-9);
+  EXPECT_LT(clock.until_landing(Leg::RF), 0.0);
   for (const Leg k : kLegs) EXPECT_FALSE(clock.swings(k));
 }
 
@@ -53,7 +53,7 @@ TEST(PhaseClock, stands_still_without_time) {
   clock.start(0.001);
   clock.advance(0.0);
   EXPECT_FALSE(clock.lifts(Leg::LF));
-  EXPECT_TRUE(clock.is_lift_off_due(kTick));
+  EXPECT_NEAR(clock.until_lift_off(Leg::LF), 0.001, 1e-9);
 }
 
 }  // namespace

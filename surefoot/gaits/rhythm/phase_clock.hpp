@@ -16,10 +16,6 @@ class PhaseClock {
     phase_ = fraction(first_offset() - before / options_.period);
     lifts_.fill(false);
   }
-  /// Would a leg lift off within `dt` [s]?
-  [[nodiscard]] bool is_lift_off_due(double dt) const {
-    return std::ranges::any_of(kLegs, [&](Leg k) { return begins_cycle(k, after(dt)); });
-  }
   void advance(double dt) {
     const double next = after(dt);
     for (const Leg k : kLegs) lifts_[index(k)] = begins_cycle(k, next);
@@ -31,6 +27,10 @@ class PhaseClock {
   /// Should this leg be in the air?
   [[nodiscard]] bool swings(Leg leg) const { return of(leg) < 1.0 - options_.duty[index(leg)]; }
   [[nodiscard]] double until_lift_off(Leg leg) const { return (1.0 - of(leg)) * options_.period; }
+  /// Negative in the leg's stance.
+  [[nodiscard]] double until_landing(Leg leg) const {
+    return until_lift_off(leg) - stance_duration(leg);
+  }
   [[nodiscard]] double swing_duration(Leg leg) const {
     return (1.0 - options_.duty[index(leg)]) * options_.period;
   }

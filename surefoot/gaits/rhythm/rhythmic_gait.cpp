@@ -62,14 +62,20 @@ bool RhythmicGait::is_slow(const Situation& now) const {
          now.dynamics.com.v.head<2>().norm() < 2.0 * options_.stop_speed;
 }
 
-bool RhythmicGait::is_foot_late(const Body& body) const {
-  return std::ranges::any_of(kLegs,
-                             [&](Leg k) { return !clock_.swings(k) && !body.legs[k].down(); });
+bool RhythmicGait::misses_foot(const Body& body) const {
+  const double ramp = body.options.force.ramp_down + body.period;
+  double next = kNever;  // lift-off, where one is near
+  for (const Leg k : kLegs) {
+    const double lifts = clock_.until_lift_off(k);
+    if (body.legs[k].down() && lifts <= ramp) next = std::min(next, lifts);
+  }
+  return std::ranges::any_of(kLegs, [&](Leg k) {
+    return !body.legs[k].down() && next < kNever && clock_.until_landing(k) <= next;
+  });
 }
 
 void RhythmicGait::advance_clock(const Body& body) {
-  const bool waits = clock_.is_lift_off_due(body.period) && is_foot_late(body) &&
-                     waited_ < options_.wait;
+  const bool waits = misses_foot(body) && waited_ < options_.wait;
   waited_ = waits ? waited_ + body.period : 0.0;
   clock_.advance(waits ? 0.0 : body.period);
 }

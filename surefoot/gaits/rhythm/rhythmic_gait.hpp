@@ -7,7 +7,8 @@
 namespace surefoot::gaits {
 
 /// A gait by a clock, such as a trot: legs lift off at their times, whatever the others do, and step
-/// to where they catch the robot. The clock waits before a lift-off for feet that are late.
+/// to where they catch the robot. The clock waits for late feet before a leg
+/// is unloaded.
 class RhythmicGait final : public Gait {
  public:
   RhythmicGait(const RhythmOptions& options, const Scale& scale)
@@ -30,8 +31,8 @@ class RhythmicGait final : public Gait {
   void advance_clock(const Body& body);
   void move_leg(Leg leg, const Situation& now, Body& body);
   void lift(Leg leg, const Situation& now, Body& body);
-  /// Is a foot late that should stand by now?
-  [[nodiscard]] bool is_foot_late(const Body& body) const;
+  /// Is a foot in the air that should land before the next lift-off, whose force ramp begins?
+  [[nodiscard]] bool misses_foot(const Body& body) const;
   [[nodiscard]] bool is_slow(const Situation& now) const;
   [[nodiscard]] Vec3 foothold(Leg leg, double until_landing, const Situation& now) const;
 
