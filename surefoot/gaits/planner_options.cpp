@@ -132,6 +132,8 @@ Group fields(SwingOptions& o) {
        "of the hip over the last foothold in a search"},
       {"touchdown_speed", &o.touchdown_speed, kPositive, "m/s",
        "downward, at the end of the swing and in the search; slow feet are detected late"},
+      {"search_speed", &o.search_speed, kNotNegative, "m/s",
+       "downward, of a late foot; not above touchdown_speed: that one"},
       {"search_depth_max", &o.search_depth_max, kNotNegative, "m", "below the expected ground"},
       {"reach_max", &o.reach_max, kPositive, "m", "hip to swing foot, short of a straight leg"},
       {"speed_max", &o.speed_max, kPositive, "m/s", "of a swing; longer strides walk slower"},

@@ -65,7 +65,7 @@ struct ComPlannerOptions {
 struct SwingOptions {
   double apex = 0.08, apex_known = 0.08;
   double horizontal_start = 0.15, horizontal_end = 0.85;
-  double touchdown_speed = 0.2, search_depth_max = 0.30;
+  double touchdown_speed = 0.2, search_speed = 0.0, search_depth_max = 0.30;
   double hip_height_min = 0.25, reach_max = 0.56;
   double speed_max = 1.4, armed_after = 0.5;
 };

@@ -13,12 +13,15 @@ constexpr double kMinWindow = 0.2;       // least share of the swing with horizo
 constexpr double kUpstairsApexShare = 0.40;
 constexpr double kApexShare = 0.45;
 constexpr double kMinAimTime = 0.2;  // share of the swing that is left when the goal moves last
+constexpr double kSearchAcceleration = 10.0;  // of a late foot [m/s²]
 constexpr int kPeakSamples = 40;
 
 }  // namespace
 
 SwingCurve::SwingCurve(const SwingTarget& target, const SwingOptions& options, const Scale& scale)
-    : target_(target), touchdown_speed_(options.touchdown_speed) {
+    : target_(target),
+      touchdown_speed_(options.touchdown_speed),
+      search_speed_(std::max(options.search_speed, options.touchdown_speed)) {
   const Vec3 difference = target.goal - target.start;
   rise_ = target.normal.dot(difference);
   along_ = difference - rise_ * target.normal;
@@ -96,10 +99,23 @@ double SwingCurve::peak_acceleration() const {
 Motion<double> SwingCurve::normal_motion(double t) const {
   const double T = target_.duration;
   const double apex_time = apex_share_ * T;
-  if (t > T) return {rise_ - touchdown_speed_ * (t - T), -touchdown_speed_, 0.0};
+  if (t > T) {
+    const Motion<double> down = search_motion(t - T);
+    return {rise_ - down.p, -down.v, -down.a};
+  }
   if (t < apex_time) return hermite<double>({0.0, 0.0, 0.0}, {top_, 0.0, 0.0}, t, apex_time);
   return hermite<double>({top_, 0.0, 0.0}, {rise_, -touchdown_speed_, 0.0}, t - apex_time,
                          T - apex_time);
+}
+
+// A late foot comes down ever faster, up to the speed of the search.
+Motion<double> SwingCurve::search_motion(double t) const {
+  const double end = (search_speed_ - touchdown_speed_) / kSearchAcceleration;
+  if (t < end) {
+    return {touchdown_speed_ * t + 0.5 * kSearchAcceleration * t * t,
+            touchdown_speed_ + kSearchAcceleration * t, kSearchAcceleration};
+  }
+  return {search_speed_ * t - 0.5 * kSearchAcceleration * end * end, search_speed_, 0.0};
 }
 
 Motion<double> SwingCurve::horizontal_share(double t) const {

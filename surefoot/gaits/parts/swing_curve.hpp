@@ -39,6 +39,8 @@ class SwingCurve {
  private:
   [[nodiscard]] Motion<Vec3> straight_motion(double t) const;
   [[nodiscard]] Motion<double> normal_motion(double t) const;
+  /// Way down below the goal, a time after the expected touchdown.
+  [[nodiscard]] Motion<double> search_motion(double t) const;
   [[nodiscard]] Motion<Vec3> aimed_motion(double t) const;
   [[nodiscard]] Motion<double> horizontal_share(double t) const;
   [[nodiscard]] Motion<double> retreat(double t) const;
@@ -50,7 +52,7 @@ class SwingCurve {
   double top_ = 0.0;           ///< highest point over the start [m]
   double apex_share_ = 0.45;   ///< of the duration, when it is reached
   double horizontal_start_ = 0.15, horizontal_end_ = 0.85;
-  double touchdown_speed_ = 0.1;
+  double touchdown_speed_ = 0.1, search_speed_ = 0.1;
   double aimed_at_ = -1.0;  ///< when the goal was moved, after the horizontal start [s]
   Motion<Vec3> aimed_from_{Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};  ///< at that time
 };

@@ -75,8 +75,8 @@ bool RhythmicGait::misses_foot(const Body& body) const {
 }
 
 void RhythmicGait::advance_clock(const Body& body) {
-  const bool waits = misses_foot(body) && waited_ < options_.wait;
-  waited_ = waits ? waited_ + body.period : 0.0;
+  const bool misses = misses_foot(body), waits = misses && waited_ < options_.wait;
+  waited_ = misses ? waited_ + body.period : 0.0;
   clock_.advance(waits ? 0.0 : body.period);
 }
 
