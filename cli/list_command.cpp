@@ -146,8 +146,7 @@ int list_schema_command(const std::string& kind) {
 
 const std::vector<std::string>& listable() {
   static const std::vector<std::string> kListable{
-      "robots",         "stacks", "gaits",   "scenarios",
-      "randomisations", "tasks",  "options", "schema"};
+      "robots", "stacks", "gaits", "scenarios", "randomisations", "tasks", "options", "schema"};
   return kListable;
 }
 

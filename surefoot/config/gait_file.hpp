@@ -15,8 +15,8 @@ namespace surefoot::config {
 [[nodiscard]] Group gait_fields(gaits::PlannerOptions& planner, std::string& description);
 
 /// Lays the scenario's `planner:` over that of the gait that its `gait:` names, fitted to the robot
-/// if the gait's file is `scaled`, and removes the key. A name is that of a file in gaits/, or a path
-/// relative to `folder`; `none` is the crawl. Returns the gait's file. Throws Error.
+/// if the gait's file is `scaled`, and removes the key. A name is that of a file in gaits/, or a
+/// path relative to `folder`; `none` is the crawl. Returns the gait's file. Throws Error.
 std::optional<std::filesystem::path> include_gait(ConfigNode& scenario,
                                                   const std::filesystem::path& folder,
                                                   const model::RobotDescription* robot);

@@ -75,9 +75,9 @@ ConfigNode read_with_base(const fs::path& file, const model::RobotDescription* r
   if (files.scenarios.size() > kMaxFiles)
     fail_at(*base, "base", "the files lead to each other, or through too many");
   try {
-    ConfigNode below = read_with_base(
-        find_data_file("scenarios", read_text(*base, "base"), file.parent_path()), robot,
-        assignments, files);
+    ConfigNode below =
+        read_with_base(find_data_file("scenarios", read_text(*base, "base"), file.parent_path()),
+                       robot, assignments, files);
     std::erase_if(below.members, [](const ConfigNode::Member& member) {
       return std::ranges::find(kOfOneFile, member.first) != kOfOneFile.end();
     });
@@ -107,8 +107,8 @@ std::optional<model::RobotDescription> robot_of(const fs::path& file,
 
 /// Removes the paper's figures if assignments turn the scenario into another experiment.
 void drop_paper_of_another(ConfigNode& tree, const std::vector<std::string>& assignments) {
-  constexpr std::array<std::string_view, 7> kExperiment{
-      "robot", "stack", "gait", "terrain", "user", "goal", "disturbances"};
+  constexpr std::array<std::string_view, 7> kExperiment{"robot", "stack", "gait",        "terrain",
+                                                        "user",  "goal",  "disturbances"};
   const bool is_another = std::ranges::any_of(assignments, [&](const std::string& assignment) {
     const std::string path = assigned_path(assignment);
     return std::ranges::find(kExperiment, path.substr(0, path.find('.'))) != kExperiment.end();

@@ -8,7 +8,8 @@
 namespace surefoot::evaluation {
 
 /// Compares the true velocity of the centre of mass, and the torso's yaw rate, with the command, in
-/// heading axes of the torso. (The base alone swings against the legs.) Only while the command has not changed for `kSettled`, at scale 1, so that the robot has reached it.
+/// heading axes of the torso. (The base alone swings against the legs.) Only while the command has
+/// not changed for `kSettled`, at scale 1, so that the robot has reached it.
 class CommandJudge {
  public:
   static constexpr double kSettled = 3.0;  ///< [s]
@@ -22,8 +23,8 @@ class CommandJudge {
 
  private:
   double period_, settled_;
-  UserCommand command_;          // of the tick before
-  double steady_for_ = 0.0;      // [s]
+  UserCommand command_;      // of the tick before
+  double steady_for_ = 0.0;  // [s]
   double velocity_squares_ = 0.0, turn_squares_ = 0.0;
   long ticks_ = 0;
 };

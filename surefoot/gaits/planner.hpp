@@ -12,9 +12,9 @@
 
 namespace surefoot::gaits {
 
-/// Plans the motion: selects the gait, stand, crawl or one by a clock, and does what all gaits need: command
-/// limits, heading, torso along the plane through the footholds, calibration. Plans relative to the
-/// footholds, independent of the world's origin.
+/// Plans the motion: selects the gait, stand, crawl or one by a clock, and does what all gaits
+/// need: command limits, heading, torso along the plane through the footholds, calibration. Plans
+/// relative to the footholds, independent of the world's origin.
 class Planner {
  public:
   /// `period` of the control loop [s], `scale` of the robot. Throws Error unless the gait's order

@@ -64,13 +64,14 @@ void check_rhythm(const PlannerOptions& o, const Given& given) {
     const std::string name(kLegNames[index(leg)]);
     if (!rhythm.enabled || (duty < 1.0 && stance >= ramps)) continue;
     if (duty >= 1.0) {
-      given.fail("rhythm.duty", formatted("of %s is %g; a leg that steps needs less than 1",
-                                          name.c_str(), duty));
+      given.fail("rhythm.duty",
+                 formatted("of %s is %g; a leg that steps needs less than 1", name.c_str(), duty));
     }
-    given.fail("rhythm.period",
-               formatted("%g s gives %s a stance of %g s; it must last as long as force.ramp_up and "
-                         "force.ramp_down, %g s",
-                         rhythm.period, name.c_str(), stance, ramps));
+    given.fail(
+        "rhythm.period",
+        formatted("%g s gives %s a stance of %g s; it must last as long as force.ramp_up and "
+                  "force.ramp_down, %g s",
+                  rhythm.period, name.c_str(), stance, ramps));
   }
 }
 

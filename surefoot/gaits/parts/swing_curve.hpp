@@ -29,8 +29,8 @@ class SwingCurve {
 
   /// Position, velocity and acceleration t after lift-off, in W. Beyond the duration: the search.
   [[nodiscard]] Motion<Vec3> at(double t) const;
-  /// Moves the goal from t on, along the plane until the horizontal motion ends, and in height until
-  /// the apex. Position, velocity and acceleration stay continuous. Not for a straight swing.
+  /// Moves the goal from t on, along the plane until the horizontal motion ends, and in height
+  /// until the apex. Position, velocity and acceleration stay continuous. Not for a straight swing.
   void aim(double t, const Vec3& goal);
   /// Greatest acceleration before the search [m/s²].
   [[nodiscard]] double peak_acceleration() const;

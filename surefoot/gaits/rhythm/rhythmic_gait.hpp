@@ -6,9 +6,8 @@
 
 namespace surefoot::gaits {
 
-/// A gait by a clock, such as a trot: legs lift off at their times, whatever the others do, and step
-/// to where they catch the robot. The clock waits for late feet before a leg
-/// is unloaded.
+/// A gait by a clock, such as a trot: legs lift off at their times, whatever the others do, and
+/// step to where they catch the robot. The clock waits for late feet before a leg is unloaded.
 class RhythmicGait final : public Gait {
  public:
   RhythmicGait(const RhythmOptions& options, const Scale& scale)
