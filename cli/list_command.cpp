@@ -61,10 +61,11 @@ Table stacks() {
   return table;
 }
 
-Table scenarios() {
+/// Names and descriptions of the files in a data folder.
+Table described(const std::string& folder) {
   Table table;
-  for (const std::string& name : config::list_data("scenarios")) {
-    table.push_back({name, config::describe_data("scenarios", name)});
+  for (const std::string& name : config::list_data(folder)) {
+    table.push_back({name, config::describe_data(folder, name)});
   }
   return table;
 }
@@ -155,7 +156,7 @@ int list_schema_command(const std::string& kind) {
 
 const std::vector<std::string>& listable() {
   static const std::vector<std::string> kListable{
-      "robots", "stacks", "scenarios", "randomisations", "tasks", "options", "schema"};
+      "robots", "stacks", "gaits", "scenarios", "randomisations", "tasks", "options", "schema"};
   return kListable;
 }
 
@@ -167,7 +168,7 @@ int list_command(const std::string& what, const ListFilter& filter) {
   Table table;
   if (what == "robots") table = robots();
   if (what == "stacks") table = stacks();
-  if (what == "scenarios") table = scenarios();
+  if (what == "scenarios" || what == "gaits") table = described(what);
   if (what == "randomisations") table = randomisations();
   std::cout << printable(aligned(table), "\n");
   return kPassed;

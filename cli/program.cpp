@@ -29,6 +29,7 @@ interrupted; run has 3, too. `surefoot COMMAND --help` says more.
 
 Examples:
   surefoot list scenarios
+  surefoot list gaits
   surefoot run walk_flat
   surefoot demo
 )";
@@ -128,11 +129,12 @@ Examples:
 constexpr const char* kListFooter = R"(
 Examples:
   surefoot list scenarios
+  surefoot list gaits
   surefoot list tasks                                    with parameters, defaults and units
   surefoot list tasks --robot go1                        the same with the defaults of another robot
   surefoot list randomisations                           what randomise.include=NAME draws
   surefoot list options planner.swing                    keys of a scenario with default, range and help
-  surefoot list schema scenario > scenario.schema.json   for editors: scenario, randomisation, robot or stack
+  surefoot list schema scenario > scenario.schema.json   for editors: scenario, randomisation, robot, stack or gait
 )";
 
 constexpr const char* kDoctorFooter = R"(
@@ -212,14 +214,14 @@ void add_run(CLI::App& app, Command& chosen) {
 
 void add_list(CLI::App& app, Command& chosen) {
   CLI::App* list = app.add_subcommand("list",
-                                      "Show what there is: robots, stacks, scenarios, "
+                                      "Show what there is: robots, stacks, gaits, scenarios, "
                                       "randomisations, tasks, options, or the schema "
                                       "of a kind of file");
   list->footer(kListFooter);
   const auto what = std::make_shared<std::string>();
   const auto filter = std::make_shared<ListFilter>();
   list->add_option("what", *what,
-                   "robots, stacks, scenarios, randomisations, tasks, options or schema")
+                   "robots, stacks, gaits, scenarios, randomisations, tasks, options or schema")
       ->required()
       ->check(CLI::IsMember(listable()));
   list->add_option("about", filter->about,

@@ -21,7 +21,7 @@ if(TARGET surefoot)
   install(TARGETS surefoot)
 endif()
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
-install(DIRECTORY robots stacks scenarios randomisations DESTINATION ${CMAKE_INSTALL_DATADIR}/surefoot)
+install(DIRECTORY robots stacks gaits scenarios randomisations DESTINATION ${CMAKE_INSTALL_DATADIR}/surefoot)
 
 set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/surefoot)
 install(EXPORT surefootSolverTargets NAMESPACE surefoot:: DESTINATION ${package_folder})

@@ -35,6 +35,8 @@ QUANTITIES = [
     Quantity("com_error_calibrating_max_m", "COM tracking error while calibrating, largest", TRUTH_PLAN, 3, over=CALIBRATING, always_shown=False),
     Quantity("path_deviation_max_m", "distance from the path, largest", TRUTH_COMMAND, 1, over=WALKING, always_shown=False),
     Quantity("path_deviation_base_max_m", "distance of the base from the path, largest", TRUTH_COMMAND, 1, over=WALKING, always_shown=False),
+    Quantity("command_error_rms_mps", "velocity against a steady command, rms", TRUTH_COMMAND, 3, over=WALKING, always_shown=False),
+    Quantity("turn_error_rms_radps", "yaw rate against a steady command, rms", TRUTH_COMMAND, 3, over=WALKING, always_shown=False),
     Quantity("duration_s", "duration", RUN_TIME, 2),
     Quantity("distance_m", "distance", TRUTH, 3),
     Quantity("speed_mps", "speed", TRUTH, 3, over=WALKING),

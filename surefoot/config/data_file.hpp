@@ -7,7 +7,7 @@
 namespace surefoot::config {
 
 /// Names of the files in a data folder, without ".yaml", sorted.
-/// `folder` is "robots", "stacks", "scenarios" or "randomisations".
+/// `folder` is "robots", "stacks", "gaits", "scenarios" or "randomisations".
 [[nodiscard]] std::vector<std::string> list_data(const std::string& folder);
 
 /// The `description:` of a data file; empty if there is none. Throws FileError.

@@ -1,6 +1,7 @@
 #include "surefoot/config/json_schema.hpp"
 
 #include "surefoot/config/criteria_section.hpp"
+#include "surefoot/config/gait_file.hpp"
 #include "surefoot/config/option_list.hpp"
 #include "surefoot/config/robot_fields.hpp"
 #include "surefoot/config/scaling.hpp"
@@ -289,6 +290,11 @@ Json file_of(const std::string& kind) {
     ranges["properties"][kScaled] = flag();
     return ranges;
   }
+  if (kind == "gait") {
+    gaits::PlannerOptions planner;
+    std::string description;
+    return map_of(gait_fields(planner, description), false);
+  }
   RobotInFile robot;
   set_num_legs(robot, kMaxLegs);
   if (kind == "robot") return map_of(fields(robot), true);
@@ -299,7 +305,8 @@ Json file_of(const std::string& kind) {
 }  // namespace
 
 const std::vector<std::string>& kinds_of_files() {
-  static const std::vector<std::string> kKinds{"scenario", "randomisation", "robot", "stack"};
+  static const std::vector<std::string> kKinds{"scenario", "randomisation", "robot", "stack",
+                                               "gait"};
   return kKinds;
 }
 

@@ -38,8 +38,8 @@ struct PaperFigure {
 
 /// The exact text of a file that a scenario was read from.
 struct SourceFile {
-  /// "scenario.yaml", "base1.yaml", "randomise1.yaml", "robot.yaml", "stack.yaml" or
-  /// "stack_base1.yaml".
+  /// "scenario.yaml", "base1.yaml", "randomise1.yaml", "gait.yaml", "robot.yaml", "stack.yaml"
+  /// or "stack_base1.yaml".
   std::string name;
   std::string text;
 };

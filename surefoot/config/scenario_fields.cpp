@@ -187,6 +187,7 @@ Group named_fields(Scenario& scenario) {
           {kScaled, Other{"flag"}, "numbers are for ANYmal B; another robot gets its own by size"},
           {"robot", Other{"text"}, "name or file"},
           {"stack", Other{"text"}, "name or file"},
+          {"gait", Other{"text"}, "name or file, laid under planner; none: the crawl"},
           {"tasks", Other{"tasks"}, "changes to the stack's tasks"},
           {"stack_switches", changes, "levels that come and go"},
           {"randomise", Other{"randomise"}, "ranges that the seed draws from"},
@@ -270,7 +271,7 @@ Group fields(TimedCommand& o) {
 }
 
 Group scenario_fields(Scenario& scenario, int num_legs) {
-  scenario.controller.planner.gait.order = gaits::usual_order(num_legs);
+  gaits::set_num_legs(scenario.controller.planner, num_legs);
   simulation::set_num_legs(scenario.plant, num_legs);
   return run_fields(scenario)
       .and_also(named_fields(scenario))

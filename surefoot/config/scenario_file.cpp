@@ -6,6 +6,7 @@
 #include "surefoot/config/criteria_section.hpp"
 #include "surefoot/config/data_file.hpp"
 #include "surefoot/config/field_reader.hpp"
+#include "surefoot/config/gait_file.hpp"
 #include "surefoot/config/initial_posture.hpp"
 #include "surefoot/config/nearest_name.hpp"
 #include "surefoot/config/robot_file.hpp"
@@ -39,20 +40,44 @@ constexpr std::size_t kMaxFiles = 4;
 constexpr std::array<std::string_view, 4> kOfOneFile{"description", "criteria", "success_rate",
                                                      "paper"};
 
-/// The file merged over its `base:`, recursively, each fitted to the robot if it is `scaled`.
-/// Appends all of them to `files`.
+/// The files that a scenario was read from: its own, then its bases, and its gait.
+struct Files {
+  std::vector<fs::path> scenarios;
+  std::optional<fs::path> gait;
+  bool names_gait = false;  ///< one of the files so far does
+};
+
+/// A gait lies between the file that names it and this file's base, whose gait is not read.
+void read_gait(ConfigNode& tree, const fs::path& file, const model::RobotDescription* robot,
+               Files& files) {
+  if (files.names_gait) {
+    remove_gait(tree);
+  } else if (tree.find("gait") != nullptr) {
+    files.names_gait = true;
+    files.gait = include_gait(tree, file.parent_path(), robot);
+  }
+}
+
+/// The file merged over its gait and its `base:`, recursively, each fitted to the robot if it is
+/// `scaled`. Adds all of them to `files`.
 ConfigNode read_with_base(const fs::path& file, const model::RobotDescription* robot,
-                          std::vector<fs::path>& files) {
+                          const std::vector<std::string>& assignments, Files& files) {
   ConfigNode tree = parse_yaml_file(file);
-  files.push_back(file);
+  const bool is_first = files.scenarios.empty();
+  files.scenarios.push_back(file);
   if (take_scaled(tree) && robot != nullptr) fit_scenario(tree, *robot);
+  for (const std::string& assignment : assignments) {
+    if (is_first && assigned_path(assignment) == "gait") apply_assignment(tree, assignment);
+  }
+  read_gait(tree, file, robot, files);
   const ConfigNode* base = tree.find("base");
   if (base == nullptr) return tree;
-  if (files.size() > kMaxFiles)
+  if (files.scenarios.size() > kMaxFiles)
     fail_at(*base, "base", "the files lead to each other, or through too many");
   try {
-    ConfigNode below = read_with_base(
-        find_data_file("scenarios", read_text(*base, "base"), file.parent_path()), robot, files);
+    ConfigNode below =
+        read_with_base(find_data_file("scenarios", read_text(*base, "base"), file.parent_path()),
+                       robot, assignments, files);
     std::erase_if(below.members, [](const ConfigNode::Member& member) {
       return std::ranges::find(kOfOneFile, member.first) != kOfOneFile.end();
     });
@@ -67,8 +92,8 @@ ConfigNode read_with_base(const fs::path& file, const model::RobotDescription* r
 std::optional<model::RobotDescription> robot_of(const fs::path& file,
                                                 const std::vector<std::string>& assignments) {
   try {
-    std::vector<fs::path> files;
-    ConfigNode tree = read_with_base(file, nullptr, files);
+    Files files;
+    ConfigNode tree = read_with_base(file, nullptr, assignments, files);
     for (const std::string& assignment : assignments) {
       if (assigned_path(assignment) == "robot") apply_assignment(tree, assignment);
     }
@@ -82,7 +107,7 @@ std::optional<model::RobotDescription> robot_of(const fs::path& file,
 
 /// Removes the paper's figures if assignments turn the scenario into another experiment.
 void drop_paper_of_another(ConfigNode& tree, const std::vector<std::string>& assignments) {
-  constexpr std::array<std::string_view, 6> kExperiment{"robot", "stack", "terrain",
+  constexpr std::array<std::string_view, 7> kExperiment{"robot", "stack", "gait",        "terrain",
                                                         "user",  "goal",  "disturbances"};
   const bool is_another = std::ranges::any_of(assignments, [&](const std::string& assignment) {
     const std::string path = assigned_path(assignment);
@@ -373,8 +398,8 @@ Scenario load_scenario(const ScenarioRequest& request) {
   const fs::path file = find_data_file("scenarios", request.name_or_path);
   const std::optional<model::RobotDescription> fitted = robot_of(file, request.assignments);
   const model::RobotDescription* const robot = fitted ? &*fitted : nullptr;
-  std::vector<fs::path> files;
-  ConfigNode tree = read_with_base(file, robot, files);
+  Files files;
+  ConfigNode tree = read_with_base(file, robot, request.assignments, files);
   drop_paper_of_another(tree, request.assignments);
   check_taken_ranges(tree, file.parent_path(), request.assignments);
   for (const std::string& assignment : request.assignments) {
@@ -384,6 +409,8 @@ Scenario load_scenario(const ScenarioRequest& request) {
           "numbers of --set are the robot's own");
     apply_assignment(tree, assignment);
   }
+
+  remove_gait(tree);
 
   Scenario scenario;
   scenario.file = file.string();
@@ -397,7 +424,8 @@ Scenario load_scenario(const ScenarioRequest& request) {
   std::vector<EndOfRanges> ends = read_ends(tree, assigned, robot);
   scenario.drawn = randomise(tree, request.seed, assigned, num_legs_of(robot));
   scenario.options_json = to_json(tree);
-  keep_sources(scenario, "scenario", "base", files);
+  keep_sources(scenario, "scenario", "base", files.scenarios);
+  if (files.gait) keep_source(scenario, "gait.yaml", *files.gait);
   for (std::size_t i = 0; i < ranges.size(); ++i) {
     keep_source(scenario, "randomise" + std::to_string(i + 1) + ".yaml", ranges[i]);
   }

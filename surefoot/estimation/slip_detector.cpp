@@ -42,13 +42,14 @@ SlipDetector::SlipDetector(const SlipOptions& options, double period)
 void SlipDetector::update(const model::Dynamics& dynamics, const PerLeg<bool>& stands,
                           const Vec3& normal_W, RobotState& state) noexcept {
   feet_.resize(static_cast<int>(stands.size()));
+  const PerLeg<bool> settled = settled_feet(stands);
   for (const Leg leg : stands.legs()) {
     const std::size_t k = index(leg);
     Foot& foot = feet_[k];
     if (!options_.enabled || !stands[k]) {
       foot = {.stands_for = 0.0};
     } else {
-      const Vec3 v = dynamics.contact[k].v - velocity_of_others(dynamics, stands, leg);
+      const Vec3 v = dynamics.contact[k].v - velocity_of_others(dynamics, settled, leg);
       judge(foot, v - normal_W.dot(v) * normal_W, normal_W.dot(state.foot_force[k]));
     }
   }
@@ -57,6 +58,14 @@ void SlipDetector::update(const model::Dynamics& dynamics, const PerLeg<bool>& s
     state.slip_velocity[index(leg)] = feet_[index(leg)].velocity;
     state.slips[index(leg)] = feet_[index(leg)].slips;
   }
+}
+
+// A foot that has just come down may still move, and says nothing about the others.
+PerLeg<bool> SlipDetector::settled_feet(const PerLeg<bool>& stands) const {
+  PerLeg<bool> result = stands;
+  for (std::size_t k = 0; k < stands.size(); ++k)
+    result[k] = stands[k] && feet_[k].stands_for >= options_.settle;
+  return result;
 }
 
 // If few feet seem to stand still, the base velocity is wrong instead: a median is right while half

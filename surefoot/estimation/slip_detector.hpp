@@ -45,6 +45,7 @@ class SlipDetector {
     double slow_for = 0.0;         // [s]
     bool slips = false;
   };
+  [[nodiscard]] PerLeg<bool> settled_feet(const PerLeg<bool>& stands) const;
   void reject_without_rest(const PerLeg<bool>& stands);
   void judge(Foot& foot, const Vec3& velocity, double normal_force) const;
 

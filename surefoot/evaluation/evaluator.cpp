@@ -127,6 +127,7 @@ void Evaluator::add_walk(const simulation::GroundTruth& truth, const TickRecord&
   if (walk_ticks_ == 0) walk_start_ = truth.p_WB;
   walk_end_ = truth.p_WB;
   path_.add(truth, tick.user, frame_.R() * tick.plan.R_WC.col(0));
+  command_.add(truth, tick.user);
   ++walk_ticks_;
 }
 
@@ -269,6 +270,7 @@ Metrics Evaluator::metrics(const RunEnd& end) const {
   losses_.write(result);
   slips_.write(result);
   path_.write(result);
+  command_.write(result);
   result.reason = metrics_.fell ? fall_ : end.reason;
   result.goal_reached = end.goal_reached;
   result.duration_s = ticks_ * options_.control_period;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "surefoot/base/scale.hpp"
+#include "surefoot/evaluation/command_judge.hpp"
 #include "surefoot/evaluation/contact_loss_judge.hpp"
 #include "surefoot/evaluation/estimate_judge.hpp"
 #include "surefoot/evaluation/landing.hpp"
@@ -44,7 +45,8 @@ class Evaluator {
   explicit Evaluator(EvaluatorOptions options)
       : options_(std::move(options)),
         slips_(options_.control_period, options_.scale),
-        path_(options_.control_period) {}
+        path_(options_.control_period),
+        command_(options_.control_period, options_.scale) {}
 
   /// Truth and tick must be of the same time.
   void add(const simulation::GroundTruth& truth, const TickRecord& tick);
@@ -97,6 +99,7 @@ class Evaluator {
   ContactLossJudge losses_;
   SlipJudge slips_;
   PathJudge path_;
+  CommandJudge command_;
   std::string fall_;
   int ticks_ = 0;
   Vec3 start_ = Vec3::Zero(), end_ = Vec3::Zero();            // base

@@ -41,6 +41,8 @@ std::vector<std::pair<std::string_view, MetricValue>> values(const Metrics& metr
       {"com_zmp_slack_max_m", metrics.com_zmp_slack_max_m},
       {"path_deviation_max_m", metrics.path_deviation_max_m},
       {"path_deviation_base_max_m", metrics.path_deviation_base_max_m},
+      {"command_error_rms_mps", metrics.command_error_rms_mps},
+      {"turn_error_rms_radps", metrics.turn_error_rms_radps},
       {"base_height_end_m", metrics.base_height_end_m},
       {"base_height_error_rms_m", metrics.base_height_error_rms_m},
       {"orientation_error_rms_rad", metrics.orientation_error_rms_rad},

@@ -44,6 +44,9 @@ struct Metrics {
   /// Distance of the feet's centre from the commanded path (evaluation/path_judge.hpp).
   double path_deviation_max_m = kNaN;
   double path_deviation_base_max_m = kNaN;  ///< of the base, which sways and leans over the feet
+  /// Velocity of the COM and yaw rate of the torso against a command that has not changed for 3 s
+  /// (evaluation/command_judge.hpp).
+  double command_error_rms_mps = kNaN, turn_error_rms_radps = kNaN;
   double base_height_end_m = kNaN;  ///< base above the mean stance foot sphere's centre, at the end
   double base_height_error_rms_m = kNaN;
   double orientation_error_rms_rad = kNaN;  ///< angle between torso and its reference

@@ -31,8 +31,8 @@ CommandLimits::CommandLimits(const PlannerOptions& options, double period, const
 UserCommand CommandLimits::update(const UserCommand& command, const CommandContext& context) {
   commanded_ = command;
   if (context.stands) {
-    velocity_ = command.velocity;
-    turn_ = command.yaw_rate;
+    velocity_ = context.starts_at_rest ? Vec2(0.0, 0.0) : command.velocity;
+    turn_ = context.starts_at_rest ? 0.0 : command.yaw_rate;
   }
   UserCommand planned = command;
   planned.velocity = velocity_;

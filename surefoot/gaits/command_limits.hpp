@@ -14,6 +14,7 @@ struct CommandContext {
   double caution = 1.0;         ///< divisor of the velocities, for friction and pushes
   PerLeg<Vec2> hips;            ///< relative to the footholds' centre, in heading axes [m]
   bool stands = true;           ///< the stand is active
+  bool starts_at_rest = false;  ///< the first step has no velocity, instead of the commanded one
   bool calibrates = false;      ///< a calibration is going on or due
 };
 

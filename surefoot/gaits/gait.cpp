@@ -59,8 +59,12 @@ void Gait::observe(Situation& now, Body& body) {
   for (const Leg k : body.legs.all()) {
     const LegEvent event = observe_leg(k, now, body);
     now.gait = status(body);
-    if (const auto action = react_to_leg(event, now, k)) act(*action, now, body);
+    if (const auto action = answer(event, now, k)) act(*action, now, body);
   }
+}
+
+std::optional<Action> Gait::answer(LegEvent event, const Situation& now, Leg leg) const {
+  return react_to_leg(event, now, leg);
 }
 
 GaitOutcome Gait::advance(Situation& now, Body& body) {

@@ -25,6 +25,15 @@ class Gait {
   GaitOutcome advance(Situation& now, Body& body);
   /// Does the heading keep still, because there is no step or the next one waits?
   [[nodiscard]] virtual bool waits(const Body& body) const = 0;
+  /// Can the robot stop at any moment? Then its heading waits for late feet, its first step has the
+  /// commanded velocity, and it leans against pushes and is slower for them.
+  [[nodiscard]] virtual bool is_static() const { return true; }
+  /// Time in which a foot moves by its stride relative to the torso [s].
+  [[nodiscard]] virtual double stride_duration(double) const { return 0.0; }
+  /// Reference of the COM at this tick.
+  [[nodiscard]] virtual ComPlan com(const Situation& now, const Body& body) const {
+    return body.com.at(now.time);
+  }
 
  protected:
   using Reaction = std::optional<Action> (*)(const Situation&);
@@ -34,6 +43,9 @@ class Gait {
   [[nodiscard]] static bool wants_plan(const Situation& now);
 
   [[nodiscard]] virtual GaitStatus status(const Body&) const { return {}; }
+  /// Reaction to a leg's event.
+  [[nodiscard]] virtual std::optional<Action> answer(LegEvent event, const Situation& now,
+                                                     Leg leg) const;
   /// Updates the gait's own times and state after an action.
   virtual void follow(const Action&, const Situation&, Body&) {}
   virtual void plan_com(const Situation& now, Body& body) = 0;

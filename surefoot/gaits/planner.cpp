@@ -13,6 +13,7 @@ namespace surefoot::gaits {
 Planner::Planner(const PlannerOptions& options, double period, const Scale& scale)
     : body_(options, period, scale),
       crawl_(options),
+      rhythmic_(options.rhythm, scale),
       limits_(options, period, scale),
       torso_(options.torso, period),
       friction_frame_(options.friction_frame, period),
@@ -76,12 +77,15 @@ void Planner::relearn_ground() {
 
 // The torso leans against a push, which moves the hips.
 CommandContext Planner::command_context() const {
-  CommandContext context{.cycle_duration = crawl_.cycle_duration(body_.pace()),
+  CommandContext context{.cycle_duration = walk().stride_duration(body_.pace()),
                          .pace = body_.pace(),
-                         .caution = std::max(body_.grip.caution(), body_.balance.caution()),
+                         .caution = body_.grip.caution(),
                          .hips = hips_,
                          .stands = !walks_,
+                         .starts_at_rest = !walk().is_static(),
                          .calibrates = calibration_.is_due()};
+  if (!walk().is_static()) return context;
+  context.caution = std::max(context.caution, body_.balance.caution());
   const Mat2 R = rotation_about_z(-yaw_).topLeftCorner<2, 2>();
   for (Vec2& hip : context.hips) hip -= R * body_.balance.shift();
   return context;
@@ -92,8 +96,10 @@ UserCommand Planner::limit(const UserCommand& command) {
   const CommandContext now = command_context();
   UserCommand user = limits_.update(command, now);
   user.walk = user.walk && !calibration_.is_due();
-  user.yaw_rate *= limits_.strides().turning_share(user.yaw_rate, body_.legs.footholds(),
-                                                   body_.legs.down(), yaw_, now.cycle_duration);
+  if (walk().is_static()) {
+    user.yaw_rate *= limits_.strides().turning_share(user.yaw_rate, body_.legs.footholds(),
+                                                     body_.legs.down(), yaw_, now.cycle_duration);
+  }
   yaw_rate_ = user.walk && !gait().waits(body_) ? user.yaw_rate : 0.0;
   yaw_ += body_.period * yaw_rate_;
   return user;
@@ -129,7 +135,7 @@ void Planner::write_plan(const Situation& now) {
     plan_.feet[index(k)] = body_.legs[k].plan(now.time);
     plan_.feet[index(k)].friction = body_.grip.friction(k);
   }
-  plan_.com = body_.com.at(now.time);
+  plan_.com = gait().com(now, body_);
   plan_.com_zmp_slack = body_.com.zmp_slack();
   const double height = body_.options.stance.height + now.user.height;
   torso_.update(body_.plane, yaw_, yaw_rate_, plan_.com, height, calibration_.motion());

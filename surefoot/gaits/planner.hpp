@@ -7,13 +7,14 @@
 #include "surefoot/gaits/parts/calibration_schedule.hpp"
 #include "surefoot/gaits/parts/friction_frame.hpp"
 #include "surefoot/gaits/parts/torso_reference.hpp"
+#include "surefoot/gaits/rhythm/rhythmic_gait.hpp"
 #include "surefoot/gaits/stand/stand.hpp"
 
 namespace surefoot::gaits {
 
-/// Plans the motion: selects the gait, stand or crawl, and does what all gaits need: command
-/// limits, heading, torso along the plane through the footholds, calibration. Plans relative to the
-/// footholds, independent of the world's origin.
+/// Plans the motion: selects the gait, stand, crawl or one by a clock, and does what all gaits
+/// need: command limits, heading, torso along the plane through the footholds, calibration. Plans
+/// relative to the footholds, independent of the world's origin.
 class Planner {
  public:
   /// `period` of the control loop [s], `scale` of the robot. Throws Error unless the gait's order
@@ -53,7 +54,14 @@ class Planner {
   [[nodiscard]] CommandContext command_context() const;
   /// The command for the gait; updates the heading.
   [[nodiscard]] UserCommand limit(const UserCommand& command);
-  [[nodiscard]] Gait& gait() { return walks_ ? static_cast<Gait&>(crawl_) : stand_; }
+  /// The gait of a walk.
+  [[nodiscard]] Gait& walk() {
+    return body_.options.rhythm.enabled ? static_cast<Gait&>(rhythmic_) : crawl_;
+  }
+  [[nodiscard]] const Gait& walk() const {
+    return body_.options.rhythm.enabled ? static_cast<const Gait&>(rhythmic_) : crawl_;
+  }
+  [[nodiscard]] Gait& gait() { return walks_ ? walk() : stand_; }
   void move_legs(Situation& now);
   void finish_calibration(const RobotState& state);
   void write_plan(const Situation& now);
@@ -61,7 +69,8 @@ class Planner {
   Body body_;
   Stand stand_;
   Crawl crawl_;
-  bool walks_ = false;  // the crawl is active
+  RhythmicGait rhythmic_;
+  bool walks_ = false;  // the stand is not active
   CommandLimits limits_;
   TorsoReference torso_;
   FrictionFrame friction_frame_;

@@ -12,6 +12,8 @@ namespace {
 
 constexpr NumberRange kSteps{.min = 1, .max = ComPlanner::kMaxSteps};
 constexpr NumberRange kLegShare{.min = 0.34, .max = 1.0, .words = "a number from 0.34 to 1"};
+constexpr NumberRange kDuty{
+    .min = 0.0, .max = 1.0, .min_included = false, .words = "a number above 0 and below 1"};
 constexpr NumberRange kFrequency{.min = 0.1, .max = 100.0, .words = "from 0.1 to 100 rad/s"};
 constexpr NumberRange kMaxTilt{.min = 0.0, .max = 1.5, .words = "from 0 to 1.5 rad"};
 constexpr NumberRange kTilt{.min = 0.0, .max = 0.3, .words = "from 0 to 0.3 rad"};
@@ -50,6 +52,40 @@ Group fields(GaitOptions& o) {
       {"switch_duration", &o.switch_duration, kNotNegative, "s",
        "four feet down, then the other side swings"},
       {"start_duration", &o.start_duration, kNotNegative, "s", "before the first step"}};
+}
+
+/// Each leg must have time to swing, and a stance that its force ramps fit in.
+void check_rhythm(const PlannerOptions& o, const Given& given) {
+  const RhythmOptions& rhythm = o.rhythm;
+  const double ramps = o.force.ramps ? o.force.ramp_up + o.force.ramp_down : 0.0;
+  for (const Leg leg : rhythm.duty.legs()) {
+    const double duty = rhythm.duty[index(leg)], stance = duty * rhythm.period;
+    const std::string name(leg_name(leg, o.gait.num_legs()));
+    if (!rhythm.enabled || (duty < 1.0 && stance >= ramps)) continue;
+    if (duty >= 1.0) {
+      given.fail("rhythm.duty",
+                 formatted("of %s is %g; a leg that steps needs less than 1", name.c_str(), duty));
+    }
+    given.fail(
+        "rhythm.period",
+        formatted("%g s gives %s a stance of %g s; it must last as long as force.ramp_up and "
+                  "force.ramp_down, %g s",
+                  rhythm.period, name.c_str(), stance, ramps));
+  }
+}
+
+Group fields(RhythmOptions& o) {
+  const auto all = leg_names(static_cast<int>(o.duty.size()));
+  const std::vector<std::string> legs(all.begin(), all.end());
+  return {{"enabled", &o.enabled, "whether the legs step by a clock; otherwise the robot crawls"},
+          {"period", &o.period, kPositive, "s", "of the cycle"},
+          {"duty", Numbers{o.duty.data(), legs, true}, kDuty, "", "share in which a leg stands"},
+          {"offset", Numbers{o.offset.data(), legs}, kShare, "", "when a leg lifts off"},
+          {"capture", &o.capture, kNotNegative, "", "of √(h/g), per velocity error: footholds"},
+          {"leash", &o.leash, kPositive, "m", "from the COM to its reference, at most"},
+          {"acceleration", &o.acceleration, kPositive, "m/s²", "of the reference, at most"},
+          {"wait", &o.wait, kNotNegative, "s", "of the clock for a late foot, at most"},
+          {"stop_speed", &o.stop_speed, kPositive, "m/s", "of the COM: a slower robot may stand"}};
 }
 
 Group fields(ForceOptions& o) {
@@ -97,6 +133,8 @@ Group fields(SwingOptions& o) {
        "of the hip over the last foothold in a search"},
       {"touchdown_speed", &o.touchdown_speed, kPositive, "m/s",
        "downward, at the end of the swing and in the search; slow feet are detected late"},
+      {"search_speed", &o.search_speed, kNotNegative, "m/s",
+       "downward, of a late foot; not above touchdown_speed: that one"},
       {"search_depth_max", &o.search_depth_max, kNotNegative, "m", "below the expected ground"},
       {"reach_max", &o.reach_max, kPositive, "m", "hip to swing foot, short of a straight leg"},
       {"speed_max", &o.speed_max, kPositive, "m/s", "of a swing; longer strides walk slower"},
@@ -243,6 +281,18 @@ void check_hip_height(const PlannerOptions& o, const Given& given) {
 
 }  // namespace
 
+void set_num_legs(PlannerOptions& options, int num_legs) {
+  if (num_legs == options.gait.num_legs()) return;
+  RhythmOptions& rhythm = options.rhythm;
+  options.gait.order = usual_order(num_legs);
+  rhythm.duty = per_leg(rhythm.duty[0], num_legs);
+  rhythm.offset.resize(num_legs);
+  for (const Leg leg : rhythm.offset.legs()) {
+    const int pair = static_cast<int>(leg) / 2;
+    rhythm.offset[index(leg)] = is_left(leg) == (pair % 2 == 0) ? 0.0 : 0.5;
+  }
+}
+
 PerLeg<Leg> usual_order(int num_legs) {
   PerLeg<Leg> result(num_legs, Leg::LF);
   const int pairs = num_legs / 2;
@@ -255,6 +305,7 @@ Group fields(PlannerOptions& o) {
   return Group{{"calibration", fields(o.calibration), "turning on the spot, for the estimator"},
                {"stance", fields(o.stance), "feet relative to the torso, in the control frame"},
                {"gait", fields(o.gait), "order and timing of the walk"},
+               {"rhythm", fields(o.rhythm), "a gait by a clock, see gaits/"},
                {"force", fields(o.force), "contact forces at phase changes, Eq. (30)"},
                {"grip", fields(o.grip), "what is done about feet that slide"},
                {"com", fields(o.com), "trajectory of the centre of mass"},
@@ -268,6 +319,7 @@ Group fields(PlannerOptions& o) {
                {"push", fields(o.push), "reactions to forces that push or pull the robot"}}
       .with([&o](const Given& given) {
         check_switches(o, given);
+        check_rhythm(o, given);
         check_hip_height(o, given);
       });
 }

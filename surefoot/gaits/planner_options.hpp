@@ -33,6 +33,17 @@ struct GaitOptions {
   [[nodiscard]] int num_legs() const { return static_cast<int>(order.size()); }
 };
 
+/// A gait whose legs step by a clock, as gaits/*.yaml give it. Each leg lifts off at its `offset`
+/// in the cycle, and stands for its `duty`; both are shares of the period.
+struct RhythmOptions {
+  bool enabled = false;
+  double period = 0.5;
+  PerLeg<double> duty{0.55, 0.55, 0.55, 0.55};
+  PerLeg<double> offset{0.0, 0.5, 0.5, 0.0};
+  double capture = 1.0, leash = 0.05, acceleration = 1.0;
+  double wait = 0.15, stop_speed = 0.1;
+};
+
 /// Contact forces at phase changes, Eq. (30).
 struct ForceOptions {
   double friction = 0.5;
@@ -59,7 +70,7 @@ struct ComPlannerOptions {
 struct SwingOptions {
   double apex = 0.08, apex_known = 0.08;
   double horizontal_start = 0.15, horizontal_end = 0.85;
-  double touchdown_speed = 0.2, search_depth_max = 0.30;
+  double touchdown_speed = 0.2, search_speed = 0.0, search_depth_max = 0.30;
   double hip_height_min = 0.25, reach_max = 0.56;
   double speed_max = 1.4, armed_after = 0.5;
 };
@@ -126,6 +137,7 @@ struct PlannerOptions {
   CalibrationOptions calibration;
   StanceOptions stance;
   GaitOptions gait;
+  RhythmOptions rhythm;
   ForceOptions force;
   GripOptions grip;
   ComPlannerOptions com;
@@ -138,6 +150,9 @@ struct PlannerOptions {
   FootholdOptions foothold;
   PushOptions push;
 };
+
+/// Gives options of four legs, or of six, the usual order and rhythm of this number.
+void set_num_legs(PlannerOptions& options, int num_legs);
 
 /// Names, units, ranges and help of the options.
 [[nodiscard]] Group fields(PlannerOptions& o);

@@ -9,7 +9,7 @@ import pytest
 import yaml
 from program import ROOT, complaint, surefoot
 
-FOLDERS = {"scenario": "scenarios", "randomisation": "randomisations", "robot": "robots", "stack": "stacks"}
+FOLDERS = {"scenario": "scenarios", "randomisation": "randomisations", "robot": "robots", "stack": "stacks", "gait": "gaits"}
 FILES = [(kind, file) for kind, folder in FOLDERS.items() for file in sorted((ROOT / folder).glob("*.yaml"))]
 
 

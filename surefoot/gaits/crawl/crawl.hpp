@@ -15,7 +15,9 @@ class Crawl final : public Gait {
 
   void begin(Situation& now, Body& body, const std::optional<Action>& first) override;
   [[nodiscard]] bool waits(const Body& body) const override;
-  [[nodiscard]] double cycle_duration(double pace) const { return steps_.cycle_duration(pace); }
+  [[nodiscard]] double stride_duration(double pace) const override {
+    return steps_.cycle_duration(pace);
+  }
 
  private:
   [[nodiscard]] GaitStatus status(const Body& body) const override;

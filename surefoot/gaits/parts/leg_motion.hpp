@@ -65,6 +65,10 @@ class LegMotion {
   void reload(double time);
   /// Begins a swing.
   void lift(double time, const SwingTarget& target);
+  /// Moves the goal of a swing, without a jump.
+  void aim(double time, const Vec3& goal) {
+    if (phase_ == LegPhase::swing && !target().straight) curve_.aim(since(time), goal);
+  }
   /// Moves straight down along −normal, starting at p and v: for a stance foot that lost contact,
   /// or a swing that must end at once.
   void search(double time, const Vec3& p_WF, const Vec3& v_WF, const Vec3& normal);

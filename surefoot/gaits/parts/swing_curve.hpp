@@ -29,6 +29,9 @@ class SwingCurve {
 
   /// Position, velocity and acceleration t after lift-off, in W. Beyond the duration: the search.
   [[nodiscard]] Motion<Vec3> at(double t) const;
+  /// Moves the goal from t on, along the plane until the horizontal motion ends, and in height
+  /// until the apex. Position, velocity and acceleration stay continuous. Not for a straight swing.
+  void aim(double t, const Vec3& goal);
   /// Greatest acceleration before the search [m/s²].
   [[nodiscard]] double peak_acceleration() const;
   [[nodiscard]] const SwingTarget& target() const { return target_; }
@@ -36,6 +39,9 @@ class SwingCurve {
  private:
   [[nodiscard]] Motion<Vec3> straight_motion(double t) const;
   [[nodiscard]] Motion<double> normal_motion(double t) const;
+  /// Way down below the goal, a time after the expected touchdown.
+  [[nodiscard]] Motion<double> search_motion(double t) const;
+  [[nodiscard]] Motion<Vec3> aimed_motion(double t) const;
   [[nodiscard]] Motion<double> horizontal_share(double t) const;
   [[nodiscard]] Motion<double> retreat(double t) const;
 
@@ -46,7 +52,9 @@ class SwingCurve {
   double top_ = 0.0;           ///< highest point over the start [m]
   double apex_share_ = 0.45;   ///< of the duration, when it is reached
   double horizontal_start_ = 0.15, horizontal_end_ = 0.85;
-  double touchdown_speed_ = 0.1;
+  double touchdown_speed_ = 0.1, search_speed_ = 0.1;
+  double aimed_at_ = -1.0;  ///< when the goal was moved, after the horizontal start [s]
+  Motion<Vec3> aimed_from_{Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};  ///< at that time
 };
 
 }  // namespace surefoot::gaits

@@ -1,0 +1,59 @@
+#include "surefoot/config/gait_file.hpp"
+
+#include "surefoot/config/data_file.hpp"
+#include "surefoot/config/field_reader.hpp"
+#include "surefoot/config/nearest_name.hpp"
+#include "surefoot/config/scaling.hpp"
+#include "surefoot/config/section.hpp"
+
+namespace surefoot::config {
+namespace {
+
+namespace fs = std::filesystem;
+
+void erase(ConfigNode& map, const char* key) {
+  std::erase_if(map.members, [&](const ConfigNode::Member& member) { return member.first == key; });
+}
+
+/// The file's options as a scenario has them, below `planner:`.
+ConfigNode read_gait(const fs::path& file, const model::RobotDescription* robot) {
+  ConfigNode gait = parse_yaml_file(file);
+  const bool is_scaled = take_scaled(gait);
+  erase(gait, "description");
+  ConfigNode scenario{.kind = ConfigNode::Kind::map, .where = gait.where};
+  set_path(gait, "rhythm.enabled",
+           {.kind = ConfigNode::Kind::scalar, .text = "true", .where = gait.where});
+  scenario.members.emplace_back("planner", std::move(gait));
+  if (is_scaled && robot != nullptr) fit_scenario(scenario, *robot);
+  return scenario;
+}
+
+}  // namespace
+
+void remove_gait(ConfigNode& scenario) { erase(scenario, "gait"); }
+
+Group gait_fields(gaits::PlannerOptions& planner, std::string& description) {
+  return Group{{"description", &description, "for lists and tables"},
+               {kScaled, Other{"flag"}, "numbers are for ANYmal B"}}
+      .and_also(fields(planner));
+}
+
+std::optional<fs::path> include_gait(ConfigNode& scenario, const fs::path& folder,
+                                     const model::RobotDescription* robot) {
+  const ConfigNode* named = scenario.find("gait");
+  if (named == nullptr) return std::nullopt;
+  const ConfigNode name = *named;
+  remove_gait(scenario);
+  if (name.kind == ConfigNode::Kind::null) return std::nullopt;
+  try {
+    const fs::path file = find_data_file("gaits", read_text(name, "gait"), folder);
+    ConfigNode below = read_gait(file, robot);
+    merge(below, std::move(scenario));
+    scenario = std::move(below);
+    return file;
+  } catch (const UnknownNameError& error) {
+    fail_at(name, "gait", error.what());
+  }
+}
+
+}  // namespace surefoot::config

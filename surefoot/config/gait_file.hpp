@@ -1,0 +1,27 @@
+#pragma once
+
+#include "surefoot/base/fields.hpp"
+#include "surefoot/config/config_tree.hpp"
+#include "surefoot/gaits/planner_options.hpp"
+#include "surefoot/model/description.hpp"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+namespace surefoot::config {
+
+/// What a gait file holds: the part of `planner:` that makes the gait, with a description.
+[[nodiscard]] Group gait_fields(gaits::PlannerOptions& planner, std::string& description);
+
+/// Lays the scenario's `planner:` over that of the gait that its `gait:` names, fitted to the robot
+/// if the gait's file is `scaled`, and removes the key. A name is that of a file in gaits/, or a
+/// path relative to `folder`; `none` is the crawl. Returns the gait's file. Throws Error.
+std::optional<std::filesystem::path> include_gait(ConfigNode& scenario,
+                                                  const std::filesystem::path& folder,
+                                                  const model::RobotDescription* robot);
+
+/// Removes the key `gait:`.
+void remove_gait(ConfigNode& scenario);
+
+}  // namespace surefoot::config
