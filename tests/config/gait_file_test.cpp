@@ -52,7 +52,7 @@ TEST(GaitFile, all_of_the_data_folder_can_be_trotted_with) {
 TEST(GaitFile, that_makes_no_sense_is_told_with_what_would) {
   EXPECT_TRUE(holds(told("gait=trott"), "trot"));
   EXPECT_TRUE(holds(told("planner.rhythm.duty=0"), "above 0 and below 1"));
-  EXPECT_TRUE(holds(told("planner.rhythm.duty.LH=1"), "LH is 1"));
+  EXPECT_TRUE(holds(told("planner.rhythm.duty={LH: 1}"), "LH is 1"));
   EXPECT_TRUE(holds(told("planner.rhythm.period=0.05"), "force.ramp_up"));
   EXPECT_TRUE(holds(told("planner.rhythm.offset.MF=0.3"), "LF"));
 }

@@ -1,5 +1,7 @@
 #include "surefoot/gaits/rhythm/phase_clock.hpp"
 
+#include "surefoot/signals/per_leg.hpp"
+
 #include <gtest/gtest.h>
 
 namespace surefoot::gaits {

@@ -2,6 +2,7 @@
 
 #include "surefoot/gaits/planner_options.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace surefoot::gaits {

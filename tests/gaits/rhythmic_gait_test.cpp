@@ -1,0 +1,73 @@
+#include "tests/gaits/puppet.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace surefoot::gaits {
+namespace {
+
+PlannerOptions trot() {
+  PlannerOptions options;
+  options.rhythm.enabled = true;
+  options.force.ramp_up = options.force.ramp_down = 0.02;
+  options.reflex.enabled = false;
+  options.swing.horizontal_start = 0.0;
+  options.swing.horizontal_end = 1.0;
+  return options;
+}
+
+TEST(RhythmicGait, MovesDiagonalPairsInTurn) {
+  test::Puppet puppet(trot());
+  puppet.user = {.walk = true, .velocity = {0.3, 0.0}};
+  int fewest = 4;
+  puppet.run(5.0, [&] {
+    const MotionPlan& plan = puppet.plan();
+    fewest = std::min(fewest, plan.num_contacts());
+    const bool first = plan.contact(Leg::LF) && plan.contact(Leg::RH);
+    const bool second = plan.contact(Leg::RF) && plan.contact(Leg::LH);
+    EXPECT_TRUE(first || second) << puppet.time();
+  });
+  EXPECT_EQ(fewest, 2);
+  EXPECT_GT(puppet.happenings(PlanEvent::lift_off).size(), 30u);
+  EXPECT_NEAR(puppet.plan().com.v.x(), 0.3, 1e-9);
+}
+
+TEST(RhythmicGait, WaitsForAFootThatFindsNoGround) {
+  test::Puppet puppet(trot());
+  puppet.user.walk = true;
+  puppet.run(2.0);
+  const std::size_t before = puppet.happenings(PlanEvent::lift_off).size();
+  puppet.ground = [](const Vec2& p) { return p.x() > 0.0 && p.y() > 0.0 ? -0.5 : 0.0; };
+  puppet.run(0.35);
+  const std::size_t lifted = puppet.happenings(PlanEvent::lift_off).size() - before;
+  EXPECT_LE(lifted, 4u) << "without waiting";
+}
+
+TEST(RhythmicGait, StandsAgainOnAllFeetOnceItIsSlow) {
+  test::Puppet puppet(trot());
+  puppet.user = {.walk = true, .velocity = {0.5, 0.0}};
+  puppet.run(4.0);
+  puppet.user = {};
+  puppet.run(2.0);
+  EXPECT_EQ(puppet.plan().num_contacts(), 4);
+  const std::size_t lifted = puppet.happenings(PlanEvent::lift_off).size();
+  puppet.run(1.0);
+  EXPECT_EQ(puppet.happenings(PlanEvent::lift_off).size(), lifted);
+  EXPECT_LT(puppet.plan().com.v.norm(), 0.01);
+}
+
+TEST(RhythmicGait, StepsOutwardWhereTheRobotIsPushed) {
+  test::Puppet calm(trot()), pushed(trot());
+  for (test::Puppet* puppet : {&calm, &pushed}) {
+    puppet->user.walk = true;
+    puppet->run(2.0);
+  }
+  pushed.blow = Vec2(0.0, 0.3);
+  for (test::Puppet* puppet : {&calm, &pushed}) puppet->run(0.3);
+  const double aside = pushed.foot(Leg::LF).y() - calm.foot(Leg::LF).y();
+  EXPECT_GT(aside, 0.02);
+}
+
+}  // namespace
+}  // namespace surefoot::gaits
