@@ -2,6 +2,7 @@
 
 import re
 import subprocess
+import sys
 
 import pytest
 from program import PROGRAM, ROOT
@@ -42,3 +43,8 @@ def test_the_keys_that_the_page_names_are_options():
     assert len(named) > 4
     listed = subprocess.run([PROGRAM, "list", "options"], capture_output=True, text=True).stdout
     assert [key for key in named if not re.search(rf"^\s*{re.escape(key)}\b", listed, re.MULTILINE)] == []
+
+
+def test_the_hexapod_is_what_its_script_prints():
+    printed = subprocess.run([sys.executable, ROOT / "tools/hexapod.py"], capture_output=True, text=True, check=True).stdout
+    assert printed == (ROOT / "robots/hexapod.urdf").read_text()

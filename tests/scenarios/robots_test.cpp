@@ -42,6 +42,16 @@ INSTANTIATE_TEST_SUITE_P(Each, Robots,
                                          "solo12", "aliengo", "a2", "b2", "mini_cheetah", "spot"),
                          [](const auto& robot) { return std::string(robot.param); });
 
+TEST(Hexapod, WalksOnFlatGroundAndStepsDownATenthOfItsLeg) {
+  for (const char* scenario : {"flat.yaml", "step_down_10.yaml"}) {
+    const evaluation::Metrics result =
+        walked(test::source_file("campaigns/robots/") + scenario, "hexapod");
+    EXPECT_TRUE(result.succeeded) << scenario << ": " << result.reason;
+    EXPECT_EQ(result.false_touchdowns, 0) << scenario;
+    EXPECT_GT(result.steps_taken, 20) << scenario;
+  }
+}
+
 /// Every number behind `attribute="` in a text, times a factor.
 std::string multiplied(const std::string& text, const std::string& attribute, double factor) {
   const std::regex place(attribute + "=\"([^\"]*)\"");

@@ -1,6 +1,7 @@
 #include "server/view_channels.hpp"
 
 #include "surefoot/evaluation/truth_fields.hpp"
+#include "surefoot/signals/joint_name.hpp"
 #include "tests/support/messages.hpp"
 
 #include <gtest/gtest.h>
@@ -104,7 +105,7 @@ TEST(ViewChannels, joints_have_their_names_and_other_long_lists_numbers) {
   truth.qvel.resize(20);
   truth.ctrl.resize(14);
   ViewChannels table;
-  table.joint_names.resize(14, "shoulder");
+  table.joint_names = told_joints(std::vector<std::string>(14, "shoulder"), kNumLegs);
   table.joint_names.back() = "wrist";
   logged::ChannelLister(table).add("truth", truth);
   EXPECT_EQ(channel(table, "truth.ctrl").labels.at(2), "LF_KFE");
