@@ -26,7 +26,8 @@ struct ViewChannels {
   int num_legs = kNumLegs;
   std::vector<std::string> level_names;  ///< of the hierarchy: each level has its channels
   std::vector<double> level_visible;     ///< of these levels, see `visible_residual`
-  std::vector<std::string> joint_names = std::vector<std::string>(kNumLegJoints);  ///< as in messages
+  std::vector<std::string> joint_names =
+      std::vector<std::string>(kNumLegJoints);  ///< as in messages
   std::vector<ViewChannel> channels;
   std::vector<std::size_t> list_sizes;  ///< of lists of numbers, in order
   std::size_t floats = 0;               ///< of a frame

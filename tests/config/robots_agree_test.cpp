@@ -1,24 +1,18 @@
 // The controller's model of every robot that ships, and MuJoCo's of the same file.
-#include "surefoot/config/data_directory.hpp"
+#include "surefoot/config/data_file.hpp"
 #include "surefoot/config/robot_file.hpp"
 #include "surefoot/simulation/model_agreement.hpp"
 #include "tests/support/messages.hpp"
 
 #include <gtest/gtest.h>
 
-#include <filesystem>
 #include <string>
 #include <vector>
 
 namespace surefoot::config {
 namespace {
 
-std::vector<std::string> robots() {
-  std::vector<std::string> names;
-  for (const auto& file : std::filesystem::directory_iterator(data_directory() / "robots"))
-    names.push_back(file.path().stem().string());
-  return names;
-}
+std::vector<std::string> robots() { return list_data("robots"); }
 
 class ShippedRobot : public testing::TestWithParam<std::string> {};
 

@@ -97,7 +97,7 @@ TEST_F(ScenarioFile, that_is_wrong_says_where_and_what_would_be_valid) {
            {"terrain:\n  friction: .nan\n", "trial.yaml:3: terrain.friction: \".nan\""},
            {"stack: wallk\n",
             "trial.yaml:2: stack: unknown stack \"wallk\"; did you mean \"walk\"? valid are:"},
-           {"robot: hexapod\n", "trial.yaml:2: robot: unknown robot \"hexapod\""},
+           {"robot: octopod\n", "trial.yaml:2: robot: unknown robot \"octopod\""},
            {"criteria: {goal_reached: true}\n",
             "trial.yaml:2: criteria.goal_reached: the scenario has no goal"},
            {"criteria: {speed_mps: {min: 2, max: 1}}\n",

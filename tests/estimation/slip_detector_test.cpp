@@ -123,6 +123,7 @@ TEST(SlipDetector, OfSixFeetThreeMustStandStill) {
   model::Dynamics dynamics(18, 0, kMaxLegs);
   const PerLeg<bool> stands(kMaxLegs, true);
   RobotState state;
+  state.size_legs(kMaxLegs);
   state.foot_force = PerLeg<Vec3>(kMaxLegs, Vec3(0.0, 0.0, 75.0));
   const auto sliding = [&](std::initializer_list<Leg> legs) {
     double direction = 0.5;

@@ -3,6 +3,7 @@
 #include "surefoot/config/robot_file.hpp"
 #include "surefoot/config/scenario_file.hpp"
 #include "tests/logging/temporary_folder.hpp"
+#include "tests/scenarios/loop.hpp"
 #include "tests/support/source_file.hpp"
 
 #include <gtest/gtest.h>
@@ -50,6 +51,13 @@ TEST(Hexapod, WalksOnFlatGroundAndStepsDownATenthOfItsLeg) {
     EXPECT_EQ(result.false_touchdowns, 0) << scenario;
     EXPECT_GT(result.steps_taken, 20) << scenario;
   }
+}
+
+TEST(Hexapod, NothingIsAllocatedAsItWalks) {
+  test::Loop loop(test::scenario("walk_flat", {"robot=hexapod"}, 1));
+  loop.run_until(13.0);
+  EXPECT_GT(loop.count(PlanEvent::lift_off), 3);
+  EXPECT_EQ(loop.allocations(), 0U) << loop.last_allocation();
 }
 
 /// Every number behind `attribute="` in a text, times a factor.
