@@ -83,8 +83,8 @@ void check(ContactOptions& contact, double timestep) {
 void check(const std::string& name, const SensorFault& fault) {
   require(fault.joint >= -1 && fault.joint < kMaxJoints, name + ".joint", fault.joint,
           text("between 0 and ", kMaxJoints - 1, ", or -1 for all"));
-  require(fault.leg >= -1 && fault.leg < kMaxLegs, name + ".leg", fault.leg,
-          "between 0 and 5, or -1 for all");
+  require(fault.leg >= -1 && fault.leg < fault.num_legs, name + ".leg", fault.leg,
+          text("between 0 and ", fault.num_legs - 1, ", or -1 for all"));
   const bool is_of_joints =
       fault.sensor == FaultySensor::encoders || fault.sensor == FaultySensor::joint_torques;
   require(is_of_joints || fault.joint == -1, name + ".joint", fault.joint,
