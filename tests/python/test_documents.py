@@ -86,7 +86,7 @@ def test_legs_have_the_same_colours_in_the_picture_the_page_and_the_report():
     def colours(text, pattern):
         return [re.findall(r"[0-9a-f]{6}", one) for one in re.findall(pattern, text)]
 
-    variables = r"--c0: #\w{6}; --c1: #\w{6}; --c2: #\w{6}; --c3: #\w{6}"
+    variables = "; ".join(rf"--c{i}: #\w{{6}}" for i in range(6))
     picture = colours((ROOT / "viewer/src/scene/palette.ts").read_text(), r"legs: \[0x[^\]]*\]")
     assert len(picture) == 2, "light and dark"
     for file in ("viewer/src/style/page.css", "python/surefoot_report/page.css"):
