@@ -38,7 +38,7 @@ def blocks_of(document, language):
     return re.findall(rf"^```{language}\n(.*?)^```$", (ROOT / document).read_text(), re.MULTILINE | re.DOTALL)
 
 
-@pytest.mark.parametrize("document", ["docs/log.md", "docs/getting_started.md"])
+@pytest.mark.parametrize("document", ["docs/log.md"])
 def test_the_python_of_a_document_runs_alone_beside_a_log(document, log, tmp_path):
     shutil.copy(log, tmp_path / "run.mcap")
     blocks = blocks_of(document, "python")
@@ -59,8 +59,8 @@ def test_the_numbers_in_a_stack_file_if_there_are_any_count_its_levels():
 
 
 @pytest.mark.slow
-def test_the_stairs_of_getting_started_are_walked_down_and_that_is_a_success(tmp_path):
-    (stairs,) = [block for block in blocks_of("docs/getting_started.md", "yaml") if "# stairs.yaml" in block]
+def test_the_stairs_of_scenarios_are_walked_down_and_that_is_a_success(tmp_path):
+    (stairs,) = [block for block in blocks_of("docs/scenarios.md", "yaml") if "# stairs.yaml" in block]
     (tmp_path / "stairs.yaml").write_text(stairs)
     done = surefoot("run", "stairs.yaml", "--json", cwd=tmp_path)
     result = json.loads(done.stdout)
@@ -109,8 +109,8 @@ def test_links_within_the_documents_lead_to_a_file_and_a_heading():
         assert not anchor or target not in anchors or anchor in anchors[target], f"{page.name}: {target.name}#{anchor}"
 
 
-def test_every_header_that_users_include_stands_in_the_table_of_getting_started():
-    table = (ROOT / "docs/getting_started.md").read_text().split("| `#include` |")[1].split("\n\n")[0]
+def test_every_header_that_users_include_stands_in_the_table_of_cpp():
+    table = (ROOT / "docs/cpp.md").read_text().split("| `#include` |")[1].split("\n\n")[0]
     headers = {f"surefoot/{path.name}" for path in (ROOT / "surefoot").glob("*.hpp")}
     assert set(re.findall(r"^\| `(surefoot/\w+\.hpp)`", table, re.MULTILINE)) == headers
 
