@@ -2,8 +2,6 @@
 
 import json
 import re
-import shutil
-import subprocess
 import sys
 
 import pytest
@@ -38,15 +36,6 @@ def blocks_of(document, language):
     return re.findall(rf"^```{language}\n(.*?)^```$", (ROOT / document).read_text(), re.MULTILINE | re.DOTALL)
 
 
-@pytest.mark.parametrize("document", ["docs/log.md"])
-def test_the_python_of_a_document_runs_alone_beside_a_log(document, log, tmp_path):
-    shutil.copy(log, tmp_path / "run.mcap")
-    blocks = blocks_of(document, "python")
-    assert blocks
-    for block in blocks:
-        done = subprocess.run([sys.executable, "-c", block], cwd=tmp_path, capture_output=True, text=True)
-        assert done.returncode == 0, done.stderr
-        assert done.stdout
 
 
 def test_the_numbers_in_a_stack_file_if_there_are_any_count_its_levels():
