@@ -50,7 +50,7 @@ WITHOUT_RASTERISATION = """(() => {
 DRAWN = """new Promise(done => {
   const look = () => {
     if (!(window.surefoot?.pictures > 0)) return setTimeout(look, 5);
-    const p = surefoot.channel('truth.p_WB'), [robot, sky] = [0.05, 1.2].map(z => surefoot.pixel([p[0], p[1], p[2] + z]));
+    const p = surefoot.channel('truth.p_SB'), [robot, sky] = [0.05, 1.2].map(z => surefoot.pixel([p[0], p[1], p[2] + z]));
     done([surefoot.firstPicture, performance.now(), Math.max(...robot.map((one, i) => Math.abs(one - sky[i])))]);
   };
   look();

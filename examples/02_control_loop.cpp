@@ -29,7 +29,7 @@ int main() {
     // What the tick was made of: state, plan, residual of every level, active limits, forces.
     const surefoot::TickRecord& tick = controller.record();
     const Vec3 believed = tick.state.q_WB.conjugate() * tick.state.v_WB;  // in B: without heading
-    const Vec3 error = believed - plant.truth().q_WB.conjugate() * plant.truth().v_WB;
+    const Vec3 error = believed - plant.truth().q_SB.conjugate() * plant.truth().v_SB;
     if (plant.time() > 1.0) largest_error = std::max(largest_error, error.norm());
 
     plant.write(command);

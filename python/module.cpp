@@ -23,8 +23,9 @@ void bind_errors(nb::module_& module) {
 NB_MODULE(_core, module) {
   module.doc() =
       "Whole-body control of legged robots by strict task hierarchies.\n\n"
-      "Units are SI. Frames stand in the names: p_WB is the position of the base B in the world "
-      "W.\n"
+      "Units are SI. Frames stand in the names: p_WB is the position of the base B in the "
+      "controller's "
+      "world W, p_SB the true one in the simulator's world S.\n"
       "Arrays look into the object that they come from; objects are snapshots and don't change.";
   module.attr("__version__") = build_info().version;
   bind_errors(module);

@@ -36,7 +36,7 @@ std::string text_event(double time, std::string_view kind, std::string_view text
 EventFinder::EventFinder(const ViewChannels& channels, std::vector<std::string> bodies)
     : num_legs_(channels.num_legs),
       mode_(find_channel(channels, "command.mode").offset),
-      rotation_(find_channel(channels, "truth.q_WB").offset),
+      rotation_(find_channel(channels, "truth.q_SB").offset),
       stop_(find_channel(channels, "told.stop")),
       force_(find_channel(channels, "truth.xfrc_applied")),
       bodies_(std::move(bodies)),

@@ -29,7 +29,7 @@ struct ViewCommand {
   int ticks = 1;                      ///< of step
   double factor = 1.0;                ///< of speed, to real time
   std::string body{};                 ///< of push
-  Vec3 impulse{0, 0, 0};              ///< of push, in W [N·s]
+  Vec3 impulse{0, 0, 0};              ///< of push, in S [N·s]
   double duration = 0.0;              ///< of push [s]
   bool by_scenario = false;           ///< of walk: the operator gives the command back
   bool walk = false;                  ///< of walk: the operator's command

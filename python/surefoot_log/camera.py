@@ -15,7 +15,7 @@ SMOOTHED = 1.5  # s
 
 def heading(frames):
     """The direction of the whole walk, or the robot's yaw at its start if it goes nowhere [rad]."""
-    way = frames[-1].p_WB - frames[0].p_WB
+    way = frames[-1].p_SB - frames[0].p_SB
     if math.hypot(way[0], way[1]) > 0.3:
         return math.atan2(way[1], way[0])
     w, x, y, z = frames[0].qpos[3:7]
@@ -37,7 +37,7 @@ class Camera:
 
     def __init__(self, frames, distance=DISTANCE):
         period = (frames[-1].time - frames[0].time) / max(1, len(frames) - 1)
-        path = np.array([frame.p_WB for frame in frames])
+        path = np.array([frame.p_SB for frame in frames])
         self._path = smooth(path, int(SMOOTHED / period) if period > 0 else 1)
         self._times = np.array([frame.time for frame in frames])
         self._camera = mujoco.MjvCamera()

@@ -139,9 +139,9 @@ def scene_entities(frame, foot_radius, places):
     corners = hull([(*foot[:2], level) for foot in feet]) if len(feet) > 2 else []
     lines = [shapes.loop(corners, 0.008, (*POLYGON, 1.0))] if corners else []
     entities.append(shapes.entity("support polygon", WORLD, time, lines=lines))
-    if frame.p_WCom is not None:
-        below = [*frame.p_WCom[:2], level]
-        entities.append(shapes.entity("centre of mass", WORLD, time, spheres=[shapes.sphere(frame.p_WCom, 0.022, COM), shapes.sphere(below, 0.015, COM)]))
+    if frame.p_SCom is not None:
+        below = [*frame.p_SCom[:2], level]
+        entities.append(shapes.entity("centre of mass", WORLD, time, spheres=[shapes.sphere(frame.p_SCom, 0.022, COM), shapes.sphere(below, 0.015, COM)]))
     return entities
 
 

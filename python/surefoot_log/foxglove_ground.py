@@ -22,7 +22,7 @@ def height_field(piece):
 def ground_entity(terrain, frame):
     cubes, triangles = [], []
     for piece in terrain:
-        X = shapes.transform(piece["position"], piece["q_WT"])
+        X = shapes.transform(piece["position"], piece["q_SG"])
         if piece["shape"] == "box":
             cubes.append(shapes.cube(X, piece["size"], GROUND))
         elif piece["shape"] == "plane":

@@ -43,13 +43,13 @@ class Touch:
 
 @dataclass
 class Frame:
-    """A tick; all vectors in the simulator's W, where the log has its truth."""
+    """A tick; all vectors in the simulator's world S; of a log without truth in the controller's."""
 
     time: float
     qpos: list
-    p_WB: np.ndarray
-    p_WCom: np.ndarray | None = None
-    p_WF: dict = field(default_factory=dict)
+    p_SB: np.ndarray
+    p_SCom: np.ndarray | None = None
+    p_SF: dict = field(default_factory=dict)
     forces: list = field(default_factory=list)  # of each touching foot a Touch
     pushes: list = field(default_factory=list)  # (number of the body in the physics, force [N], torque about its centre of mass [N·m])
     phases: dict = field(default_factory=dict)
@@ -64,12 +64,12 @@ class Frame:
     def carrying(self):
         """Legs that are to carry the robot and, where the truth is known, touch the ground."""
         touching = {touch.leg for touch in self.forces}
-        return [leg for leg, phase in self.phases.items() if phase in CARRIES and (self.p_WCom is None or leg in touching)]
+        return [leg for leg, phase in self.phases.items() if phase in CARRIES and (self.p_SCom is None or leg in touching)]
 
     @property
     def carrying_feet(self):
         """Where these legs stand; none where the truth is not known."""
-        return [self.p_WF[leg] for leg in self.carrying if leg in self.p_WF]
+        return [self.p_SF[leg] for leg in self.carrying if leg in self.p_SF]
 
 
 @dataclass
@@ -140,8 +140,8 @@ def frame_of(tick, header, event):
     state, truth = decoded.get("/state"), decoded.get("/truth")
     if state is None or (truth is None and None in state["p_WB"] + state["q"]):
         return None
-    seen = truth or {"qpos": state["p_WB"] + state["q_WB"] + state["q"], "p_WB": state["p_WB"]}
-    frame = Frame(state["time"], seen["qpos"], np.array(seen["p_WB"]), event=event)
+    seen = truth or {"qpos": state["p_WB"] + state["q_WB"] + state["q"], "p_SB": state["p_WB"]}
+    frame = Frame(state["time"], seen["qpos"], np.array(seen["p_SB"]), event=event)
     frame.phases = {leg: foot["phase"] for leg, foot in decoded.get("/plan", {}).get("feet", {}).items()}
     frame.mode = decoded.get("/command", {}).get("mode", "optimal")
     frame.gave_way = gave_way(decoded.get("/hierarchy", {}), header)
@@ -151,8 +151,8 @@ def frame_of(tick, header, event):
 
 
 def add_truth(frame, truth):
-    frame.p_WCom = np.array(truth["p_WCom"])
-    frame.p_WF = {leg: np.array(place) for leg, place in truth["p_WF"].items()}
+    frame.p_SCom = np.array(truth["p_SCom"])
+    frame.p_SF = {leg: np.array(place) for leg, place in truth["p_SF"].items()}
     for leg, foot in truth["feet"].items():
         if foot["touching"]:
             frame.forces.append(Touch(leg, *(np.array(foot[name]) for name in ("point", "force", "normal")), foot["friction"]))

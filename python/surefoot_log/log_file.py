@@ -4,10 +4,12 @@ import heapq
 import json
 import os
 import pathlib
+import re
 import struct
 import subprocess
 import tempfile
 import zlib
+from dataclasses import replace
 from functools import cached_property
 from itertools import groupby
 from operator import attrgetter
@@ -26,6 +28,8 @@ SUMMARY = "summary.json"
 HEAD, MESSAGE = struct.Struct("<BQ"), struct.Struct("<HIQQ")
 FOOTER, MAGIC = struct.Struct("<BQQQI"), 8  # bytes at the end of a closed file
 LARGEST_INDEX = 1 << 28  # bytes
+ONE_WORLD = "2."  # logs of these versions call the simulator's world W, too
+OLD_NAME, OLD_FRAME = re.compile(rb'"([pqvw])_W(B_B|B|Com|F)"'), re.compile(rb"\b(in|to) W\b")
 WHEEL = str(pathlib.Path(__file__).parents[1] / "surefoot/bin/surefoot")  # the program, where a wheel has it
 
 
@@ -85,6 +89,11 @@ def messages_of(chunk, topics):
         at += length
 
 
+def of_worlds(data):
+    """A message on /truth, or its schema, of an old log with the names of today."""
+    return OLD_FRAME.sub(rb"\1 S", OLD_NAME.sub(rb'"\1_S\2"', bytes(data)))
+
+
 class LogFile:
     """Reads a log. Throws InputError if the file is none."""
 
@@ -103,6 +112,9 @@ class LogFile:
             self._index = self._index or reader.get_summary()
             self.attachments = {one.name: one.data for one in reader.iter_attachments()}
         self.header = json.loads(self.attachments["header.json"])
+        self._has_one_world = self.header["log_version"].startswith(ONE_WORLD)
+        if self._has_one_world:
+            self.header["terrain"] = [{"q_SG" if name == "q_WT" else name: value for name, value in piece.items()} for piece in self.header.get("terrain") or []]
         self._chunks = sorted(self._index.chunk_indexes, key=attrgetter("chunk_start_offset"))
         self._channels = {channel.topic: channel for channel in self._index.channels.values()}
 
@@ -121,7 +133,12 @@ class LogFile:
             for chunk in self._chunks:
                 if wanted.keys() & chunk.message_index_offsets.keys():
                     file.seek(chunk.chunk_start_offset + HEAD.size)
-                    yield from messages_of(Chunk.read(ReadDataStream(file)), wanted)
+                    found = messages_of(Chunk.read(ReadDataStream(file)), wanted)
+                    yield from map(self._renamed, found) if self._has_one_world else found
+
+    @staticmethod
+    def _renamed(message):
+        return message._replace(data=memoryview(of_worlds(message.data))) if message.topic == "/truth" else message
 
     def by_time(self, topics=None):
         """The same, time by time: each time [ns] with its messages. Topics that stand behind all ticks are read in parallel, so that nothing waits
@@ -132,7 +149,8 @@ class LogFile:
             yield time, list(group)
 
     def schema_record(self, topic):
-        return self._index.schemas[self._channels[topic].schema_id]
+        record = self._index.schemas[self._channels[topic].schema_id]
+        return replace(record, data=of_worlds(record.data)) if self._has_one_world and topic == "/truth" else record
 
     def schema_of(self, topic):
         """The JSON schema of a topic's messages."""

@@ -31,13 +31,13 @@ def is_quiet(event):
 
 def is_of_interest(frame):
     """The robot stands on different heights, searches, is pushed, or meets what it did not expect."""
-    heights = [position[2] for leg, position in frame.p_WF.items() if frame.phases.get(leg) in CARRIES]
+    heights = [position[2] for leg, position in frame.p_SF.items() if frame.phases.get(leg) in CARRIES]
     on_a_step = len(heights) > 1 and max(heights) - min(heights) > STEP
     return on_a_step or "search" in frame.phases.values() or bool(frame.pushes) or not is_quiet(frame.event) or frame.mode != "optimal"
 
 
 def started(frames):
-    return next((frame.time for frame in frames if np.hypot(*(frame.p_WB - frames[0].p_WB)[:2]) > STARTED), frames[0].time)
+    return next((frame.time for frame in frames if np.hypot(*(frame.p_SB - frames[0].p_SB)[:2]) > STARTED), frames[0].time)
 
 
 def span_of_interest(frames):
@@ -53,7 +53,7 @@ def shortened(frames, span, length):
     if span.length <= length:
         return span
     inside = [frame for frame in frames if span.first <= frame.time <= span.last]
-    motion = np.abs(np.diff([np.append(frame.qpos[3:7], frame.p_WB[2]) for frame in inside], axis=0)).sum(axis=1)
+    motion = np.abs(np.diff([np.append(frame.qpos[3:7], frame.p_SB[2]) for frame in inside], axis=0)).sum(axis=1)
     sums = np.append(0.0, np.cumsum(motion))
     times = np.array([frame.time for frame in inside])
     ends = np.searchsorted(times, times + length, side="right") - 1
@@ -64,7 +64,7 @@ def shortened(frames, span, length):
 
 def reach(frame):
     """How far a foot in the air is below the base [m]; where all stand, half of that of the lowest foot."""
-    depths = {leg: frame.p_WB[2] - position[2] for leg, position in frame.p_WF.items()}
+    depths = {leg: frame.p_SB[2] - position[2] for leg, position in frame.p_SF.items()}
     in_air = [depth for leg, depth in depths.items() if frame.phases.get(leg) not in CARRIES]
     return max(in_air, default=0.5 * max(depths.values(), default=0.0))
 

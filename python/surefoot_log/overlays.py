@@ -66,7 +66,7 @@ class Overlays:
             if np.linalg.norm(touch.force) > LOADED / 4:
                 for way in ground_arrows(touch.force):
                     self._arrow(touch.point, touch.point + way, 0.019, colour_of_use(touch.friction_use))
-        if frame.p_WCom is not None:
+        if frame.p_SCom is not None:
             self._centre_of_mass(frame)
 
     def _new(self, kind, size, position, rotation, colour):
@@ -118,7 +118,7 @@ class Overlays:
 
     def _centre_of_mass(self, frame):
         """A ball, and the point below it at the level of the support polygon."""
-        below = np.array([*frame.p_WCom[:2], self._ground(frame) + ABOVE_GROUND])
-        self._new(mujoco.mjtGeom.mjGEOM_SPHERE, [0.022] * 3, frame.p_WCom, np.eye(3), COM)
-        self._between(mujoco.mjtGeom.mjGEOM_CAPSULE, below, frame.p_WCom, 0.003, (*COM[:3], 0.6))
+        below = np.array([*frame.p_SCom[:2], self._ground(frame) + ABOVE_GROUND])
+        self._new(mujoco.mjtGeom.mjGEOM_SPHERE, [0.022] * 3, frame.p_SCom, np.eye(3), COM)
+        self._between(mujoco.mjtGeom.mjGEOM_CAPSULE, below, frame.p_SCom, 0.003, (*COM[:3], 0.6))
         self._new(mujoco.mjtGeom.mjGEOM_CYLINDER, [0.028, 0.028, 0.002], below, np.eye(3), COM)

@@ -30,7 +30,7 @@ class Ground:
 
 
 def rotation(piece):
-    return matrices(np.array(piece["q_WT"], float))
+    return matrices(np.array(piece["q_SG"], float))
 
 
 def plane_through(point, normal, x, y):

@@ -47,9 +47,9 @@ def limits_acting(run):
 
 def com_figure(run):
     """After Fig. 4 of the paper. Forward and lateral as seen from the start."""
-    along = (run.R_belief[0] @ run.R_WC[0])[:2, :2]
-    there, desired = ((points - run.desired_com[0]) @ along for points in (run.seen.p_WCom[:, :2], run.desired_com))
-    error = 1e3 * np.linalg.norm(run.seen.p_WCom[:, :2] - run.desired_com, axis=1)
+    along = (run.R_SW[0] @ run.R_WC[0])[:2, :2]
+    there, desired = ((points - run.desired_com[0]) @ along for points in (run.seen.p_SCom[:, :2], run.desired_com))
+    error = 1e3 * np.linalg.norm(run.seen.p_SCom[:, :2] - run.desired_com, axis=1)
 
     def position(title, axis):
         return Panel(title, "position [m]", [line(BLUE, there[:, axis], source(run)), line(ORANGE, desired[:, axis], "desired", linestyle="--")])
@@ -68,9 +68,9 @@ def rotation_vectors(R):
 
 def orientation_errors(run):
     """Torso against its reference as a rotation vector in C: roll, pitch, yaw [rad]."""
-    desired = run.R_belief @ matrices(run.torso_q)
-    off = rotation_vectors(matrices(run.truth.q_WB) @ np.swapaxes(desired, 1, 2))
-    return np.einsum("nji,nj->ni", run.R_belief @ run.R_WC, off)
+    desired = run.R_SW @ matrices(run.torso_q)
+    off = rotation_vectors(matrices(run.truth.q_SB) @ np.swapaxes(desired, 1, 2))
+    return np.einsum("nji,nj->ni", run.R_SW @ run.R_WC, off)
 
 
 def hip_foot_distances(run):
@@ -100,7 +100,7 @@ def adaptation_figure(run):
     if run.has_truth:
         acting = [(limits_acting(run), AMBER, MARKED)]
         roll, pitch, _ = np.degrees(orientation_errors(run)).T
-        height = 1e3 * (run.truth.p_WB[:, 2] - run.desired_height)
+        height = 1e3 * (run.truth.p_SB[:, 2] - run.desired_height)
         panels = [Panel("(a) orientation error", "error [°]", [line(BLUE, roll, "roll"), line(ORANGE, pitch, "pitch", linestyle="--")], acting),
                   Panel("(b) height error", "error [mm]", [line(PURPLE, height)], acting)]  # fmt: skip
     return drawn(run, panels + limb_panels(run))
@@ -127,17 +127,17 @@ def force_figure(run):
 def estimate_errors(run):
     """Tilt [°], velocity [mm/s], drift of position [mm] and heading [°]; NaN where something is not known, or the robot has stopped for good."""
     belief, truth = run.belief, run.truth
-    R, R_true = matrices(belief.q_WB), matrices(truth.q_WB)
+    R, R_true = matrices(belief.q_WB), matrices(truth.q_SB)
     up, true_up = R[:, 2], R_true[:, 2]
     tilt = np.degrees(np.arctan2(np.linalg.norm(np.cross(up, true_up), axis=1), (up * true_up).sum(axis=1)))
-    velocity = 1e3 * np.linalg.norm(np.einsum("nji,nj->ni", R, belief.v_WB) - np.einsum("nji,nj->ni", R_true, truth.v_WB), axis=1)
+    velocity = 1e3 * np.linalg.norm(np.einsum("nji,nj->ni", R, belief.v_WB) - np.einsum("nji,nj->ni", R_true, truth.v_SB), axis=1)
     heading = np.arctan2(R[:, 1, 0], R[:, 0, 0]) - np.arctan2(R_true[:, 1, 0], R_true[:, 0, 0])
     known = np.isfinite(tilt) & np.isfinite(velocity) & np.isfinite(belief.p_WB).all(axis=1) & ~np.isin(run.mode, ["sit", "damping"])
     if not known.any():
         return [np.full(len(run.time), np.nan)] * 4
     first = int(np.argmax(known))
-    laid = (belief.p_WB - belief.p_WB[first]) @ turns(-heading[first]).T + truth.p_WB[first]
-    position = 1e3 * np.linalg.norm(laid - truth.p_WB, axis=1)
+    laid = (belief.p_WB - belief.p_WB[first]) @ turns(-heading[first]).T + truth.p_SB[first]
+    position = 1e3 * np.linalg.norm(laid - truth.p_SB, axis=1)
     drift = np.degrees(np.remainder(heading - heading[first] + np.pi, 2 * np.pi) - np.pi)
     return [np.where(known, values, np.nan) for values in (tilt, velocity, position, drift)]
 

@@ -39,7 +39,7 @@ def schemas(legs):
                        ("blocking_is_known", TRUE),
                        ("blocked_by", pa.list_(pa.struct([("level", TEXT), ("by", TEXT), ("row", TEXT), ("id", WHOLE), ("cost", NUMBER)])))],
         "/command": [("torque", VECTOR), ("mode", TEXT)],
-        "/truth": [("p_WB", VECTOR), ("q_WB", VECTOR), ("v_WB", VECTOR), ("p_WCom", VECTOR), ("p_WF", of_legs(VECTOR)),
+        "/truth": [("p_SB", VECTOR), ("q_SB", VECTOR), ("v_SB", VECTOR), ("p_SCom", VECTOR), ("p_SF", of_legs(VECTOR)),
                    ("feet", of_legs(pa.struct([("force", VECTOR), ("normal", VECTOR)]))), ("torque", VECTOR)],
         "/timings": [("total", NUMBER)],
     }  # fmt: skip
@@ -175,7 +175,7 @@ def level_names(header, table):
 
 
 def laid_by_feet(contact, believed, true):
-    """Rotations and positions of the controller's W in the true one, by the feet that stand (model/belief_frame.hpp). Where fewer than two stand,
+    """Rotations and positions of the controller's W in the simulator's S, by the feet that stand (model/belief_frame.hpp). Where fewer than two stand,
     or their places are not known, those of the tick before."""
     count = contact.sum(axis=1)
     known = (count >= 2) & np.isfinite(believed).all(axis=(1, 2)) & np.isfinite(true).all(axis=(1, 2))
@@ -219,16 +219,16 @@ def rows_at(have, table, times):
     return table.take(pa.array(places, mask=~np.isin(times, have))) if len(have) else pa.Table.from_pylist([{}] * len(times), schema=table.schema)
 
 
-def pose_of(table, p_WCom, p_WF):
-    """Base and its velocity, COM and feet."""
-    return SimpleNamespace(p_WB=numbers(table, "p_WB", 3), q_WB=numbers(table, "q_WB", 4), v_WB=numbers(table, "v_WB", 3),
-                           p_WCom=numbers(p_WCom, "p_WCom", 3), p_WF=by_leg(p_WF, "p_WF", 3))  # fmt: skip
+def pose_of(world, base, points):
+    """Base and its velocity, COM and feet, named with their world: p_WB, or p_SB."""
+    pose = {f"{quantity}_{world}B": numbers(base, f"{quantity}_{world}B", size) for quantity, size in (("p", 3), ("q", 4), ("v", 3))}
+    return SimpleNamespace(**pose, **{f"p_{world}Com": numbers(points, f"p_{world}Com", 3), f"p_{world}F": by_leg(points, f"p_{world}F", 3)})
 
 
 def seen(belief, truth):
-    """The truth where the log has it, else what the controller believed."""
-    known = np.isfinite(truth.p_WB[:, 0])
-    return SimpleNamespace(**{name: np.where(known.reshape(-1, *[1] * (values.ndim - 1)), values, getattr(belief, name))
+    """The truth where the log has it, in S; else what the controller believed, in W."""
+    known = np.isfinite(truth.p_SB[:, 0])
+    return SimpleNamespace(**{name: np.where(known.reshape(-1, *[1] * (values.ndim - 1)), values, getattr(belief, name.replace("_S", "_W")))
                               for name, values in vars(truth).items()})  # fmt: skip
 
 
@@ -243,7 +243,7 @@ def made_run(log, tables, num_changes):
     run.events = log.events
     run.totals = numbers(tables["/timings"][1], "total")  # wall clock of each tick [µs]
 
-    run.belief, run.truth = pose_of(tick["/state"], model, model), pose_of(truth, truth, truth)
+    run.belief, run.truth = pose_of("W", tick["/state"], model), pose_of("S", truth, truth)
     run.seen = seen(run.belief, run.truth)
     run.p_WH, run.force = by_leg(model, "p_WH", 3), by_leg(model, "force", 3)  # hips, and forces of the solution
     force, normal = (by_leg(truth, "feet", 3, member=f".{name}") for name in ("force", "normal"))
@@ -256,9 +256,9 @@ def made_run(log, tables, num_changes):
     run.torso_q, run.R_WC = numbers(plan, "torso.q_WB", 4), numbers(plan, "R_WC", 3, 3)
     run.event_times = event_times(plan, run.time)
     run.calibrates = codes(part_of(plan, "calibration"), ["none", None], 2) == 2
-    run.R_belief, p = laid_by_feet(run.contact, run.belief.p_WF, run.truth.p_WF)  # takes the controller's W to the true one
-    desired = np.einsum("nij,nj->ni", run.R_belief, np.column_stack([numbers(plan, "com.p", 2), numbers(plan, "torso.height")])) + p
-    run.desired_com, run.desired_height = desired[:, :2], desired[:, 2]  # in the true W, or in the controller's where there is no truth
+    run.R_SW, p = laid_by_feet(run.contact, run.belief.p_WF, run.truth.p_SF)  # takes W to S
+    desired = np.einsum("nij,nj->ni", run.R_SW, np.column_stack([numbers(plan, "com.p", 2), numbers(plan, "torso.height")])) + p
+    run.desired_com, run.desired_height = desired[:, :2], desired[:, 2]  # in S, or in W where there is no truth
 
     run.levels, run.explained = level_names(log.header, hierarchy), flags(hierarchy, "blocking_is_known")
     run.residual = residuals(hierarchy, run.levels)

@@ -26,7 +26,7 @@ NO_EDGE, IS_CREASE, IS_EDGE = range(3)
 def footprints(run):
     """Legs, and where each was set down: the foot sphere's centre."""
     tick, leg = np.nonzero(np.diff(np.vstack([np.zeros(len(run.legs), bool), run.contact]).astype(int), axis=0) == 1)
-    return leg, run.seen.p_WF[tick, leg]
+    return leg, run.seen.p_SF[tick, leg]
 
 
 def support_triangles(run):
@@ -34,7 +34,7 @@ def support_triangles(run):
     around = [0, *range(1, len(run.legs), 2), *range(len(run.legs) - 2, 0, -2)]  # the polygon of the feet: LF, RF, RH, LH
     begins = np.flatnonzero(np.append(True, (np.diff(run.contact.astype(int), axis=0) != 0).any(axis=1)))
     ends = np.append(run.time[begins[1:]], run.time[-1])
-    return [run.seen.p_WF[begin, [leg for leg in around if run.contact[begin, leg]], :2] for begin, end in zip(begins, ends)
+    return [run.seen.p_SF[begin, [leg for leg in around if run.contact[begin, leg]], :2] for begin, end in zip(begins, ends)
             if run.contact[begin].sum() == 3 and end - run.time[begin] >= SHORTEST]  # fmt: skip
 
 
@@ -125,7 +125,7 @@ def draw_prints(axes, legs, x, y, sizes):
 def draw_above(axes, run, prints, ground):
     draw_ground(axes, ground, axes.get_xlim(), axes.get_ylim())
     axes.add_collection(PolyCollection(support_triangles(run), facecolors="none", edgecolors=SOFT, linewidths=0.5, alpha=0.45), autolim=False)
-    axes.plot(*run.seen.p_WCom[:, :2].T, color=INK)
+    axes.plot(*run.seen.p_SCom[:, :2].T, color=INK)
     axes.plot(*run.desired_com.T, color=ORANGE, linestyle="--")
     draw_prints(axes, prints[0], *prints[1].T[:2], (34, 12))
 
@@ -145,10 +145,10 @@ def draw_side(axes, run, prints, ground, sole):
     for z in profiles:
         axes.plot(x, z, color=INK, linewidth=1.3)
     for leg, colour in zip(range(len(run.legs)), LEG_COLOURS):
-        axes.plot(run.seen.p_WF[:, leg, 0], run.seen.p_WF[:, leg, 2] - sole, color=colour, linewidth=0.7)
+        axes.plot(run.seen.p_SF[:, leg, 0], run.seen.p_SF[:, leg, 2] - sole, color=colour, linewidth=0.7)
     draw_prints(axes, prints[0], prints[1][:, 0], prints[1][:, 2] - sole, (22, 9))
-    axes.plot(run.seen.p_WCom[:, 0], run.seen.p_WCom[:, 2], color=INK)
-    axes.plot(run.seen.p_WB[:, 0], run.seen.p_WB[:, 2], color=BASE)
+    axes.plot(run.seen.p_SCom[:, 0], run.seen.p_SCom[:, 2], color=INK)
+    axes.plot(run.seen.p_SB[:, 0], run.seen.p_SB[:, 2], color=BASE)
 
 
 def map_figure(run):
@@ -156,10 +156,10 @@ def map_figure(run):
     prints, ground, sole = footprints(run), Ground(run.header.get("terrain")), run.header["robot"].get("foot_radius") or 0.0
     if not len(prints[0]):
         return None
-    feet, width = run.seen.p_WF, WIDTH - LEFT - RIGHT
+    feet, width = run.seen.p_SF, WIDTH - LEFT - RIGHT
     x, y = range_of(prints[1][:, 0], feet[..., 0], around=AROUND), range_of(prints[1][:, 1], around=AROUND)
     below = ground.at(feet[::10, :, 0], feet[::10, :, 1])[1]
-    z = range_of(run.seen.p_WB[:, 2], run.seen.p_WCom[:, 2], feet[..., 2] - sole, below, around=AROUND_HEIGHTS)
+    z = range_of(run.seen.p_SB[:, 2], run.seen.p_SCom[:, 2], feet[..., 2] - sole, below, around=AROUND_HEIGHTS)
     scale = max((x[1] - x[0]) / width, (y[1] - y[0]) / HIGHEST)  # metres of an inch
     spare = 0.5 * (scale * width - (x[1] - x[0]))
     x, high, deep = (x[0] - spare, x[1] + spare), (y[1] - y[0]) / scale, (z[1] - z[0]) / scale

@@ -13,14 +13,14 @@ bool GoalWatch::has_goal() const { return std::isfinite(goal_.feet_beyond_x); }
 
 bool GoalWatch::all_feet_beyond(const simulation::GroundTruth& truth) const {
   return std::ranges::all_of(truth.feet.legs(), [&](Leg leg) {
-    return truth.feet[index(leg)].touching && truth.p_WF[index(leg)].x() > goal_.feet_beyond_x;
+    return truth.feet[index(leg)].touching && truth.p_SF[index(leg)].x() > goal_.feet_beyond_x;
   });
 }
 
 bool GoalWatch::update(const simulation::GroundTruth& truth) {
   if (!has_goal() || reached_) return reached_;
-  if (std::isnan(passed_at_x_) && all_feet_beyond(truth)) passed_at_x_ = truth.p_WB.x();
-  reached_ = truth.p_WB.x() - passed_at_x_ >= goal_.walk_on;  // false while it is NaN
+  if (std::isnan(passed_at_x_) && all_feet_beyond(truth)) passed_at_x_ = truth.p_SB.x();
+  reached_ = truth.p_SB.x() - passed_at_x_ >= goal_.walk_on;  // false while it is NaN
   return reached_;
 }
 

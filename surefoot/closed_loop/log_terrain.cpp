@@ -15,12 +15,12 @@ struct Writer {
 
   void operator()(const simulation::TerrainLevel& plane) {
     pieces.push_back(
-        {.shape = "plane", .position = plane.position, .q_WT = orientation(plane.rpy)});
+        {.shape = "plane", .position = plane.position, .q_SG = orientation(plane.rpy)});
   }
 
   void operator()(const simulation::TerrainBox& box) {
     pieces.push_back(
-        {.shape = "box", .position = box.position, .q_WT = orientation(box.rpy), .size = box.size});
+        {.shape = "box", .position = box.position, .q_SG = orientation(box.rpy), .size = box.size});
   }
 
   void operator()(const simulation::TerrainRandomBoxes& field) {

@@ -17,13 +17,13 @@ std::string TroubleCounter::vain_reach(const TickRecord& record,
   const auto arm = static_cast<std::size_t>(std::max(command.arm, 0));
   if (command.arm < 0) return "";
   const std::string name = "arm " + std::to_string(command.arm);
-  if (arm >= truth.p_WT.size()) return "told to reach with " + name + ", which there is not";
+  if (arm >= truth.p_ST.size()) return "told to reach with " + name + ", which there is not";
   if (record.plan.arm.arm != command.arm) return "";
   const Quat to_base = record.state.q_WB.conjugate();
   const Vec3 target =
       command.in_world ? to_base * (command.position - record.state.p_WB) : command.position;
   const Vec3 planned = to_base * (record.plan.arm.p_WT - record.state.p_WB);
-  const Vec3 tip = truth.q_WB.conjugate() * (truth.p_WT[arm] - truth.p_WB);
+  const Vec3 tip = truth.q_SB.conjugate() * (truth.p_ST[arm] - truth.p_SB);
   const bool is_off = (planned - target).norm() < kArrived && (tip - target).norm() > kOff;
   if (!is_off) tip_since_ = kNaN;
   if (is_off && std::isnan(tip_since_)) tip_since_ = truth.time;

@@ -24,7 +24,7 @@ struct TimedCommand {
 
 /// The goal of a run, which ends the run early.
 struct Goal {
-  /// All four feet stand on the ground beyond this x in W [m]; NaN: no goal.
+  /// All four feet stand on the ground beyond this x in S [m]; NaN: no goal.
   double feet_beyond_x = std::numeric_limits<double>::quiet_NaN();
   /// Distance that the base must walk after that [m].
   double walk_on = 0.0;

@@ -34,9 +34,9 @@ struct PushInFile {
 Group fields(PushInFile& o) {
   return fields(o.push).and_also(
       {{"impulse", Numbers{o.impulse.data(), simulation::axis_elements()}, kAnyNumber, "N·s",
-        "in W, over the duration, instead of a force"},
+        "in S, over the duration, instead of a force"},
        {"magnitude", &o.magnitude, kNotNegative, "N", "of a level force, instead of a force"},
-       {"direction", &o.direction, kAnyNumber, "rad", "of a magnitude, from W's x about z"}});
+       {"direction", &o.direction, kAnyNumber, "rad", "of a magnitude, from S's x about z"}});
 }
 
 simulation::Push push_of(const PushInFile& o, const Given& given) {
@@ -214,7 +214,7 @@ Group run_fields(Scenario& scenario) {
       {"estimator", fields(scenario.estimator), "of estimation: sensors"},
       {"user", user, "commands from a time on, each complete"},
       {"goal",
-       Group{{"feet_beyond_x", &scenario.goal.feet_beyond_x, kAnyNumber, "m", "of all feet, in W"},
+       Group{{"feet_beyond_x", &scenario.goal.feet_beyond_x, kAnyNumber, "m", "of all feet, in S"},
              {"walk_on", &scenario.goal.walk_on, kNotNegative, "m", "by the base, after that"}},
        "when the run ends early"},
       {"success_rate", &scenario.success_rate, kShare, "", "of the runs that must succeed"}};

@@ -27,7 +27,7 @@ int even_ticks(double duration, double period) {
 ImuCheck::ImuCheck(const ImuCheckOptions& options, double period, int num_legs)
     : options_(options),
       period_(period),
-      R_IS_(num_legs, Mat3::Identity()),
+      R_IK_(num_legs, Mat3::Identity()),
       arm_(num_legs, Vec3::Zero()),
       rolled_(arm_),
       firm_ticks_(num_legs, 0) {
@@ -83,10 +83,10 @@ void ImuCheck::move(const SensorReading& reading, const RobotState& state,
   accelerometer_before_ = reading.accelerometer;
   for (const Leg leg : arm_.legs()) {
     const std::size_t k = index(leg);
-    const Mat3 R_IS = R_IW * dynamics.shank[k].R;
-    const Vec3 rolling = log_rotation(Quat(Mat3(R_IS * R_IS_[k].transpose())));
+    const Mat3 R_IK = R_IW * dynamics.shank[k].R;
+    const Vec3 rolling = log_rotation(Quat(Mat3(R_IK * R_IK_[k].transpose())));
     rolled_[k] += rolling.cross(R_IW * (dynamics.foot[k].p - dynamics.contact[k].p));
-    R_IS_[k] = R_IS;
+    R_IK_[k] = R_IK;
     arm_[k] = R_IW * (dynamics.foot[k].p - dynamics.base.p);
     now.x[k] = arm_[k] - rolled_[k];
   }

@@ -100,7 +100,7 @@ class ImuCheck {
   double time_ = kNaN, encoder_time_ = kNaN, imu_time_ = kNaN;  // of the last tick [s]
   Vec3 gyro_before_ = Vec3::Zero(), accelerometer_before_ = Vec3::Zero();
   Mat3 R_IB_ = Mat3::Identity();
-  PerLeg<Mat3> R_IS_;    // shanks
+  PerLeg<Mat3> R_IK_;    // shanks
   PerLeg<Vec3> arm_;     // from the base to the feet in I [m]
   PerLeg<Vec3> rolled_;  // [m]
   PerLeg<int> firm_ticks_;

@@ -192,11 +192,11 @@ void LegInertialEstimator::update_kinematics(const SensorReading& reading) {
     Foot& foot = feet_[index(leg)];
     const model::LegChain& chain = chains_[index(leg)];
     const Vec3 q = angles(reading.q, leg);
-    const Mat3 R_WS_before = R_WB_before_ * foot.R_BS;
+    const Mat3 R_WK_before = R_WB_before_ * foot.R_BK;
     foot.p_BF = chain.foot_in_base(q, &foot.J);
-    foot.R_BS = chain.shank_in_base(q);
-    const Mat3 R_WS = filter_.R_WB() * foot.R_BS;
-    const Vec3 turn = log_rotation(Quat(Mat3(R_WS * R_WS_before.transpose())));
+    foot.R_BK = chain.shank_in_base(q);
+    const Mat3 R_WK = filter_.R_WB() * foot.R_BK;
+    const Vec3 turn = log_rotation(Quat(Mat3(R_WK * R_WK_before.transpose())));
     foot.roll = turn.cross(foot_radius_ * Vec3::UnitZ());
   }
 }

@@ -59,7 +59,7 @@ class LegInertialEstimator final : public StateEstimator {
   struct Foot {
     Vec3 p_BF = Vec3::Zero();
     Mat3 J = Mat3::Zero();         // ∂p_BF/∂q of its leg [m]
-    Mat3 R_BS = Mat3::Identity();  // shank
+    Mat3 R_BK = Mat3::Identity();  // shank
     Vec3 roll = Vec3::Zero();      // of the sphere since the last tick, in W [m]
     Vec3 shift = Vec3::Zero();     // of its estimate, from a corrected leg length, in W [m]
     double stands_for = 0.0;       // [s]

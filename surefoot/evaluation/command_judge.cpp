@@ -11,10 +11,10 @@ void CommandJudge::add(const simulation::GroundTruth& truth, const UserCommand& 
   command_ = user;
   steady_for_ = is_same ? steady_for_ + period_ : 0.0;
   if (steady_for_ < settled_) return;
-  const Mat3 R_WB = truth.q_WB.toRotationMatrix();
-  const Vec3 v = rotation_about_z(-yaw(R_WB)) * truth.v_WCom;
+  const Mat3 R_SB = truth.q_SB.toRotationMatrix();
+  const Vec3 v = rotation_about_z(-yaw(R_SB)) * truth.v_SCom;
   velocity_squares_ += (v.head<2>() - user.velocity).squaredNorm();
-  const double turn = (R_WB * truth.w_WB_B).z() - user.yaw_rate;
+  const double turn = (R_SB * truth.w_SB_B).z() - user.yaw_rate;
   turn_squares_ += turn * turn;
   ++ticks_;
 }

@@ -8,11 +8,11 @@ namespace surefoot::logged {
 
 template <typename Archive, Is<evaluation::AlignedEstimate> T>
 void fields(Archive& field, T& estimate) {
-  field("p_WB", estimate.p_WB,
-        "believed base position, counted from the true one at the first tick, in the true W [m]");
-  field("q_WB", estimate.q_WB,
+  field("p_SB", estimate.p_SB,
+        "believed base position, counted from the true one at the first tick, in S [m]");
+  field("q_SB", estimate.q_SB,
         "believed base orientation as quaternion w, x, y, z, with the true heading of the first "
-        "tick; takes B coordinates to the true W");
+        "tick; takes B coordinates to S");
   field("position_error", estimate.position_error,
         "of the believed base position since the first tick [m]");
   field("heading_error", estimate.heading_error,

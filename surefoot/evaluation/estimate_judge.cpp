@@ -6,10 +6,10 @@
 namespace surefoot::evaluation {
 
 void EstimateJudge::add(const simulation::GroundTruth& truth, const RobotState& state) {
-  const Mat3 R_true = truth.q_WB.toRotationMatrix();
+  const Mat3 R_true = truth.q_SB.toRotationMatrix();
   const Mat3 R = state.R_WB();
   if (!R.allFinite() || !state.v_WB.allFinite() || !state.p_WB.allFinite()) return;
-  const Vec3 velocity_error = R.transpose() * state.v_WB - R_true.transpose() * truth.v_WB;
+  const Vec3 velocity_error = R.transpose() * state.v_WB - R_true.transpose() * truth.v_SB;
   const Vec3 up = R.row(2), true_up = R_true.row(2);
   const double tilt = std::atan2(up.cross(true_up).norm(), up.dot(true_up));
   velocity_squares_ += velocity_error.squaredNorm();

@@ -33,8 +33,8 @@ bool is_same(const ReachCommand& a, const ReachCommand& b) {
          (are_free || a.orientation == b.orientation);
 }
 
-double tilt(const Quat& q_WB) {
-  return std::acos(std::clamp(q_WB.toRotationMatrix()(2, 2), -1.0, 1.0));
+double tilt(const Quat& q_SB) {
+  return std::acos(std::clamp(q_SB.toRotationMatrix()(2, 2), -1.0, 1.0));
 }
 
 Quantiles quantiles(std::vector<double> times) {
@@ -80,7 +80,7 @@ void Evaluator::add_off_its_feet(const simulation::GroundTruth& truth, const Tic
 
 // A stopped controller uses neither its plan nor its estimate.
 void Evaluator::judge_plan(const simulation::GroundTruth& truth, const TickRecord& tick) {
-  frame_.update(tick.plan, tick.model.p_WF, truth.p_WF);
+  frame_.update(tick.plan, tick.model.p_WF, truth.p_SF);
   if (estimate_restarts(tick)) estimate_ = {};
   estimate_.add(truth, tick.state);
   touchdowns_.add(truth, tick.plan);
@@ -99,9 +99,9 @@ void Evaluator::add_reach(const simulation::GroundTruth& truth, const TickRecord
   if (!is_same(command, reach_)) reach_begin_ = truth.time;
   reach_ = command;
   const auto arm = static_cast<std::size_t>(tick.plan.arm.arm);
-  if (tick.plan.arm.arm < 0 || arm >= truth.p_WT.size()) return;
+  if (tick.plan.arm.arm < 0 || arm >= truth.p_ST.size()) return;
   if (truth.time - reach_begin_ < options_.scale.time() * kReachTime) return;
-  const Vec3 is = truth.q_WB.conjugate() * (truth.p_WT[arm] - truth.p_WB);
+  const Vec3 is = truth.q_SB.conjugate() * (truth.p_ST[arm] - truth.p_SB);
   const Vec3 wanted = tick.state.q_WB.conjugate() * (tick.plan.arm.p_WT - tick.state.p_WB);
   raise(metrics_.reach_error_max_m, (is - wanted).norm());
 }
@@ -112,21 +112,21 @@ void Evaluator::add(const TickTiming& timing) {
 }
 
 void Evaluator::add_progress(const simulation::GroundTruth& truth, const TickRecord& tick) {
-  if (ticks_ == 0) start_ = truth.p_WB;
-  end_ = truth.p_WB;
+  if (ticks_ == 0) start_ = truth.p_SB;
+  end_ = truth.p_SB;
   if (tick.command.mode != CommandMode::optimal) ++metrics_.fallback_ticks;
   if (tick.command.mode == CommandMode::lifted) return;
   const bool calibrates = tick.plan.calibration != CalibrationStage::none;
-  raise(calibrates ? metrics_.max_tilt_calibrating_rad : metrics_.max_tilt_rad, tilt(truth.q_WB));
+  raise(calibrates ? metrics_.max_tilt_calibrating_rad : metrics_.max_tilt_rad, tilt(truth.q_SB));
 }
 
 void Evaluator::add_walk(const simulation::GroundTruth& truth, const TickRecord& tick) {
   for (const GaitEvent& event : tick.plan.events)
     metrics_.no_ground_events += event.kind == PlanEvent::no_ground ? 1 : 0;
   if (!tick.user.walk || tick.plan.calibration != CalibrationStage::none) return;
-  if (walk_ticks_ == 0) walk_start_ = truth.p_WB;
-  walk_end_ = truth.p_WB;
-  path_.add(truth, tick.user, frame_.R() * tick.plan.R_WC.col(0));
+  if (walk_ticks_ == 0) walk_start_ = truth.p_SB;
+  walk_end_ = truth.p_SB;
+  path_.add(truth, tick.user, frame_.R_SW() * tick.plan.R_WC.col(0));
   command_.add(truth, tick.user);
   ++walk_ticks_;
 }
@@ -134,8 +134,8 @@ void Evaluator::add_walk(const simulation::GroundTruth& truth, const TickRecord&
 void Evaluator::add_com(const simulation::GroundTruth& truth, const TickRecord& tick) {
   // The frames differ by a turn about the vertical, so the height of the plan's COM does not
   // matter.
-  const Vec3 desired = frame_.to_truth({tick.plan.com.p.x(), tick.plan.com.p.y(), 0.0});
-  const double error = (truth.p_WCom - desired).head<2>().norm();
+  const Vec3 desired = frame_.to_S({tick.plan.com.p.x(), tick.plan.com.p.y(), 0.0});
+  const double error = (truth.p_SCom - desired).head<2>().norm();
   raise(metrics_.com_zmp_slack_max_m, tick.plan.com_zmp_slack);
   if (tick.plan.calibration != CalibrationStage::none) {
     raise(metrics_.com_error_calibrating_max_m, error);
@@ -147,16 +147,16 @@ void Evaluator::add_com(const simulation::GroundTruth& truth, const TickRecord& 
   Vec3 centre = Vec3::Zero();
   for (const FootPlan& foot : tick.plan.feet)
     centre += foot.p_WF / static_cast<double>(tick.plan.feet.size());
-  const Vec3 across = frame_.R() * tick.plan.R_WC.col(1);
-  const double lateral = across.dot(truth.p_WCom - frame_.to_truth(centre));
+  const Vec3 across = frame_.R_SW() * tick.plan.R_WC.col(1);
+  const double lateral = across.dot(truth.p_SCom - frame_.to_S(centre));
   const bool first = walk_ticks_ == 1;
   sway_min_ = first ? lateral : std::min(sway_min_, lateral);
   sway_max_ = first ? lateral : std::max(sway_max_, lateral);
 }
 
 void Evaluator::add_torso(const simulation::GroundTruth& truth, const TickRecord& tick) {
-  height_error_.add(truth.p_WB.z() - frame_.to_truth({0.0, 0.0, tick.plan.torso.height}).z());
-  orientation_error_.add(truth.q_WB.angularDistance(Quat(frame_.R()) * tick.plan.torso.q_WB));
+  height_error_.add(truth.p_SB.z() - frame_.to_S({0.0, 0.0, tick.plan.torso.height}).z());
+  orientation_error_.add(truth.q_SB.angularDistance(Quat(frame_.R_SW()) * tick.plan.torso.q_WB));
 }
 
 // A calibration restarts the plan, in its own world frame.
@@ -197,7 +197,7 @@ void Evaluator::add_foot(Leg leg, const simulation::GroundTruth& truth, const Fo
   if (!options_.hip_in_base) return;
   const Vec3 p_BH = options_.hip_in_base(leg, truth.q.segment<kJointsPerLeg>(first_joint(leg)));
   raise(metrics_.limb_extension_max_m,
-        (truth.p_WB + truth.q_WB * p_BH - truth.p_WF[index(leg)]).norm());
+        (truth.p_SB + truth.q_SB * p_BH - truth.p_SF[index(leg)]).norm());
 }
 
 void Evaluator::add_stance(Foot& foot, const simulation::TrueContact& contact) {
@@ -236,17 +236,17 @@ void Evaluator::check_fall(const simulation::GroundTruth& truth, bool may_lie, b
   int count = 0;
   for (const Leg leg : truth.feet.legs()) {
     if (!truth.feet[index(leg)].touching) continue;
-    sum += truth.p_WF[index(leg)].z();
+    sum += truth.p_SF[index(leg)].z();
     ++count;
   }
   if (count > 0) footprint_height_ = sum / count;
-  const double height = truth.p_WB.z() - footprint_height_;
+  const double height = truth.p_SB.z() - footprint_height_;
   metrics_.base_height_end_m = height;
   if (metrics_.fell) return;
   std::array<char, 96> text{};
   const bool is_too_low =
       height + options_.scale.hip_height < options_.scale.length * kMinHipHeight;
-  const bool lands_softly = may_lie && truth.v_WB.z() > -(options_.scale.speed() * kMaxSitSpeed);
+  const bool lands_softly = may_lie && truth.v_SB.z() > -(options_.scale.speed() * kMaxSitSpeed);
   if (truth.torso_contact && !lands_softly) {
     std::snprintf(text.data(), text.size(), "fell at %.4f s: the torso touched the ground",
                   truth.time);
@@ -254,7 +254,7 @@ void Evaluator::check_fall(const simulation::GroundTruth& truth, bool may_lie, b
     std::snprintf(text.data(), text.size(),
                   "fell at %.4f s: the base came down to %.2f m above the feet", truth.time,
                   height);
-  } else if (!(tilt(truth.q_WB) <= kMaxTilt) && !hangs) {
+  } else if (!(tilt(truth.q_SB) <= kMaxTilt) && !hangs) {
     std::snprintf(text.data(), text.size(), "fell at %.4f s: tilted by more than 60°", truth.time);
   } else {
     return;

@@ -10,8 +10,8 @@ namespace surefoot::evaluation {
 void PathJudge::add(const simulation::GroundTruth& truth, const UserCommand& user,
                     const Vec3& heading) {
   Vec2 centre = Vec2::Zero();
-  for (const Vec3& foot : truth.p_WF)
-    centre += foot.head<2>() / static_cast<double>(truth.p_WF.size());
+  for (const Vec3& foot : truth.p_SF)
+    centre += foot.head<2>() / static_cast<double>(truth.p_SF.size());
   if (!begun_) {
     begun_ = true;
     yaw_ = std::atan2(heading.y(), heading.x());
@@ -21,7 +21,7 @@ void PathJudge::add(const simulation::GroundTruth& truth, const UserCommand& use
   advance(user);
   const Vec2 across(-direction_.y(), direction_.x());
   feet_ = std::max(feet_, std::abs(across.dot(centre - point_)));
-  base_ = std::max(base_, std::abs(across.dot(truth.p_WB.head<2>() - point_)));
+  base_ = std::max(base_, std::abs(across.dot(truth.p_SB.head<2>() - point_)));
 }
 
 void PathJudge::advance(const UserCommand& user) {

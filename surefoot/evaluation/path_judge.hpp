@@ -23,7 +23,7 @@ class PathJudge {
   double period_;
   bool begun_ = false;
   double yaw_ = 0.0;
-  Vec2 point_ = Vec2::Zero(), direction_ = Vec2::UnitX();  // of the path, in the true W
+  Vec2 point_ = Vec2::Zero(), direction_ = Vec2::UnitX();  // of the path, in S
   double feet_ = 0.0, base_ = 0.0;                         // largest deviations [m]
 };
 

@@ -17,8 +17,8 @@ std::optional<StartAlignment> start_alignment(const simulation::GroundTruth& tru
   if (std::abs(truth.time) > kSameTime) return std::nullopt;
   const Mat3 R = state.R_WB();
   if (!R.allFinite() || !state.p_WB.allFinite()) return std::nullopt;
-  const Mat3 turn = rotation_about_z(yaw(truth.q_WB.toRotationMatrix()) - yaw(R));
-  return StartAlignment{turn, truth.p_WB - turn * state.p_WB};
+  const Mat3 turn = rotation_about_z(yaw(truth.q_SB.toRotationMatrix()) - yaw(R));
+  return StartAlignment{turn, truth.p_SB - turn * state.p_WB};
 }
 
 bool estimate_restarts(const TickRecord& tick) {
@@ -27,10 +27,10 @@ bool estimate_restarts(const TickRecord& tick) {
 
 AlignedEstimate aligned(const StartAlignment& start, const simulation::GroundTruth& truth,
                         const RobotState& state) {
-  const Vec3 p = start.R * state.p_WB + start.p;
-  const Mat3 R = start.R * state.R_WB();
-  const double turned = yaw(R) - yaw(truth.q_WB.toRotationMatrix());
-  return {p, Quat(R), (p - truth.p_WB).norm(), std::remainder(turned, 2.0 * kPi)};
+  const Vec3 p = start.R_SW * state.p_WB + start.p_SW;
+  const Mat3 R = start.R_SW * state.R_WB();
+  const double turned = yaw(R) - yaw(truth.q_SB.toRotationMatrix());
+  return {p, Quat(R), (p - truth.p_SB).norm(), std::remainder(turned, 2.0 * kPi)};
 }
 
 }  // namespace surefoot::evaluation

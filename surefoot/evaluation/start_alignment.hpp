@@ -8,13 +8,13 @@
 
 namespace surefoot::evaluation {
 
-/// Pose of the controller's world W in the true one at the start of the run. Sensors can see
+/// Pose of the controller's world W in the simulator's S at the start of the run. Sensors can see
 /// neither position nor heading, so estimates are compared relative to it.
 ///
-///     R = R_z(yaw_true − yaw),  p = p_true − R p       at the first tick
+///     R_SW = R_z(yaw_S − yaw_W),  p_SW = p_SB − R_SW p_WB       at the first tick
 struct StartAlignment {
-  Mat3 R = Mat3::Identity();
-  Vec3 p = Vec3::Zero();
+  Mat3 R_SW = Mat3::Identity();
+  Vec3 p_SW = Vec3::Zero();
 };
 
 /// Empty at any tick but the run's first, whose time is 0, or without an estimate: values relative
@@ -25,11 +25,11 @@ struct StartAlignment {
 /// Does the estimate restart at this tick, so that the past does not count?
 [[nodiscard]] bool estimate_restarts(const TickRecord& tick);
 
-/// The estimated base in the true world, and its error.
+/// The estimated base in the simulator's world S, and its error.
 struct AlignedEstimate {
-  Vec3 p_WB = Vec3::Constant(kNaN);   ///< [m]
-  Quat q_WB{kNaN, kNaN, kNaN, kNaN};  ///< takes B coordinates to the true W
-  double position_error = kNaN;       ///< |p_WB − p_WB,true| [m]
+  Vec3 p_SB = Vec3::Constant(kNaN);   ///< [m]
+  Quat q_SB{kNaN, kNaN, kNaN, kNaN};  ///< takes B coordinates to S
+  double position_error = kNaN;       ///< against the true one [m]
   double heading_error = kNaN;        ///< to the left [rad]
 };
 

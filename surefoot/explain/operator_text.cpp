@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kMinShare = 0.38;  // of a force, along a direction that is named: sin 22.5°
 
-/// Direction of a force in W, seen from the robot: "forwards and to the left"; empty if the force
+/// Direction of a force in S, seen from the robot: "forwards and to the left"; empty if the force
 /// or the heading is unknown.
 std::string direction_text(const Vec3& force, double yaw) {
   const Vec3 seen = Eigen::AngleAxisd(-yaw, Vec3::UnitZ()) * force.normalized();

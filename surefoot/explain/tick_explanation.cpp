@@ -21,12 +21,12 @@ namespace surefoot::logged {
 
 // The members that are read of every /truth around the tick.
 struct OutsideTruth {
-  Quat q_WB = Quat::Identity();
+  Quat q_SB = Quat::Identity();
   std::vector<double> xfrc_applied;
 };
 
 void fields(Decoder& field, OutsideTruth& truth) {
-  field("q_WB", truth.q_WB, "");
+  field("q_SB", truth.q_SB, "");
   field("xfrc_applied", truth.xfrc_applied, "");
 }
 
@@ -37,6 +37,7 @@ namespace surefoot::explain {
 namespace {
 
 constexpr double kMinTrueForce = 1.0;    // normal force of a loaded foot [N]
+constexpr double kJustBefore = 0.01;     // a change: the truth that gives its direction [s]
 constexpr double kTimeTolerance = 1e-6;  // of a time that the user gives [s]
 constexpr int kMaxRestartTicks = 400;    // a restart of the estimate comes within these first ticks
 
@@ -175,7 +176,7 @@ class Search {
     if (found_.truth && std::abs(found_.truth->time - nearest_) > 1e-9) found_.truth.reset();
     if (found_.truth)
       found_.applied =
-          logging::applied_forces(nearest_, found_.truth->xfrc_applied, found_.truth->q_WB);
+          logging::applied_forces(nearest_, found_.truth->xfrc_applied, found_.truth->q_SB);
     add_forces();
     if (has_ended) add_end();
     const auto start = found_.truth ? read_start(path_) : std::nullopt;
@@ -208,7 +209,7 @@ class Search {
       mode_before = tick_.command.mode;
       if (std::isnan(first_)) first_ = tick_.reading.time;
       last_ = tick_.reading.time;
-      yaw_ = roll_pitch_yaw(tick_.state.q_WB.toRotationMatrix()).z();
+      if (!has_truth_) heading_ = yaw(tick_.state.q_WB.toRotationMatrix());
       if (!is_nearest()) continue;
       found_.tick = tick_;
       found_.order = log_.level_order();
@@ -274,11 +275,12 @@ class Search {
     scenario_->acts(change);
     blends_.change(change);
     if (!is_near(change.time)) return;
-    found_.events.push_back({change.time, operator_text(change, yaw_), "", "operator"});
+    found_.events.push_back({change.time, operator_text(change, heading_), "", "operator"});
   }
 
   /// The truth of a tick comes behind the tick's own messages, and before the next one's.
   void take_truth(const logging::McapMessage& message) {
+    has_truth_ = true;
     see_forces(message);
     const double time = 1e-9 * static_cast<double>(message.log_time);
     if (!(time > time_ - kLyingWindow && time <= nearest_ + 1e-9)) return;
@@ -291,11 +293,13 @@ class Search {
 
   void see_forces(const logging::McapMessage& message) {
     const double time = 1e-9 * static_cast<double>(message.log_time);
-    if (!is_near(time)) return;
+    if (!is_near(time) && !is_near(time + kJustBefore)) return;
     logged::OutsideTruth truth;
     logged::Decoder::decode(message.data, truth);
+    heading_ = yaw(truth.q_SB.toRotationMatrix());
+    if (!is_near(time)) return;
     scenario_->leave(time, truth.xfrc_applied);
-    const auto changes = forces_.see(time, truth.xfrc_applied, truth.q_WB);
+    const auto changes = forces_.see(time, truth.xfrc_applied, truth.q_SB);
     begun_.insert(begun_.end(), changes.begun.begin(), changes.begun.end());
     ended_.insert(ended_.end(), changes.ended.begin(), changes.ended.end());
   }
@@ -337,7 +341,8 @@ class Search {
   std::string path_;
   double time_, back_, window_, nearest_ = kNaN;
   double first_ = kNaN, last_ = kNaN;  // times of the first and last tick seen [s]
-  double yaw_ = kNaN;                  // estimated, at the last tick [rad]
+  double heading_ = kNaN;              // in S; of a log without truth the believed one in W [rad]
+  bool has_truth_ = false;
   BlendWatch blends_;
   bool is_in_blend_ = false;  // the tick to explain is in a blend that has not ended yet
   std::optional<logging::ScenarioForces> scenario_;

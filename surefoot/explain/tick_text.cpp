@@ -75,9 +75,9 @@ std::string reach(const TickExplanation& explanation) {
   const auto arm = static_cast<std::size_t>(std::max(plan.arm, 0));
   if (plan.arm < 0) return wanted + "; its tip follows nothing";
   const std::string out = wanted + "; reference now " + place(plan.p_WT) + " in W";
-  if (!explanation.truth || arm >= explanation.truth->p_WT.size()) return out;
-  const Vec3 is = explanation.truth->q_WB.conjugate() *
-                  (explanation.truth->p_WT[arm] - explanation.truth->p_WB);
+  if (!explanation.truth || arm >= explanation.truth->p_ST.size()) return out;
+  const Vec3 is = explanation.truth->q_SB.conjugate() *
+                  (explanation.truth->p_ST[arm] - explanation.truth->p_SB);
   const RobotState& state = explanation.tick.state;
   const double off = (is - state.q_WB.conjugate() * (plan.p_WT - state.p_WB)).norm();
   return out + formatted(", the tip is %.1f cm from it, seen from the base", 100.0 * off);
@@ -133,7 +133,7 @@ std::string facts(const TickExplanation& explanation) {
   const std::string load = carried(tick.model.load);
   if (!load.empty()) table.push_back({"weighs", load});
   if (explanation.truth)
-    table.push_back({"in truth", pose(explanation.truth->p_WB, explanation.truth->q_WB)});
+    table.push_back({"in truth", pose(explanation.truth->p_SB, explanation.truth->q_SB)});
   if (explanation.estimate)
     table.push_back(
         {"is off by", formatted("%.1f cm, %.1f° in heading, counted from the first tick",

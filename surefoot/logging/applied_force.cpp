@@ -35,24 +35,24 @@ std::string direction(const AppliedForce& force) {
 }  // namespace
 
 std::vector<AppliedForce> applied_forces(double time, const std::vector<double>& xfrc,
-                                         const Quat& q_WB) {
+                                         const Quat& q_SB) {
   std::vector<AppliedForce> forces;
   for (std::size_t body = 1; 6 * body + 6 <= xfrc.size(); ++body) {
     const Vec3 force(xfrc[6 * body], xfrc[6 * body + 1], xfrc[6 * body + 2]);
     if (force.allFinite() && force.norm() > kMinForce)
-      forces.push_back({.body = body, .from = time, .to = kNaN, .force = force, .q_WB = q_WB});
+      forces.push_back({.body = body, .from = time, .to = kNaN, .force = force, .q_SB = q_SB});
   }
   return forces;
 }
 
 AppliedForceWatch::Changes AppliedForceWatch::see(double time, const std::vector<double>& xfrc,
-                                                  const Quat& q_WB) {
+                                                  const Quat& q_SB) {
   Changes changes;
   const bool is_first = !last_.has_value();
   const double before = last_.value_or(time);
   last_ = time;
   std::vector<Followed> now;
-  for (const AppliedForce& force : applied_forces(before, xfrc, q_WB)) {
+  for (const AppliedForce& force : applied_forces(before, xfrc, q_SB)) {
     const auto goes_on = std::ranges::find_if(
         followed_, [&](const Followed& one) { return one.force.body == force.body; });
     if (goes_on == followed_.end()) {
@@ -62,7 +62,7 @@ AppliedForceWatch::Changes AppliedForceWatch::see(double time, const std::vector
     Followed& one = now.emplace_back(*goes_on);
     if (force.force.norm() > one.force.force.norm() * (1.0 + 1e-6)) {
       one.force.force = force.force;
-      one.force.q_WB = force.q_WB;
+      one.force.q_SB = force.q_SB;
     }
     if (!std::exchange(one.is_reported, true)) changes.begun.push_back(one.force);
     followed_.erase(goes_on);
@@ -98,7 +98,7 @@ std::vector<std::string> body_names(const LogHeader& header) {
 
 double angle_from_ahead(const AppliedForce& force) {
   if (std::hypot(force.force.x(), force.force.y()) == 0.0) return kNaN;
-  const double angle = std::atan2(force.force.y(), force.force.x()) - yaw_of(force.q_WB);
+  const double angle = std::atan2(force.force.y(), force.force.x()) - yaw_of(force.q_SB);
   return std::remainder(angle, 2.0 * kPi);
 }
 

@@ -12,13 +12,13 @@ namespace surefoot::logging {
 struct AppliedForce {
   std::size_t body = 0;           ///< its row of the truth's `xfrc_applied`
   double from = kNaN, to = kNaN;  ///< [s]; `to` is NaN while it acts
-  Vec3 force = Vec3::Zero();      ///< the largest so far, in W [N]
-  Quat q_WB = Quat::Identity();   ///< base orientation at that time
+  Vec3 force = Vec3::Zero();      ///< the largest so far, in S [N]
+  Quat q_SB = Quat::Identity();   ///< base orientation at that time
 };
 
 /// The forces in a tick's `xfrc_applied`, six numbers a body, the world's first; `from` is `time`.
 [[nodiscard]] std::vector<AppliedForce> applied_forces(double time, const std::vector<double>& xfrc,
-                                                       const Quat& q_WB);
+                                                       const Quat& q_SB);
 
 /// Follows external forces, tick by tick.
 class AppliedForceWatch {
@@ -29,7 +29,7 @@ class AppliedForceWatch {
     std::vector<AppliedForce> begun, ended;
   };
 
-  [[nodiscard]] Changes see(double time, const std::vector<double>& xfrc, const Quat& q_WB);
+  [[nodiscard]] Changes see(double time, const std::vector<double>& xfrc, const Quat& q_SB);
   /// Forces that act now.
   [[nodiscard]] std::vector<AppliedForce> acting() const;
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <iterator>
+#include <utility>
 
 namespace surefoot::logging {
 namespace {
@@ -41,11 +42,11 @@ void drawn_member(JsonText& json, const std::vector<LogDraw>& drawn) {
 void terrain_member(JsonText& json, const std::vector<LogTerrain>& terrain) {
   json.key("terrain").array();
   for (const LogTerrain& piece : terrain) {
-    const Quat& q = piece.q_WT;
+    const Quat& q = piece.q_SG;
     const std::array<double, 4> wxyz{q.w(), q.x(), q.y(), q.z()};
     json.object().member("shape", std::string_view(piece.shape));
     numbers(json, "position", piece.position.data(), 3);
-    numbers(json, "q_WT", wxyz.data(), wxyz.size());
+    numbers(json, "q_SG", wxyz.data(), wxyz.size());
     numbers(json, "size", piece.size.data(), 3);
     json.member("columns", piece.columns).member("rows", piece.rows);
     numbers(json, "heights", piece.heights.data(), piece.heights.size());
@@ -54,10 +55,11 @@ void terrain_member(JsonText& json, const std::vector<LogTerrain>& terrain) {
   json.end_array();
 }
 
-/// The minor number of a version.
-int minor_number(std::string_view version) {
+/// Major and minor number of a version.
+std::pair<int, int> numbers_of(std::string_view version) {
   const std::size_t point = std::min(version.find('.'), version.size() - 1);
-  return std::atoi(std::string(version.substr(point + 1)).c_str());
+  return {std::atoi(std::string(version.substr(0, point)).c_str()),
+          std::atoi(std::string(version.substr(point + 1)).c_str())};
 }
 
 }  // namespace
@@ -67,9 +69,9 @@ std::string level_name(const std::vector<std::string>& names, std::ptrdiff_t num
   return is_known ? names[static_cast<std::size_t>(number)] : "level " + std::to_string(number + 1);
 }
 
-bool LogHeader::is_older() const { return minor_number(log_version) < minor_number(kLogVersion); }
+bool LogHeader::is_older() const { return numbers_of(log_version) < numbers_of(kLogVersion); }
 
-bool LogHeader::is_newer() const { return minor_number(log_version) > minor_number(kLogVersion); }
+bool LogHeader::is_newer() const { return numbers_of(log_version) > numbers_of(kLogVersion); }
 
 std::string LogHeader::level_name(std::ptrdiff_t number) const {
   return logging::level_name(level_names, number);

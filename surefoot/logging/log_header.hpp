@@ -15,7 +15,7 @@
 namespace surefoot::logging {
 
 /// Version of the log's topics and fields: the major number changes if readers must change.
-inline constexpr std::string_view kLogVersion = "2.13";
+inline constexpr std::string_view kLogVersion = "3.0";
 
 /// Robot data for the report.
 struct LogRobot {
@@ -43,8 +43,8 @@ struct LogLimbLimits {
 /// A piece of the simulated ground; feet touch the highest at each place.
 struct LogTerrain {
   std::string shape;              ///< "plane" (infinite), "box", or "heights" on a grid
-  Vec3 position = Vec3::Zero();   ///< of its centre in W [m]
-  Quat q_WT = Quat::Identity();   ///< takes its coordinates to W; a plane's normal is z
+  Vec3 position = Vec3::Zero();   ///< of its centre in S [m]
+  Quat q_SG = Quat::Identity();   ///< takes its coordinates G to S; a plane's normal is z
   Vec3 size = Vec3::Zero();       ///< full edge lengths; of a grid along x and y [m]
   int columns = 0, rows = 0;      ///< points of the grid along x and y
   std::vector<double> heights{};  ///< above `position`, row by row along y [m]

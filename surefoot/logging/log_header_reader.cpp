@@ -71,10 +71,10 @@ Eigen::Matrix<double, n, 1> parse_vector(const json& list) {
 }
 
 LogTerrain parse_terrain(const json& piece) {
-  const Eigen::Vector4d q = parse_vector<4>(piece.at("q_WT"));
+  const Eigen::Vector4d q = parse_vector<4>(piece.at(piece.contains("q_SG") ? "q_SG" : "q_WT"));
   return {.shape = piece.at("shape").get<std::string>(),
           .position = parse_vector<3>(piece.at("position")),
-          .q_WT = Quat(q[0], q[1], q[2], q[3]),
+          .q_SG = Quat(q[0], q[1], q[2], q[3]),
           .size = parse_vector<3>(piece.at("size")),
           .columns = piece.at("columns").get<int>(),
           .rows = piece.at("rows").get<int>(),
@@ -145,11 +145,11 @@ LogHeader read_log_header(const std::string& path, const std::string& text) {
   try {
     const json header = parse_flat(text);
     const auto version = member<std::string>(header, "log_version");
-    if (major_of(version) != major_of(kLogVersion)) {
-      throw FileError(
-          path + ": log version " + version + "; this program reads " + std::string(kLogVersion) +
-          " and all others of " + std::string(major_of(kLogVersion)) +
-          ".x. Read it with the version of surefoot that made it, or record the run anew");
+    const std::string_view major = major_of(version);
+    if (major != "2" && major != major_of(kLogVersion)) {
+      throw FileError(path + ": log version " + version +
+                      "; this program reads 2.x and 3.x. Read it with the version of surefoot that "
+                      "made it, or record the run anew");
     }
     LogHeader result = parse_header(header);
     result.log_version = version;

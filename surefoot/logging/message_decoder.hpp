@@ -26,7 +26,7 @@ class Decoder {
   /// Called by `fields` for each member.
   template <typename T>
   void operator()(std::string_view name, T& content, std::string_view) {
-    if (find(name)) {
+    if (find(name) || find(name_before_3(name))) {
       value(content);
       next_ = json_.position();
     }
@@ -53,6 +53,13 @@ class Decoder {
     if (find_before_end(name)) return true;
     json_.go_to(first_);
     return find_before_end(name);
+  }
+
+  /// Logs before 3.0 call the simulator's world W, too: p_SB is p_WB in them.
+  static std::string name_before_3(std::string_view name) {
+    std::string old(name);
+    if (old.size() > 2 && old[1] == '_' && old[2] == 'S') old[2] = 'W';
+    return old;
   }
 
   bool find_before_end(std::string_view name) {

@@ -347,7 +347,7 @@ void fields(Archive& field, T& change) {
   field("friction", change.friction,
         "of kind friction: coefficient that the controller assumes from now on");
   field("body", change.body, "of kind push: the link that is pushed");
-  field("force", change.force, "of kind push: at the link's centre of mass, in W [N]");
+  field("force", change.force, "of kind push: at the link's centre of mass, in S [N]");
 }
 
 template <typename Archive, Is<JointCommand> T>

@@ -96,7 +96,7 @@ double share(const Push& push, double time, double timestep) {
   return std::max(0.0, end - start) / timestep;
 }
 
-/// Position of a body's point in W [m].
+/// Position of a body's point in S [m].
 Vec3 place(const mjData& data, int body, const Vec3& point) {
   using RotationRows = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>;
   return Eigen::Map<const Vec3>(data.xpos + 3 * body) + RotationRows(data.xmat + 9 * body) * point;
@@ -182,7 +182,7 @@ void Pushes::apply(double timestep, mjData& data) noexcept {
 
 void Pushes::lift(Hand& hand, mjData& data) const noexcept {
   const Vec3 p_W = place(data, base_, hand.point());
-  std::array<mjtNum, 6> velocity{};  // of the body's origin: rotation, then translation, in W
+  std::array<mjtNum, 6> velocity{};  // of the body's origin: rotation, then translation, in S
   mj_objectVelocity(&model_, &data, mjOBJ_XBODY, base_, velocity.data(), 0);
   const Vec3 w(velocity.data()), v(velocity.data() + 3);
   const Vec3 v_W = v + w.cross(p_W - Vec3(data.xpos + 3 * base_));

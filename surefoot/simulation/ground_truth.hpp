@@ -10,11 +10,11 @@ namespace surefoot::simulation {
 struct TrueContact {
   bool touching = false;
   bool touched = false;         ///< at any physics step since the tick before
-  Vec3 force = Vec3::Zero();    ///< of the ground on the foot, summed over its contacts, in W [N]
-  Vec3 normal = Vec3::UnitZ();  ///< force-weighted mean normal, in W
-  Vec3 point = Vec3::Zero();    ///< force-weighted mean contact point, in W [m]
+  Vec3 force = Vec3::Zero();    ///< of the ground on the foot, summed over its contacts, in S [N]
+  Vec3 normal = Vec3::UnitZ();  ///< force-weighted mean normal, in S
+  Vec3 point = Vec3::Zero();    ///< force-weighted mean contact point, in S [m]
   Vec3 slip_velocity =
-      Vec3::Zero();          ///< tangential velocity of the material contact point, in W [m/s]
+      Vec3::Zero();          ///< tangential velocity of the material contact point, in S [m/s]
   double friction = 0.0;     ///< coefficient
   double penetration = 0.0;  ///< deepest [m]
 };
@@ -23,19 +23,19 @@ struct TrueContact {
 /// truth` may read it; control never includes this header.
 struct GroundTruth {
   double time = 0.0;
-  Vec3 p_WB = Vec3::Zero();
-  Quat q_WB = Quat::Identity();
-  Vec3 v_WB = Vec3::Zero();    ///< in W
-  Vec3 w_WB_B = Vec3::Zero();  ///< in B
+  Vec3 p_SB = Vec3::Zero();
+  Quat q_SB = Quat::Identity();
+  Vec3 v_SB = Vec3::Zero();    ///< in S
+  Vec3 w_SB_B = Vec3::Zero();  ///< in B
   JointVector q = JointVector::Zero(kNumLegJoints);
   JointVector qd = JointVector::Zero(kNumLegJoints);
   JointVector torque =
       JointVector::Zero(kNumLegJoints);  ///< applied at the joints, after the actuator model [N·m]
-  Vec3 p_WCom = Vec3::Zero();            ///< of all moving parts, with payload
-  Vec3 v_WCom = Vec3::Zero();
-  PerLeg<Vec3> p_WF = per_leg<Vec3>(Vec3::Zero());  ///< sphere centres
-  PerLeg<Vec3> v_WF = per_leg<Vec3>(Vec3::Zero());
-  std::vector<Vec3> p_WT;  ///< tips of arms
+  Vec3 p_SCom = Vec3::Zero();            ///< of all moving parts, with payload
+  Vec3 v_SCom = Vec3::Zero();
+  PerLeg<Vec3> p_SF = per_leg<Vec3>(Vec3::Zero());  ///< sphere centres
+  PerLeg<Vec3> v_SF = per_leg<Vec3>(Vec3::Zero());
+  std::vector<Vec3> p_ST;  ///< tips of arms
   PerLeg<TrueContact> feet;
   double body_contact_force = 0.0;  ///< largest force on any part of the robot besides feet [N]
   bool torso_contact = false;       ///< the torso touches the ground

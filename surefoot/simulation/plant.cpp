@@ -178,12 +178,12 @@ void Plant::Implementation::set_torques() {
 void Plant::Implementation::physics_step() {
   set_torques();
   pushes.apply(options.timestep, data);
-  const Quat q_WB = base_orientation(data, parts);
+  const Quat q_SB = base_orientation(data, parts);
   const Vec3 v_before = base_velocity(data, parts);
   mj_step2(&model, &data);
   note_touches(model, data, parts, touched);
   const Vec3 acceleration = (base_velocity(data, parts) - v_before) / options.timestep;
-  sensors.accumulate(q_WB.conjugate() * (acceleration + Vec3(0.0, 0.0, kGravity)));
+  sensors.accumulate(q_SB.conjugate() * (acceleration + Vec3(0.0, 0.0, kGravity)));
   actuators.advance(joint_positions(data, parts));
   mj_step1(&model, &data);
 }

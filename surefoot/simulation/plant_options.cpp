@@ -234,7 +234,7 @@ Group fields(Push& o) {
   return {{"body", &o.body, "link of the URDF; without it the base"},
           Field{"time", &o.time, kNotNegative, "s", "start"}.required(),
           {"duration", &o.duration, kPositive, "s", ""},
-          {"force", axes(o.force), kAnyNumber, "N", "in W"}};
+          {"force", axes(o.force), kAnyNumber, "N", "in S"}};
 }
 
 Group fields(Lift& o) {

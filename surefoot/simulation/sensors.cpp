@@ -47,7 +47,7 @@ Sensors::Sensors(const SensorOptions& options, double control_period, std::uint6
       foot_random_(named_bits(seed, "foot_force")),
       drift_random_(named_bits(seed, "imu_drift")),
       control_period_(control_period),
-      q_BS_(from_roll_pitch_yaw(options.imu.tilt)),
+      q_BI_(from_roll_pitch_yaw(options.imu.tilt)),
       gyro_bias_(options.imu.gyro_bias * normal_vector<Vec3>(random_)),
       accelerometer_bias_(options.imu.accelerometer_bias * normal_vector<Vec3>(random_)) {}
 
@@ -100,13 +100,13 @@ void Sensors::read_encoders(const GroundTruth& truth, SensorReading& reading) no
 void Sensors::read_imu(const GroundTruth& truth, const Noise& noise,
                        SensorReading& reading) noexcept {
   const ImuOptions& imu = options_.imu;
-  const Vec3 at_rest = truth.q_WB.conjugate() * Vec3(0.0, 0.0, kGravity);
+  const Vec3 at_rest = truth.q_SB.conjugate() * Vec3(0.0, 0.0, kGravity);
   const Vec3 specific_force = num_forces_ > 0 ? Vec3(force_sum_ / num_forces_) : at_rest;
   force_sum_.setZero();
   num_forces_ = 0;
-  const Quat q_SB = q_BS_.conjugate();
-  reading.gyro = q_SB * truth.w_WB_B + gyro_bias_ + gyro_drift_ + imu.gyro_noise * noise.gyro;
-  reading.accelerometer = q_SB * specific_force + accelerometer_bias_ + accelerometer_drift_ +
+  const Quat q_IB = q_BI_.conjugate();
+  reading.gyro = q_IB * truth.w_SB_B + gyro_bias_ + gyro_drift_ + imu.gyro_noise * noise.gyro;
+  reading.accelerometer = q_IB * specific_force + accelerometer_bias_ + accelerometer_drift_ +
                           imu.accelerometer_noise * noise.accelerometer;
   reading.imu_time = truth.time;
 }

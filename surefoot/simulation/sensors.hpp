@@ -57,7 +57,7 @@ class Sensors {
   Random random_;  // for biases, torques and IMU
   Random encoder_random_, foot_random_, drift_random_;
   double control_period_;
-  Quat q_BS_;  // orientation of the IMU's own frame S
+  Quat q_BI_;  // orientation of the IMU's own frame I
   Vec3 gyro_bias_, accelerometer_bias_;
   Vec3 gyro_drift_ = Vec3::Zero(), accelerometer_drift_ = Vec3::Zero();
   Vec3 force_sum_ = Vec3::Zero();

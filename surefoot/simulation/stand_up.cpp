@@ -42,7 +42,7 @@ bool at_rest(const mjData& data, const RobotParts& parts, const Scale& scale) {
          joint_velocities(data, parts).cwiseAbs().maxCoeff() < scale.rate() * kRestRate;
 }
 
-/// Jacobian of the foot for its own joints, in W.
+/// Jacobian of the foot for its own joints, in S.
 Mat3 foot_jacobian(const mjModel& model, const mjData& data, const RobotParts& parts, Leg leg) {
   std::vector<mjtNum> jacobian(static_cast<std::size_t>(3 * model.nv));
   const auto nv = static_cast<std::size_t>(model.nv);

@@ -73,9 +73,9 @@ double lowest_vertex(const mjModel& model, int mesh, const Vec3& up) {
   return lowest;
 }
 
-/// z of a shape's lowest point in W; NaN for shapes that a URDF can't have.
+/// z of a shape's lowest point in S; NaN for shapes that a URDF can't have.
 double lowest_point(const mjModel& model, const mjData& data, int geom) {
-  const Vec3 up(data.geom_xmat + 9 * geom + 6);  // e_z of W in the shape's frame
+  const Vec3 up(data.geom_xmat + 9 * geom + 6);  // e_z of S in the shape's frame
   const Vec3 size(model.geom_size + 3 * geom);
   const double center = data.geom_xpos[3 * geom + 2];
   switch (model.geom_type[geom]) {

@@ -31,7 +31,7 @@ int foot_on_terrain(const mjContact& contact, const RobotParts& parts) {
   return owner.part == Part::foot ? owner.leg : -1;
 }
 
-/// Force on the second geom, in W.
+/// Force on the second geom, in S.
 Vec3 contact_force(const mjModel& model, const mjData& data, int id) {
   mjtNum force[6];
   mj_contactForce(&model, &data, id, force);
@@ -109,14 +109,14 @@ void extract_contacts(const mjModel& model, const mjData& data, const RobotParts
 
 void extract_feet(const mjModel& model, const mjData& data, const RobotParts& parts,
                   GroundTruth& truth) {
-  truth.p_WF.resize(static_cast<int>(parts.foot_geom.size()));
-  truth.v_WF.resize(static_cast<int>(parts.foot_geom.size()));
-  for (std::size_t leg = 0; leg < truth.p_WF.size(); ++leg) {
-    truth.p_WF[leg] = vec3(data.geom_xpos + 3 * parts.foot_geom[leg]);
-    truth.v_WF[leg] = point_velocity(model, data, parts.foot_body[leg], truth.p_WF[leg]);
+  truth.p_SF.resize(static_cast<int>(parts.foot_geom.size()));
+  truth.v_SF.resize(static_cast<int>(parts.foot_geom.size()));
+  for (std::size_t leg = 0; leg < truth.p_SF.size(); ++leg) {
+    truth.p_SF[leg] = vec3(data.geom_xpos + 3 * parts.foot_geom[leg]);
+    truth.v_SF[leg] = point_velocity(model, data, parts.foot_body[leg], truth.p_SF[leg]);
   }
-  truth.p_WT.clear();
-  for (const int body : parts.tip_body) truth.p_WT.push_back(vec3(data.xpos + 3 * body));
+  truth.p_ST.clear();
+  for (const int body : parts.tip_body) truth.p_ST.push_back(vec3(data.xpos + 3 * body));
 }
 
 }  // namespace
@@ -161,10 +161,10 @@ Vec3 base_velocity(const mjData& data, const RobotParts& parts) noexcept {
 
 void extract_truth(const mjModel& model, mjData& data, const RobotParts& parts,
                    GroundTruth& truth) noexcept {
-  truth.p_WB = vec3(data.qpos + parts.base_qpos);
-  truth.q_WB = base_orientation(data, parts);
-  truth.v_WB = base_velocity(data, parts);
-  truth.w_WB_B = vec3(data.qvel + parts.base_dof + 3);
+  truth.p_SB = vec3(data.qpos + parts.base_qpos);
+  truth.q_SB = base_orientation(data, parts);
+  truth.v_SB = base_velocity(data, parts);
+  truth.w_SB_B = vec3(data.qvel + parts.base_dof + 3);
   truth.q = joint_positions(data, parts);
   truth.qd = joint_velocities(data, parts);
   truth.torque.resize(truth.q.size());
@@ -172,8 +172,8 @@ void extract_truth(const mjModel& model, mjData& data, const RobotParts& parts,
     truth.torque[static_cast<Eigen::Index>(i)] = data.qfrc_actuator[parts.dof[i]];
   }
   mj_subtreeVel(&model, &data);
-  truth.p_WCom = vec3(data.subtree_com + 3 * parts.base_body);
-  truth.v_WCom = vec3(data.subtree_linvel + 3 * parts.base_body);
+  truth.p_SCom = vec3(data.subtree_com + 3 * parts.base_body);
+  truth.v_SCom = vec3(data.subtree_linvel + 3 * parts.base_body);
   extract_feet(model, data, parts, truth);
   extract_contacts(model, data, parts, truth);
   truth.qpos.assign(data.qpos, data.qpos + model.nq);

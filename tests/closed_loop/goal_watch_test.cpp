@@ -8,10 +8,10 @@ namespace {
 /// All four feet on the ground at these x, the base at another.
 simulation::GroundTruth standing(const PerLeg<double>& feet_x, double base_x) {
   simulation::GroundTruth truth;
-  truth.p_WB.x() = base_x;
+  truth.p_SB.x() = base_x;
   for (const Leg leg : kLegs) {
     truth.feet[index(leg)].touching = true;
-    truth.p_WF[index(leg)].x() = feet_x[index(leg)];
+    truth.p_SF[index(leg)].x() = feet_x[index(leg)];
   }
   return truth;
 }

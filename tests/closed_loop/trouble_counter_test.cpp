@@ -56,8 +56,8 @@ std::vector<TroubleCount> told_of_reach(double reference, double tip, int arm = 
   record.state.p_WB = Vec3(0.2, 0.0, 0.0);  // 10 cm off
   record.state.q_WB = Quat::Identity();
   simulation::GroundTruth truth;
-  truth.p_WB = Vec3(0.1, 0.0, 0.0);
-  truth.p_WT = {Vec3(tip - 0.1, 0.0, 0.0)};
+  truth.p_SB = Vec3(0.1, 0.0, 0.0);
+  truth.p_ST = {Vec3(tip - 0.1, 0.0, 0.0)};
   for (truth.time = 0.0; truth.time < 1.5; truth.time += 0.1)
     troubles.add(truth.time, record, truth);
   return troubles.counts();

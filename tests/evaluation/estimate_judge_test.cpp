@@ -16,11 +16,11 @@ TEST(EstimateJudge, HeadingAndPositionOfTheStartAreNoError) {
   const Quat turned = from_roll_pitch_yaw({0.0, 0.0, 1.1});
   EstimateJudge judge;
   for (int tick = 0; tick < 10; ++tick) {
-    truth.p_WB = Vec3(0.1 * tick, 0.02 * tick, 0.4);
-    truth.v_WB = Vec3(0.1, 0.02, 0.0);
-    state.p_WB = turned * truth.p_WB + Vec3(5.0, 6.0, 7.0);
-    state.v_WB = turned * truth.v_WB;
-    state.q_WB = turned * truth.q_WB;
+    truth.p_SB = Vec3(0.1 * tick, 0.02 * tick, 0.4);
+    truth.v_SB = Vec3(0.1, 0.02, 0.0);
+    state.p_WB = turned * truth.p_SB + Vec3(5.0, 6.0, 7.0);
+    state.v_WB = turned * truth.v_SB;
+    state.q_WB = turned * truth.q_SB;
     judge.add(truth, state);
   }
   Metrics metrics;

@@ -23,7 +23,7 @@ struct HandMadeRun {
   explicit HandMadeRun(EvaluatorOptions options) : evaluator(std::move(options)) { stand(); }
 
   void stand() {
-    truth.p_WB.z() = 0.45;
+    truth.p_SB.z() = 0.45;
     for (simulation::TrueContact& contact : truth.feet) {
       contact = {.touching = true, .force = Vec3(0.0, 0.0, 75.0), .friction = 0.8};
     }
@@ -86,8 +86,8 @@ TEST(Evaluator, SpeedCountsOnlyTheTimeInWhichWalkingIsCommanded) {
   run.steps(400);
   run.tick.user.walk = true;
   for (int i = 0; i < 800; ++i) {
-    run.truth.p_WB.x() = 0.3 * (i / 799.0);
-    run.truth.p_WB.y() = 0.4 * (i / 799.0);
+    run.truth.p_SB.x() = 0.3 * (i / 799.0);
+    run.truth.p_SB.y() = 0.4 * (i / 799.0);
     run.step();
   }
   EXPECT_NEAR(run.metrics().distance_m, 0.5, 1e-12);
@@ -96,9 +96,9 @@ TEST(Evaluator, SpeedCountsOnlyTheTimeInWhichWalkingIsCommanded) {
 
 TEST(Evaluator, ComErrorIsThatInThePlane) {
   HandMadeRun run;
-  run.truth.p_WCom = {0.003, 0.004, 0.4};
+  run.truth.p_SCom = {0.003, 0.004, 0.4};
   run.step();
-  run.truth.p_WCom = {0.0, 0.0, 0.4};
+  run.truth.p_SCom = {0.0, 0.0, 0.4};
   run.steps(3);
   EXPECT_NEAR(run.metrics().com_error_max_m, 0.005, 1e-15);
   EXPECT_NEAR(run.metrics().com_error_rms_m, 0.0025, 1e-15);
@@ -113,7 +113,7 @@ TEST(Evaluator, SwayIsHalfTheRangeAcrossTheHeadingSeenFromTheFeet) {
     // Feet and COM drift together along x, across the heading; that is no sway.
     const double drift = 10.0 * run.truth.time;
     for (FootPlan& foot : run.tick.plan.feet) foot.p_WF = {drift, 5.0, 0.0};
-    run.truth.p_WCom = {drift + lateral, 3.0, 0.4};
+    run.truth.p_SCom = {drift + lateral, 3.0, 0.4};
     run.step();
   }
   EXPECT_NEAR(run.metrics().com_lateral_sway_m, 0.05, 1e-12);
@@ -121,11 +121,11 @@ TEST(Evaluator, SwayIsHalfTheRangeAcrossTheHeadingSeenFromTheFeet) {
 
 TEST(Evaluator, TorsoErrorsAreRootMeanSquares) {
   HandMadeRun run;
-  run.truth.p_WB.z() = 0.48;
-  run.truth.q_WB = Quat(Eigen::AngleAxisd(0.1, Vec3(1.0, 2.0, 3.0).normalized()));
+  run.truth.p_SB.z() = 0.48;
+  run.truth.q_SB = Quat(Eigen::AngleAxisd(0.1, Vec3(1.0, 2.0, 3.0).normalized()));
   run.step();
-  run.truth.p_WB.z() = 0.41;
-  run.truth.q_WB = Quat(Eigen::AngleAxisd(-0.2, Vec3::UnitX()));
+  run.truth.p_SB.z() = 0.41;
+  run.truth.q_SB = Quat(Eigen::AngleAxisd(-0.2, Vec3::UnitX()));
   run.step();
   EXPECT_NEAR(run.metrics().base_height_error_rms_m, std::sqrt((0.03 * 0.03 + 0.04 * 0.04) / 2.0),
               1e-12);
@@ -284,10 +284,10 @@ TEST(Evaluator, LimbExtensionIsFromTheTrueHipToTheTrueFoot) {
       {.control_period = kPeriod, .terrain_height = {}, .hip_in_base = [](Leg leg, const Vec3& q) {
          return Vec3(leg == Leg::RH ? q[2] : 0.0, 0.0, 0.0);
        }});
-  run.truth.p_WB = {1.0, 2.0, 0.45};
-  run.truth.q_WB = Quat(Eigen::AngleAxisd(kPi / 2.0, Vec3::UnitZ()));
+  run.truth.p_SB = {1.0, 2.0, 0.45};
+  run.truth.q_SB = Quat(Eigen::AngleAxisd(kPi / 2.0, Vec3::UnitZ()));
   run.truth.q[first_joint(Leg::RH) + 2] = 0.3;  // the hip 0.3 m along B's x, which is W's y
-  for (Vec3& p_WF : run.truth.p_WF) p_WF = {1.0, 2.0, 0.05};
+  for (Vec3& p_SF : run.truth.p_SF) p_SF = {1.0, 2.0, 0.05};
   run.step();
   EXPECT_NEAR(run.metrics().limb_extension_max_m, 0.5, 1e-12);
 }
@@ -320,13 +320,13 @@ TEST(Evaluator, ALiftedRobotHasNotFallenNorOneThatGetsUp) {
   HandMadeRun run;
   run.step();
   run.tick.command.mode = CommandMode::lifted;
-  run.truth.q_WB = Quat(Eigen::AngleAxisd(1.2, Vec3::UnitX()));
+  run.truth.q_SB = Quat(Eigen::AngleAxisd(1.2, Vec3::UnitX()));
   run.truth.torque[3] = -7.0;
   run.steps(400);
-  run.truth.q_WB.setIdentity();
+  run.truth.q_SB.setIdentity();
   run.tick.command.mode = CommandMode::rise;
   run.truth.torso_contact = true;
-  run.truth.p_WB.z() = 0.1;
+  run.truth.p_SB.z() = 0.1;
   run.truth.torque[3] = 22.0;
   run.steps(200);
   const Metrics metrics = run.metrics();
@@ -353,13 +353,13 @@ TEST(Evaluator, WhoseTorsoIsOnTheGroundHasFallenThoughItSeemsLifted) {
 
 TEST(Evaluator, ALowBaseIsAFallAndACrouchIsNot) {
   HandMadeRun run;
-  for (Vec3& p_WF : run.truth.p_WF) p_WF.z() = -0.14 + 0.031;
-  run.truth.p_WF[index(Leg::LF)].z() = 0.36;  // swings high: those that stand count
+  for (Vec3& p_SF : run.truth.p_SF) p_SF.z() = -0.14 + 0.031;
+  run.truth.p_SF[index(Leg::LF)].z() = 0.36;  // swings high: those that stand count
   run.contact(Leg::LF).touching = false;
-  run.truth.p_WB.z() = -0.14 + 0.031 + 0.125;
+  run.truth.p_SB.z() = -0.14 + 0.031 + 0.125;
   run.step();
   EXPECT_FALSE(run.evaluator.fell());
-  run.truth.p_WB.z() -= 0.01;
+  run.truth.p_SB.z() -= 0.01;
   run.step();
   EXPECT_TRUE(run.evaluator.fell());
 }
@@ -369,10 +369,10 @@ TEST(Evaluator, AFallIsToldByTheHipsWhereverTheBasesOriginIs) {
     EvaluatorOptions options;
     options.scale.hip_height = hips;
     HandMadeRun run(options);
-    run.truth.p_WB.z() = run.truth.p_WF[0].z() + 0.125 - hips;
+    run.truth.p_SB.z() = run.truth.p_SF[0].z() + 0.125 - hips;
     run.step();
     EXPECT_FALSE(run.evaluator.fell()) << hips;
-    run.truth.p_WB.z() -= 0.01;
+    run.truth.p_SB.z() -= 0.01;
     run.step();
     EXPECT_TRUE(run.evaluator.fell()) << hips;
   }
@@ -381,7 +381,7 @@ TEST(Evaluator, AFallIsToldByTheHipsWhereverTheBasesOriginIs) {
 TEST(Evaluator, ATiltBeyondSixtyDegreesIsAFallAndYawIsNoTilt) {
   HandMadeRun run;
   const auto turn = [&](double angle, const Vec3& axis) {
-    run.truth.q_WB = Quat(Eigen::AngleAxisd(angle, axis));
+    run.truth.q_SB = Quat(Eigen::AngleAxisd(angle, axis));
     run.step();
     return run.evaluator.fell();
   };
@@ -399,7 +399,7 @@ TEST(Evaluator, TheTiltOfACalibrationCountsApart) {
   for (const auto& [stage, angle] :
        {std::pair{CalibrationStage::turning, 0.2}, std::pair{CalibrationStage::none, 0.1}}) {
     run.tick.plan.calibration = stage;
-    run.truth.q_WB = Quat(Eigen::AngleAxisd(angle, Vec3::UnitX()));
+    run.truth.q_SB = Quat(Eigen::AngleAxisd(angle, Vec3::UnitX()));
     run.step();
   }
   EXPECT_NEAR(run.metrics().max_tilt_rad, 0.1, 1e-7);
@@ -424,7 +424,7 @@ TEST(Evaluator, WhatAStoppedControllerStillPlansIsNotJudged) {
     run.tick.command.cause = cause;
     run.tick.plan.com.p.x() = 0.1;
     run.tick.plan.torso.height = 0.6;
-    run.truth.q_WB = Quat(Eigen::AngleAxisd(0.3, Vec3::UnitX()));
+    run.truth.q_SB = Quat(Eigen::AngleAxisd(0.3, Vec3::UnitX()));
     run.phase(Leg::LF, LegPhase::swing);
     run.steps(2);
     run.phase(Leg::LF, LegPhase::stance);

@@ -14,8 +14,8 @@ struct Walker {
   void walk(double duration, const Vec2& velocity) {
     for (int i = 0; i < std::lround(duration / kPeriod); ++i) {
       position.head<2>() += kPeriod * velocity;
-      truth.p_WB = position;
-      truth.p_WF.fill(position);
+      truth.p_SB = position;
+      truth.p_SF.fill(position);
       judge.add(truth, user, heading);
     }
   }

@@ -12,7 +12,7 @@ constexpr PerLeg<double> kSides{0.2, -0.2, 0.2, -0.2};
 simulation::GroundTruth standing() {
   simulation::GroundTruth truth;
   for (std::size_t k = 0; k < kNumLegs; ++k) {
-    truth.p_WF[k] = Vec3(k < 2 ? 0.3 : -0.3, kSides[k], 0.03);
+    truth.p_SF[k] = Vec3(k < 2 ? 0.3 : -0.3, kSides[k], 0.03);
     truth.feet[k].touching = truth.feet[k].touched = true;
   }
   return truth;

@@ -35,8 +35,8 @@ TEST(TruthLog, TheTruthStandsOnAChannelOfItsOwnBitByBit) {
     const simulation::GroundTruth& truth = truths.at(count++);
     const json logged = json::parse(message.data);
     ASSERT_EQ(logged.at("time"), truth.time);
-    ASSERT_EQ(logged.at("q_WB"),
-              json({truth.q_WB.w(), truth.q_WB.x(), truth.q_WB.y(), truth.q_WB.z()}));
+    ASSERT_EQ(logged.at("q_SB"),
+              json({truth.q_SB.w(), truth.q_SB.x(), truth.q_SB.y(), truth.q_SB.z()}));
     ASSERT_EQ(logged.at("qpos"), json(truth.qpos));
     ASSERT_EQ(logged.at("qvel"), json(truth.qvel));
     ASSERT_EQ(logged.at("ctrl"), json(truth.ctrl));

@@ -159,10 +159,10 @@ class SyntheticRun {
   void model_and_truth() {
     const Vec3 com(tick.plan.com.p.x() + noise(4e-5) + 1e-4 * std::sin(9.0 * time_),
                    tick.plan.com.p.y() + noise(4e-5), 0.47);
-    tick.model.p_WCom = truth.p_WCom = com;
+    tick.model.p_WCom = truth.p_SCom = com;
     truth.time = time_;
-    truth.p_WB = tick.state.p_WB;
-    truth.q_WB = tick.state.q_WB;
+    truth.p_SB = tick.state.p_WB;
+    truth.q_SB = tick.state.q_WB;
     truth.q = tick.state.q;
     truth.qd = tick.state.qd;
     truth.torque = tick.state.torque;
@@ -174,12 +174,12 @@ class SyntheticRun {
       const std::size_t k = index(leg);
       const Vec3 p_BH(is_front(leg) ? 0.34 : -0.34, is_left(leg) ? 0.19 : -0.19, 0.0);
       const bool contact = tick.plan.contact(leg);
-      tick.model.p_WF[k] = truth.p_WF[k] = tick.plan.feet[k].p_WF + noise3(1e-4);
-      tick.model.p_WH[k] = truth.p_WB + truth.q_WB * p_BH;
+      tick.model.p_WF[k] = truth.p_SF[k] = tick.plan.feet[k].p_WF + noise3(1e-4);
+      tick.model.p_WH[k] = truth.p_SB + truth.q_SB * p_BH;
       tick.model.force[k] =
           contact ? Vec3(noise(2.0), noise(2.0), 90.0 + noise(2.0)) : Vec3::Zero().eval();
       truth.feet[k] = {.touching = contact, .force = tick.model.force[k], .friction = 0.8};
-      truth.feet[k].point = truth.p_WF[k] - Vec3(0.0, 0.0, 0.031);
+      truth.feet[k].point = truth.p_SF[k] - Vec3(0.0, 0.0, 0.031);
       tick.state.foot_force[k] = tick.model.force[k];
     }
   }

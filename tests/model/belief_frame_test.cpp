@@ -17,9 +17,9 @@ TEST(BeliefFrame, FindsWhereTheControllersWorldLies) {
   for (std::size_t k = 0; k < kNumLegs; ++k) believed[k] = R.transpose() * (kFeet[k] - p);
   BeliefFrame frame;
   frame.update(MotionPlan{}, believed, kFeet);
-  EXPECT_LT((frame.R() - R).norm(), 1e-12);
+  EXPECT_LT((frame.R_SW() - R).norm(), 1e-12);
   const Vec3 place(0.1, 0.2, 0.3);
-  EXPECT_LT((frame.to_truth(R.transpose() * (place - p)) - place).norm(), 1e-12);
+  EXPECT_LT((frame.to_S(R.transpose() * (place - p)) - place).norm(), 1e-12);
 }
 
 TEST(BeliefFrame, AFootInTheAirPlaysNoPart) {
@@ -29,7 +29,7 @@ TEST(BeliefFrame, AFootInTheAirPlaysNoPart) {
   plan.feet[1].phase = LegPhase::swing;
   BeliefFrame frame;
   frame.update(plan, believed, kFeet);
-  EXPECT_LT((frame.R() - Mat3::Identity()).norm(), 1e-12);
+  EXPECT_LT((frame.R_SW() - Mat3::Identity()).norm(), 1e-12);
 }
 
 }  // namespace

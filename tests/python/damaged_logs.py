@@ -2,6 +2,7 @@
 
 import io
 import json
+import re
 import struct
 from operator import attrgetter
 
@@ -39,7 +40,7 @@ def foreign(folder):
 
 def newer(log, folder):
     header = json.loads(attachment(log, "header.json"))
-    return written(folder / "newer.mcap", {"header.json": json.dumps(header | {"log_version": "3.0"}).encode()})
+    return written(folder / "newer.mcap", {"header.json": json.dumps(header | {"log_version": "4.0"}).encode()})
 
 
 def without_ticks(log, folder):
@@ -144,15 +145,18 @@ def changed(log, folder, topic, tick, change):
 
 
 def of_version(log, folder, version, lacks=()):
-    """The same log as another version has it: without those members of each topic's messages."""
+    """The same log as another version has it: without those members of each topic's messages. Before 3.0 the simulator's world was called W."""
+
+    def of_one_world(text):
+        return re.sub(r'"([pqvw])_S(\w+)"', r'"\1_W\2"', text).replace('"q_WG"', '"q_WT"') if version < "3" else text
 
     def data_of(channel, _, data):
-        if channel.topic not in lacks:
-            return data
-        return json.dumps({name: value for name, value in json.loads(data).items() if name not in lacks[channel.topic]}).encode()
+        if channel.topic in lacks:
+            data = json.dumps({name: value for name, value in json.loads(data).items() if name not in lacks[channel.topic]}).encode()
+        return of_one_world(data.decode()).encode() if channel.topic == "/truth" else data
 
-    header = json.loads(attachment(log, "header.json")) | {"log_version": version}
-    return rewritten(log, folder / f"version_{version}.mcap", data_of, attachments={"header.json": json.dumps(header).encode()})
+    header = json.loads(of_one_world(attachment(log, "header.json").decode())) | {"log_version": version}
+    return rewritten(log, folder / f"version_{version}.mcap", data_of, attachments={"header.json": json.dumps(header).encode()}, schema_of=of_one_world)
 
 
 def steered(log, folder, changes):
@@ -161,9 +165,10 @@ def steered(log, folder, changes):
     return rewritten(log, folder / "steered.mcap", changes=[unknown | change for change in changes])
 
 
-def rewritten(log, path, data_of=lambda channel, number, data: data, changes=(), attachments=None, by_time=False, channels_first=False, **options):
+def rewritten(log, path, data_of=lambda channel, number, data: data, changes=(), attachments=None, by_time=False, channels_first=False, schema_of=str, **options):
     """The same messages, in the order of the file or of their times, with other data (None: without this one); a change before the tick of its
-    time. `attachments`: data of those that are others. `channels_first`: all before the first message. `options`: of the writer."""
+    time. `attachments`: data of those that are others. `channels_first`: all before the first message. `schema_of`: a schema's text from the old one. `options`:
+    of the writer."""
     with open(log, "rb") as source, open(path, "wb") as target:
         reader, writer = make_reader(source), Writer(target, **options)
         writer.start()
@@ -175,7 +180,7 @@ def rewritten(log, path, data_of=lambda channel, number, data: data, changes=(),
 
         def channel_of(schema, channel):
             if channel.id not in channels:
-                schema_id = writer.register_schema(schema.name, schema.encoding, schema.data)
+                schema_id = writer.register_schema(schema.name, schema.encoding, schema_of(schema.data.decode()).encode())
                 channels[channel.id] = writer.register_channel(channel.topic, channel.message_encoding, schema_id, channel.metadata)
             return channels[channel.id]
 

@@ -40,7 +40,7 @@ def test_the_readmes_run_as_they_stand_and_the_loop_has_ten_lines(capsys):
 
     names, _ = run(loop)
     assert len(loop.splitlines()) == 10
-    assert names["plant"].truth.p_WB[0] > 0.3
+    assert names["plant"].truth.p_SB[0] > 0.3
     names, printed = run(why)
     assert names["controller"].level_names
     assert all(level in printed for level in names["controller"].level_names)
@@ -172,13 +172,13 @@ def test_arrays_have_the_shapes_that_their_help_says(scenario):
 def test_what_is_read_is_what_the_simulator_knows(scenario):
     plant, controller = walked(scenario, 40)
     truth, reading, state = plant.truth, plant.read(), controller.state
-    w, x, y, z = truth.q_WB
+    w, x, y, z = truth.q_SB
     assert plant.time == truth.time == reading.time == pytest.approx(0.1)
-    np.testing.assert_array_equal(truth.p_WB, truth.qpos[:3])
+    np.testing.assert_array_equal(truth.p_SB, truth.qpos[:3])
     np.testing.assert_array_equal([w, x, y, z], truth.qpos[3:7])
     assert len(truth.xfrc_applied) % 6 == 0 and len(truth.xfrc_applied) > 0 and not any(truth.xfrc_applied)
     np.testing.assert_array_equal(sorted(truth.q), sorted(truth.qpos[7:]))
-    assert np.linalg.norm(truth.p_WCom - controller.model.p_WCom) < 1e-3
+    assert np.linalg.norm(truth.p_SCom - controller.model.p_WCom) < 1e-3
     assert np.isnan(reading.foot_force).all()
     assert state.foot_force.shape == (4, 3) and state.foot_force[:, 2].min() > 20
     assert set(truth.feet) == {"LF", "RF", "LH", "RH"}

@@ -97,7 +97,7 @@ def test_the_metrics_of_the_summary_follow_from_the_messages(log):
     metrics = json.loads(attachment(log, "summary.json"))["metrics"]
     errors, step, before = [], 0.0, None
     for truth, plan, command in zip(messages(log, "/truth"), messages(log, "/plan"), messages(log, "/command")):
-        errors.append(math.dist(truth["p_WCom"][:2], plan["com"]["p"]))
+        errors.append(math.dist(truth["p_SCom"][:2], plan["com"]["p"]))
         if before is not None:
             step = max(step, max(abs(a - b) for a, b in zip(command["torque"], before)))
         before = command["torque"]

@@ -5,10 +5,12 @@ import math
 import pathlib
 import re
 
+import pyarrow.parquet
 import pytest
-from damaged_logs import plain_text, without_ticks
+from damaged_logs import of_version, plain_text, without_ticks
 from log_file import messages, rows_of, summary_of
 from log_tools import TICKS, complaint_of, exported
+from program import of_json
 
 JOINTS = [f"{leg}_{joint}" for leg in ("LF", "RF", "LH", "RH") for joint in ("HAA", "HFE", "KFE")]
 
@@ -28,6 +30,18 @@ def test_every_number_of_a_message_is_in_its_column_to_the_bit(log, table):
     for name, value in expected.items():
         assert table[name][row].as_py() == value, name
     assert messages(log, "/readings")[9]["foot_force"]["LF"] is None and table["readings.foot_force.LF"].null_count == TICKS, "not known is null"
+
+
+def test_a_log_in_which_both_worlds_were_called_W_has_todays_names(log, table, tmp_path):
+    old = of_version(log, tmp_path, "2.13")
+    assert "p_WB" in messages(old, "/truth")[0] and "p_SB" not in messages(old, "/truth")[0]
+    exported(old, "--parquet", tmp_path / "old.parquet")
+    read = pyarrow.parquet.read_table(tmp_path / "old.parquet")
+    assert read.column_names == table.column_names
+    for name in ("truth.p_SB.x", "truth.q_SB.w", "truth.w_SB_B.z", "truth.p_SF.LH.z", "truth.v_SCom.y", "state.p_WB.x"):
+        assert read[name].equals(table[name]) and read.schema.field(name).metadata == table.schema.field(name).metadata, name
+    now, then = (of_json("explain", file, "--at", "1")["truth"] for file in (log, old))
+    assert now == then and now["p_SB"] == messages(log, "/truth")[400]["p_SB"]
 
 
 def test_levels_are_part_of_the_name(log, table):
@@ -55,7 +69,7 @@ def test_columns_say_their_unit_and_what_they_are(table):
     field = table.schema.field("state.v_WB.x")
     assert (field.metadata[b"unit"], field.metadata[b"about"]) == ("m/s".encode(), b"base velocity in W")
     assert json.loads(table.schema.metadata[b"surefoot"])["scenario"] == "walk_flat_ideal"
-    feet = {"state.foot_force": "N", "state.slip_velocity": "m/s", "model.p_WF": "m", "model.force": "N", "truth.v_WF": "m/s"}
+    feet = {"state.foot_force": "N", "state.slip_velocity": "m/s", "model.p_WF": "m", "model.force": "N", "truth.v_SF": "m/s"}
     assert {name: table.schema.field(f"{name}.LH.z").metadata[b"unit"].decode() for name in feet} == feet
 
 

@@ -138,7 +138,7 @@ def test_the_frames_lead_to_where_the_feet_are_in_truth(log, scene):
             X[name] = X[of[name]["parent_frame_id"]] @ matrix(of[name])
         for leg in ("LF", "RH"):
             centre = (X[f"{leg}_FOOT"] @ [0.0, 0.0, 0.02325, 1.0])[:3]
-            assert centre == pytest.approx(truths[time]["p_WF"][leg], abs=1e-6)
+            assert centre == pytest.approx(truths[time]["p_SF"][leg], abs=1e-6)
 
 
 def test_arrows_stand_on_the_feet_and_are_as_long_as_their_force(log, scene):

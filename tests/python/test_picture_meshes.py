@@ -15,7 +15,7 @@ def test_a_mesh_that_is_missing_is_noted_and_the_physics_shape_stands_for_it(log
     assert "parts of the robot are shown as the physics has them, the first of base: package://" in note
     assert f"anymal_base.dae: No such file or directory; meshes are sought in {tmp_path} ($SUREFOOT_ROBOT_PACKAGES" in note
     here = run.frames[0]
-    gone = Frame(here.time, [here.qpos[0] + 50.0, *here.qpos[1:]], here.p_WB)
+    gone = Frame(here.time, [here.qpos[0] + 50.0, *here.qpos[1:]], here.p_SB)
     shown, empty = painted(log, run, [here, gone], packages=[tmp_path])
     assert ((empty - shown).sum(axis=2) > 100).sum() > 0.02 * SIZE[0] * SIZE[1]
     assert dressed(log, cache=cache).notes == []

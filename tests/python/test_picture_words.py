@@ -23,14 +23,14 @@ def test_the_camera_stands_beside_the_walk_and_follows_smoothly():
     for angle in (0.0, 1.0, -2.5):
         frames = [frame_at(0.0, 0.1 * i) for i in range(50)]
         for i, frame in enumerate(frames):
-            frame.p_WB = np.array([0.05 * i * np.cos(angle), 0.05 * i * np.sin(angle), 0.5 + 0.01 * (i % 2)])
+            frame.p_SB = np.array([0.05 * i * np.cos(angle), 0.05 * i * np.sin(angle), 0.5 + 0.01 * (i % 2)])
         view = camera.Camera(frames)
         heights = [view.at(0.1 * i)[0][2] for i in range(10, 40)]
         azimuth = np.radians(view.at(2.0)[1].azimuth)
         side = np.cos(azimuth) * -np.sin(angle) + np.sin(azimuth) * np.cos(angle)
         assert side > 0.9  # it looks to the robot's left, from its right
         assert np.ptp(heights) < 0.003
-        assert view.at(2.5)[0][:2] == pytest.approx(frames[25].p_WB[:2], abs=1e-6)
+        assert view.at(2.5)[0][:2] == pytest.approx(frames[25].p_SB[:2], abs=1e-6)
 
 
 def test_an_arrow_that_would_leave_the_picture_is_cut_short_with_two_heads():
@@ -174,7 +174,7 @@ def test_an_arrow_of_a_push_begins_in_the_line_of_its_force_and_a_leg_in_the_air
     assert overlays.push_arrow(np.ones(3), force, np.array([0.0, 0.0, 500.0]))[0] == pytest.approx([1, 1, 1]), "no body is so large"
     frame = frame_at(0.0, 0.0, phases={"LF": "stance", "RF": "stance", "LH": "swing"})
     assert frame.carrying == ["LF", "RF"], "as planned, where the truth is not known"
-    frame.p_WCom, frame.forces = np.zeros(3), [Touch("RF", np.zeros(3), np.array([0, 0, 90.0]), np.array([0, 0, 1.0]), 0.5)]
+    frame.p_SCom, frame.forces = np.zeros(3), [Touch("RF", np.zeros(3), np.array([0, 0, 90.0]), np.array([0, 0, 1.0]), 0.5)]
     assert frame.carrying == ["RF"]
 
 
@@ -220,7 +220,7 @@ def test_what_every_step_has_is_of_no_interest_whoever_does_it():
 
 def test_a_push_is_one_from_more_than_rounding_on():
     feet = {leg: {"touching": False} for leg in LEGS}
-    truth = {"p_WCom": [0, 0, 0.5], "p_WF": dict.fromkeys(LEGS, [0, 0, 0]), "feet": feet}
+    truth = {"p_SCom": [0, 0, 0.5], "p_SF": dict.fromkeys(LEGS, [0, 0, 0]), "feet": feet}
     for newtons, pushes in [(0.0, 0), (3e-11, 0), (1e-5, 1)]:
         frame = frame_at(0.0, 0.0)
         add_truth(frame, {**truth, "xfrc_applied": [0.0] * 6 + [newtons, 0, 0, 0, 0, 0]})

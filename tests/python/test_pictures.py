@@ -30,9 +30,9 @@ def test_an_event_between_two_frames_is_told_by_the_later_one(log, run):
 def test_the_robot_is_drawn_where_it_is(log, run, cache):
     """Where it stands the picture is darker than where it does not; moved to the right, it is seen further right."""
     here = run.frames[0]
-    there = Frame(here.time, [here.qpos[0] + 0.5, *here.qpos[1:]], here.p_WB)
-    gone = Frame(here.time, [here.qpos[0] + 50.0, *here.qpos[1:]], here.p_WB)
-    first, moved, empty = painted(log, run, [Frame(here.time, here.qpos, here.p_WB), there, gone], cache=cache)
+    there = Frame(here.time, [here.qpos[0] + 0.5, *here.qpos[1:]], here.p_SB)
+    gone = Frame(here.time, [here.qpos[0] + 50.0, *here.qpos[1:]], here.p_SB)
+    first, moved, empty = painted(log, run, [Frame(here.time, here.qpos, here.p_SB), there, gone], cache=cache)
 
     def column(image):
         dark = (empty.sum(axis=2) - image.sum(axis=2)) > 150
@@ -46,9 +46,9 @@ def test_the_robot_is_drawn_where_it_is(log, run, cache):
 def test_what_acts_is_drawn_over_it(log, run, cache):
     """A push is seen from wherever it acts, also behind the body, and at the body that it acts on."""
     def pushed(way, body=1):
-        return Frame(frame.time, frame.qpos, frame.p_WB, pushes=[(body, np.array(way), np.zeros(3))])
+        return Frame(frame.time, frame.qpos, frame.p_SB, pushes=[(body, np.array(way), np.zeros(3))])
 
-    frame, bare = run.frames[5], Frame(run.frames[5].time, run.frames[5].qpos, run.frames[5].p_WB)
+    frame, bare = run.frames[5], Frame(run.frames[5].time, run.frames[5].qpos, run.frames[5].p_SB)
     ways = [(0.0, 300.0, 0.0), (0.0, -300.0, 0.0), (-300.0, 0.0, 0.0)]
     frames = [bare, frame, pushed((0.0, 0.0, 120.0)), pushed((0.0, 0.0, 120.0), 4), *map(pushed, ways)]
     plain, full, base, leg, *pushes = painted(log, run, frames, cache=cache)
@@ -68,7 +68,7 @@ def test_an_arrow_over_the_image_lies_where_the_camera_sees_it(log, run, cache):
         plain = np.asarray(artist.paint(frame, view), int)
         scene = artist._renderer.scene
         for offset in ((0.0, 0.0, 0.6), (0.4, 0.0, 0.5), (-0.3, 0.3, 0.6)):
-            point = frame.p_WB + offset
+            point = frame.p_SB + offset
             artist.paint(frame, view)
             mujoco.mjv_initGeom(scene.geoms[scene.ngeom], mujoco.mjtGeom.mjGEOM_SPHERE, np.full(3, 0.04), point, np.eye(3).ravel(), np.array([1, 0, 0, 1], np.float32))
             scene.ngeom += 1

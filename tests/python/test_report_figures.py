@@ -87,12 +87,12 @@ def rotated(run, R, p):
     """The same run in a world that lies elsewhere."""
     other = copy.copy(run)
     other.truth = copy.copy(run.truth)
-    for name in ("p_WB", "p_WCom", "p_WF"):
+    for name in ("p_SB", "p_SCom", "p_SF"):
         setattr(other.truth, name, getattr(run.truth, name) @ R.T + p)
-    other.truth.v_WB, q = run.truth.v_WB @ R.T, run.truth.q_WB
+    other.truth.v_SB, q = run.truth.v_SB @ R.T, run.truth.q_SB
     half = 0.5 * np.arctan2(R[1, 0], R[0, 0])
     c, s = np.cos(half), np.sin(half)
-    other.truth.q_WB = np.stack([c * q[:, 0] - s * q[:, 3], c * q[:, 1] - s * q[:, 2], c * q[:, 2] + s * q[:, 1], c * q[:, 3] + s * q[:, 0]], axis=1)
+    other.truth.q_SB = np.stack([c * q[:, 0] - s * q[:, 3], c * q[:, 1] - s * q[:, 2], c * q[:, 2] + s * q[:, 1], c * q[:, 3] + s * q[:, 0]], axis=1)
     return other
 
 
@@ -100,8 +100,8 @@ def test_errors_of_the_estimate_do_not_hang_on_where_the_robot_began(run):
     R, p = run_data.turns(2.0), np.array([3.0, -7.0, 0.5])
     for here, there in zip(motion_figures.estimate_errors(run), motion_figures.estimate_errors(rotated(run, R, p))):
         assert np.allclose(here, there, atol=1e-6, equal_nan=True)
-    lifted, v = rotated(run, np.eye(3), np.zeros(3)), run.truth.v_WB
-    lifted.truth.v_WB = v + [0, 0, 0.01]
+    lifted, v = rotated(run, np.eye(3), np.zeros(3)), run.truth.v_SB
+    lifted.truth.v_SB = v + [0, 0, 0.01]
     assert not np.allclose(motion_figures.estimate_errors(lifted)[1], motion_figures.estimate_errors(run)[1], atol=1, equal_nan=True)
 
 
@@ -231,7 +231,7 @@ def test_the_map_has_both_views_to_one_scale_the_prints_and_the_edge(run, said):
 
 
 def piece(shape, position, size=(0, 0, 0), pitch=0.0, **more):
-    return {"shape": shape, "position": position, "q_WT": [np.cos(pitch / 2), 0, np.sin(pitch / 2), 0], "size": size, **more}
+    return {"shape": shape, "position": position, "q_SG": [np.cos(pitch / 2), 0, np.sin(pitch / 2), 0], "size": size, **more}
 
 
 def test_the_ground_is_its_highest_piece():

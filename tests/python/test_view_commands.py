@@ -35,7 +35,7 @@ def test_a_push_moves_the_robot(run):
         page.do("push", body="base", impulse=[0, 15, 0], duration=0.1)
         page.change("push of 15 N·s")
         page.hear_for(1.0)
-        sideways = [v[1] for v in Frames(run.session(), page.blocks).of("truth.v_WCom")]
+        sideways = [v[1] for v in Frames(run.session(), page.blocks).of("truth.v_SCom")]
     assert max(sideways) > 0.1
     assert "base" in run_error(run, "push", body="basis", impulse=[0, 1, 0], duration=0.1)
     assert "60 N·s" in run_error(run, "push", body="base", impulse=[0, 100, 0], duration=1)

@@ -57,7 +57,7 @@ def test_frames_come_in_order_at_real_time(run):
     assert frames.dropped == 0
     assert frames.ticks == list(range(frames.ticks[0], frames.ticks[-1] + 1))
     assert frames.times == pytest.approx([0.0025 * tick for tick in frames.ticks])
-    assert all(abs(z - 0.4) < 0.2 for _, _, z in frames.of("truth.p_WB"))
+    assert all(abs(z - 0.4) < 0.2 for _, _, z in frames.of("truth.p_SB"))
     assert {status["type"] for status in page.texts} == {"status"}
     status = page.texts[-1]
     assert status["paused"] is False and status["speed"] == 1.0 and status["ended"] is None
@@ -147,11 +147,11 @@ def test_a_page_that_comes_late_can_ask_for_the_last_two_minutes():
         first = sent.ticks[0]
         asked = run.frames(f"from={first}&count=200&stride=1")
         assert asked.ticks == list(range(first, first + 200))
-        assert asked.of("truth.p_WB") == sent.of("truth.p_WB")[:200] and asked.active == sent.active[:200]
+        assert asked.of("truth.p_SB") == sent.of("truth.p_SB")[:200] and asked.active == sent.active[:200]
         assert any(state == 2 and by != 0 for rows in sent.active for _, state, _, by in rows), "the forces that are minimised are missed equalities"
         span = run.frames(f"from={first}&count=2&stride=100&min_max=1")
-        heights = [p[2] for p in sent.of("truth.p_WB")[:100]]
-        assert [p[2] for p in span.of("truth.p_WB")] == [min(heights), max(heights)]
+        heights = [p[2] for p in sent.of("truth.p_SB")[:100]]
+        assert [p[2] for p in span.of("truth.p_SB")] == [min(heights), max(heights)]
 
 
 LEAST_PRIORITY = 19  # niceness; at it there is nothing below

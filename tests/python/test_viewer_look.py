@@ -324,7 +324,7 @@ def pixels_about(browser, place):
 
 def planned_zmp(browser, viewer):
     """The middle of its mark, where the controller believes what is true."""
-    assert math.dist(channel(browser, "state.p_WB"), channel(browser, "truth.p_WB")) < 1e-3
+    assert math.dist(channel(browser, "state.p_WB"), channel(browser, "truth.p_SB")) < 1e-3
     (x, y), R, point = (channel(browser, f"plan.{name}") for name in ("com.zmp", "R_WC", "terrain_point"))
     radius = viewer.session()["header"]["robot"]["foot_radius"]
     return [x, y, point[2] - (radius + R[2] * (x - point[0]) + R[5] * (y - point[1])) / R[8]]

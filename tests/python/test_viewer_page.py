@@ -31,11 +31,11 @@ def test_the_page_loads_without_a_complaint_and_asks_nobody_else(browser, live):
 def test_the_robot_stands_in_the_scene_where_the_run_says(browser, live):
     show(browser, live.link)
     pause(browser)
-    base, truth = browser.run("surefoot.position('base')"), channel(browser, "truth.p_WB")
+    base, truth = browser.run("surefoot.position('base')"), channel(browser, "truth.p_SB")
     assert math.dist(base, truth) < 1e-5
     radius = live.session()["header"]["robot"]["foot_radius"]
     for leg in ("LF", "RF", "LH", "RH"):
-        foot, true_foot = browser.run(f"surefoot.position('{leg}_FOOT')"), channel(browser, f"truth.p_WF.{leg}")
+        foot, true_foot = browser.run(f"surefoot.position('{leg}_FOOT')"), channel(browser, f"truth.p_SF.{leg}")
         assert math.dist(foot, true_foot) < radius  # the sphere's centre lies within the foot's own length
     browser.press(" ")
 
@@ -46,7 +46,7 @@ def test_the_robot_stands_in_the_picture_where_the_run_says(browser, live):
     browser.wait("surefoot.meshesLoading === 0", 60)
     time.sleep(1.5)  # the camera comes to rest
     seen = browser.run("""(() => {
-      const p = surefoot.channel('truth.p_WB');
+      const p = surefoot.channel('truth.p_SB');
       const pixel = (x, y, z) => surefoot.pixel([p[0] + x, p[1] + y, p[2] + z]);
       return [pixel(0, 0, 0.05), pixel(0, 0, 1.2), pixel(0, 2, -0.4)];
     })()""")

@@ -47,7 +47,7 @@ def plot(browser, text):
 
 
 def test_every_plot_is_whole_and_can_be_closed_however_many_there_are(replayed):
-    for text in ("com.zmp", "readings.gyro", "truth.v_WCom"):
+    for text in ("com.zmp", "readings.gyro", "truth.v_SCom"):
         plot(replayed, text)
         assert replayed.run("(() => { const row = document.querySelector('.plot-row'); return row.scrollLeft + row.clientWidth >= row.scrollWidth - 1; })()"), "the newest is in sight"
         for width, height in ((1280, 720), (1000, 720), (390, 844)):
@@ -96,7 +96,7 @@ def test_twelve_lines_of_a_plot_are_told_apart_by_colours_of_the_legs_and_dashes
 
 
 def test_a_name_is_told_whole_in_as_many_lines_as_it_needs(replayed):
-    for text in ("truth.v_WCom", "hierarchy.level.contact_force_minimisation.residual"):
+    for text in ("truth.v_SCom", "hierarchy.level.contact_force_minimisation.residual"):
         plot(replayed, text)
     title = "[...document.querySelectorAll('.plot-title')].at(-1)"
     assert replayed.run(f"{title}.textContent") == "hierarchy.level.contact_force_minimisation.residual [N]"

@@ -12,13 +12,13 @@ def test_a_push_moves_the_robot_and_is_shown_with_its_force(browser):
         browser.click("#tab-drive")
         browser.run("document.querySelector('#push-impulse').value = 55; document.querySelector('#push-duration').value = 0.35")
         pause(browser)  # tick by tick, so that there is a picture of the push on any machine
-        before = channel(browser, "truth.v_WB")[1]
+        before = channel(browser, "truth.v_SB")[1]
         browser.run("document.querySelector('#push').click()")
         pushed = "[...document.querySelectorAll('.label.push:not([hidden])')].some(one => /push 157 N/.test(one.textContent))"
         step_until(browser, pushed, "the push")
         browser.screenshot(SCREENSHOTS / "push.png")
         step_until(browser, f"!{pushed}", "its end")
-        assert channel(browser, "truth.v_WB")[1] > before + 0.15  # 55 N·s on 30 kg, less what the feet take
+        assert channel(browser, "truth.v_SB")[1] > before + 0.15  # 55 N·s on 30 kg, less what the feet take
 
 
 def test_a_limit_that_becomes_active_is_seen_in_the_panel_by_words_and_colour(browser):

@@ -31,9 +31,9 @@ def test_a_page_that_is_opened_late_scrubs_back_to_before_it_came(browser, tmp_p
         assert browser.run("surefoot.first") < 0.01
         begin = browser.run("surefoot.last")
         scrub(browser, begin - 50)
-        browser.wait(f"Math.abs(surefoot.time - {begin - 50}) < 0.2 && surefoot.channel('truth.p_WB') !== undefined"
+        browser.wait(f"Math.abs(surefoot.time - {begin - 50}) < 0.2 && surefoot.channel('truth.p_SB') !== undefined"
                      " && Math.abs(surefoot.drawn - surefoot.time) < 0.003", 30)
-        tick, position, shown = browser.run("[surefoot.tick, surefoot.position('base'), surefoot.channel('truth.p_WB')]")
+        tick, position, shown = browser.run("[surefoot.tick, surefoot.position('base'), surefoot.channel('truth.p_SB')]")
         browser.screenshot(SCREENSHOTS / "late.png")
         browser.press("l")
         browser.wait("surefoot.following && surefoot.last - surefoot.time < 0.5")
@@ -103,7 +103,7 @@ def test_a_log_is_shown_at_any_time_of_it(browser, log):
         ticks = replay.session()["ticks"]
         for share in (0.8, 0.1):
             go_to(browser, int(share * ticks))
-            wait_for(lambda: math.dist(browser.run("surefoot.position('base')"), channel(browser, "truth.p_WB")) < 1e-5, "the picture")
+            wait_for(lambda: math.dist(browser.run("surefoot.position('base')"), channel(browser, "truth.p_SB")) < 1e-5, "the picture")
         for key in "wp":
             browser.press(key)
         browser.wait("document.querySelector('#notes').textContent.includes('This is a log: only a run can be pushed')")

@@ -30,7 +30,7 @@ Beginning begin(Loop& loop) {
     before = torque;
     return testing::Test::HasFailure();
   });
-  const Quat off = loop.record().state.q_WB.conjugate() * loop.truth().q_WB;
+  const Quat off = loop.record().state.q_WB.conjugate() * loop.truth().q_SB;
   result.tilt_error = std::acos(off.toRotationMatrix()(2, 2));
   return result;
 }

@@ -34,7 +34,7 @@ double mean_nees(const config::Scenario& scenario, double begin, double end) {
     if (plant.time() >= begin && tick % 200 == 0) {
       const simulation::GroundTruth& truth = recent.front();
       EXPECT_NEAR(truth.time, reading.imu_time, 1e-6);
-      sum += test::nees(filter, truth.q_WB.toRotationMatrix(), truth.v_WB);
+      sum += test::nees(filter, truth.q_SB.toRotationMatrix(), truth.v_SB);
       ++samples;
     }
     plant.write(command);

@@ -121,9 +121,9 @@ Outcome run(const Absence& absence, const std::string& switches) {
         record.hierarchy.transition_share < 1.0 ? outcome.step_on_the_way : outcome.step_beside;
     if (step > here) here = step;
     outcome.is_optimal = outcome.is_optimal && record.command.mode == CommandMode::optimal;
-    const double tilt = std::acos((loop.truth().q_WB * Vec3::UnitZ()).z());
+    const double tilt = std::acos((loop.truth().q_SB * Vec3::UnitZ()).z());
     outcome.tilt = std::max(outcome.tilt, tilt);
-    outcome.stays_up = outcome.stays_up && tilt < kTipped && loop.truth().p_WB.z() > kLying;
+    outcome.stays_up = outcome.stays_up && tilt < kTipped && loop.truth().p_SB.z() > kLying;
   }
   return outcome;
 }

@@ -52,7 +52,7 @@ TEST(Lifted, ItRelaxesAndWalksOnWhenItIsPutDown) {
     EXPECT_LT(watch.relaxed, 15.0);
     EXPECT_EQ(loop.record().command.mode, CommandMode::optimal);
     EXPECT_EQ(loop.record().plan.calibration, CalibrationStage::turning);
-    EXPECT_GT(loop.truth().p_WB.z(), 0.44);
+    EXPECT_GT(loop.truth().p_SB.z(), 0.44);
     EXPECT_EQ(loop.allocations(), 0U) << loop.last_allocation();
     const int steps = loop.steps_taken();
     loop.run_until(time + 23.0, std::ref(watch));
@@ -104,7 +104,7 @@ TEST(LyingStart, ItStandsUpCalibratesAndWalks) {
     EXPECT_EQ(loop.count(PlanEvent::stands_up), 1);
     EXPECT_EQ(loop.count(PlanEvent::lifted), 0);
     EXPECT_EQ(loop.record().command.mode, CommandMode::optimal);
-    EXPECT_GT(loop.truth().p_WB.z(), 0.44);
+    EXPECT_GT(loop.truth().p_SB.z(), 0.44);
     EXPECT_EQ(loop.allocations(), 0U) << loop.last_allocation();
     loop.run_until(21.0, std::ref(watch));
     EXPECT_TRUE(watch.is_well);
@@ -118,7 +118,7 @@ TEST(LyingStart, AnImuThatBeginsLateIsWaitedFor) {
                      {"sensors.faults.f={sensor: imu, kind: stops, time: 0, duration: 0.05}"}, 4));
   loop.run_until(8.0, [&] { return loop.record().command.cause != StopCause::none; });
   EXPECT_EQ(loop.record().command.mode, CommandMode::optimal);
-  EXPECT_GT(loop.truth().p_WB.z(), 0.44);
+  EXPECT_GT(loop.truth().p_SB.z(), 0.44);
 }
 
 }  // namespace

@@ -88,7 +88,7 @@ TEST_P(SensorLie, IsFoundBeforeTheRobotFallsAndItSitsDown) {
     const double most = std::isnan(found) ? 2.0 * kLimit : kMostChange + 1e-9;
     EXPECT_LE((command.torque - before).cwiseAbs().maxCoeff(), most);
     before = command.torque;
-    fastest = std::max(fastest, -loop.truth().v_WB.z());
+    fastest = std::max(fastest, -loop.truth().v_SB.z());
     return testing::Test::HasFailure();
   });
   const JointCommand& command = loop.record().command;
@@ -99,7 +99,7 @@ TEST_P(SensorLie, IsFoundBeforeTheRobotFallsAndItSitsDown) {
   EXPECT_EQ(command.fault, lie.said);
   EXPECT_EQ(command.joint, lie.joint);
   EXPECT_LE(fastest, kHardLanding);
-  EXPECT_LE(std::acos(loop.truth().q_WB.toRotationMatrix()(2, 2)), kTooFar);
+  EXPECT_LE(std::acos(loop.truth().q_SB.toRotationMatrix()(2, 2)), kTooFar);
   RecordProperty("found", std::to_string(found));
   RecordProperty("descent", std::to_string(fastest));
 }

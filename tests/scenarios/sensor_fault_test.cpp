@@ -103,13 +103,13 @@ Course follow(const Fault& fault, double fault_duration, double end,
     if (at_fault || catches_up) course.largest_change = std::max(course.largest_change, change);
     catches_up = at_fault || (catches_up && change >= kMostChange - 1e-9);
     before = torque;
-    course.fastest_descent = std::max(course.fastest_descent, -loop.truth().v_WB.z());
+    course.fastest_descent = std::max(course.fastest_descent, -loop.truth().v_SB.z());
     course.worst = std::max(course.worst, record.command.mode);
     course.sat = course.sat || record.command.mode == CommandMode::sit;
     if (record.reading.time < fault_time) course.steps_before = loop.steps_taken();
   }
   course.steps = loop.steps_taken();
-  course.tilt_end = std::acos(loop.truth().q_WB.toRotationMatrix()(2, 2));
+  course.tilt_end = std::acos(loop.truth().q_SB.toRotationMatrix()(2, 2));
   return course;
 }
 
@@ -180,7 +180,7 @@ TEST_P(DeadSensor, IsNamedAndSatDownForWhereTheJointsAreKnown) {
     const JointCommand& command = loop.record().command;
     EXPECT_LE((command.torque - before).cwiseAbs().maxCoeff(), kMostChange + 1e-9);
     before = command.torque;
-    fastest_descent = std::max(fastest_descent, -loop.truth().v_WB.z());
+    fastest_descent = std::max(fastest_descent, -loop.truth().v_SB.z());
     sat = sat || command.mode == CommandMode::sit;
     return testing::Test::HasFailure();
   });

@@ -17,7 +17,7 @@ TEST(Slip, OnVerySlipperyGroundItIsNoticedBelievedAndWalkedOver) {
     Loop loop(scenario("slippery", {"terrain.friction=0.2"}, seed));
     double least = 1.0;
     int cautious = 0;  // forces that a foot is asked for which has slid
-    const Vec3 start = loop.truth().p_WB;
+    const Vec3 start = loop.truth().p_SB;
     loop.run_until(20.0, [&] {
       const TickRecord& record = loop.record();
       for (std::size_t k = 0; k < kNumLegs; ++k) {
@@ -35,9 +35,9 @@ TEST(Slip, OnVerySlipperyGroundItIsNoticedBelievedAndWalkedOver) {
     EXPECT_GT(loop.count(PlanEvent::slip), 0);
     EXPECT_EQ(loop.count(PlanEvent::slowed), 0) << "nobody commands more than before";
     EXPECT_LT(least, 0.25) << "it is 0.2, and 0.5 was believed";
-    const double way = (loop.truth().p_WB - start).head<2>().norm();
+    const double way = (loop.truth().p_SB - start).head<2>().norm();
     EXPECT_GT(way, 1.0);
-    EXPECT_GT(loop.truth().p_WB.z(), 0.4);
+    EXPECT_GT(loop.truth().p_SB.z(), 0.4);
   }
 }
 

@@ -70,12 +70,12 @@ TEST(Walk, KnowsItsCenterOfMassBetterWhereItWeighsItsLegsInTheAir) {
     int count = 0;
     while (loop.truth().time < 20.0) {
       loop.tick();
-      Vec3 believed = loop.record().model.p_WCom, truth = loop.truth().p_WCom;
+      Vec3 believed = loop.record().model.p_WCom, truth = loop.truth().p_SCom;
       for (const Leg leg : kLegs) {
         believed -= loop.record().model.p_WF[index(leg)] / kNumLegs;
-        truth -= loop.truth().p_WF[index(leg)] / kNumLegs;
+        truth -= loop.truth().p_SF[index(leg)] / kNumLegs;
       }
-      const Mat3 turn = Eigen::AngleAxisd(yaw(loop.truth().q_WB.toRotationMatrix()) -
+      const Mat3 turn = Eigen::AngleAxisd(yaw(loop.truth().q_SB.toRotationMatrix()) -
                                               yaw(loop.record().state.q_WB.toRotationMatrix()),
                                           Vec3::UnitZ())
                             .toRotationMatrix();
@@ -152,12 +152,12 @@ TEST(Walk, TurnsOnTheSpotAsFastAsItsStridesAllow) {
     Loop loop(scenario("walk_flat", {walks(std::string("yaw_rate: ") + yaw_rate)}, 1));
     loop.run_until(22.0);
     const int steps = loop.steps_taken();
-    const double before = yaw(loop.truth().q_WB.toRotationMatrix());
+    const double before = yaw(loop.truth().q_SB.toRotationMatrix());
     loop.run_until(28.0);
     EXPECT_GE(loop.steps_taken(), steps + 8) << yaw_rate;
     EXPECT_EQ(loop.record().command.mode, CommandMode::optimal) << yaw_rate;
-    EXPECT_GT(loop.truth().p_WB.z(), 0.4) << yaw_rate;
-    const double turned = yaw(loop.truth().q_WB.toRotationMatrix()) - before;
+    EXPECT_GT(loop.truth().p_SB.z(), 0.4) << yaw_rate;
+    const double turned = yaw(loop.truth().q_SB.toRotationMatrix()) - before;
     EXPECT_GT(std::abs(std::remainder(turned, 2.0 * kPi)), 6.0 * 0.2) << yaw_rate;
   }
 }
@@ -171,7 +171,7 @@ TEST(Walk, HeldHigherThanItsLegsReachItCalibratesAndWalks) {
     loop.run_until(25.0);
     EXPECT_GE(loop.steps_taken(), steps + 7) << velocity;
     EXPECT_EQ(loop.record().command.mode, CommandMode::optimal) << velocity;
-    EXPECT_GT(loop.truth().p_WB.z(), 0.4) << velocity;
+    EXPECT_GT(loop.truth().p_SB.z(), 0.4) << velocity;
     EXPECT_EQ(loop.count(PlanEvent::lowered), 1) << velocity;
   }
 }

@@ -55,7 +55,7 @@ std::vector<nlohmann::json> events_of(const std::vector<Acts>& forces,
     frame.tick = static_cast<std::uint32_t>(tick);
     frame.time = time;
     frame.floats.assign(channels.floats, 0.0F);
-    frame.floats[offset("truth.q_WB")] = 1.0F;
+    frame.floats[offset("truth.q_SB")] = 1.0F;
     for (const Acts& one : forces) {
       const double share = std::min(time, one.to) - std::max(time - kStep, one.from);
       frame.floats[offset("truth.xfrc_applied") + 6 * one.body + 1] +=

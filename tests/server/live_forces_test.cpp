@@ -36,8 +36,8 @@ TEST(LiveForces, a_push_moves_the_robot_by_its_impulse_and_stands_in_the_log) {
   pushed.at(200, push_of(12.0, 0.1));
   pushed.record();
   EXPECT_EQ(pushed.errors, std::vector<std::string>{""});
-  const std::vector<double> before = still.of("truth.v_WCom", 1),
-                            after = pushed.of("truth.v_WCom", 1);
+  const std::vector<double> before = still.of("truth.v_SCom", 1),
+                            after = pushed.of("truth.v_SCom", 1);
   double fastest = 0.0;
   for (std::size_t i = 0; i < before.size(); ++i) {
     fastest = std::max(fastest, after[i] - before[i]);

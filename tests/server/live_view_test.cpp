@@ -150,8 +150,8 @@ TEST(LiveView, the_estimate_is_counted_from_the_first_tick) {
   ASSERT_EQ(off.size(), 800u);
   EXPECT_LT(off.front(), 1e-6);
   EXPECT_LT(std::abs(turned.front()), 1e-6);
-  EXPECT_GT(std::hypot(run.of("state.p_WB")[0] - run.of("truth.p_WB")[0],
-                       run.of("state.p_WB", 1)[0] - run.of("truth.p_WB", 1)[0]),
+  EXPECT_GT(std::hypot(run.of("state.p_WB")[0] - run.of("truth.p_SB")[0],
+                       run.of("state.p_WB", 1)[0] - run.of("truth.p_SB", 1)[0]),
             1.0);
   EXPECT_NEAR(off.back(), result.metrics.position_drift_m, 1e-6);
   EXPECT_NEAR(std::abs(turned.back()), result.metrics.heading_drift_rad, 1e-6);

@@ -20,7 +20,7 @@ TEST(Standing, FeetCarryTheWeightAndSinkAndCreepByFractionsOfAMillimetre) {
   EXPECT_FALSE(robot.truth().torso_contact);
   EXPECT_EQ(robot.truth().shank_contacts, 0);
   EXPECT_EQ(robot.truth().body_contact_force, 0.0);
-  const PerLeg<Vec3> before = robot.truth().p_WF;
+  const PerLeg<Vec3> before = robot.truth().p_SF;
   robot.run(2.0);
   for (std::size_t leg = 0; leg < kNumLegs; ++leg) {
     const TrueContact& foot = robot.truth().feet[leg];
@@ -28,7 +28,7 @@ TEST(Standing, FeetCarryTheWeightAndSinkAndCreepByFractionsOfAMillimetre) {
     EXPECT_LT((foot.normal - Vec3::UnitZ()).norm(), 1e-12);
     EXPECT_GT(foot.penetration, 1e-5);
     EXPECT_LT(foot.penetration, 5e-4);
-    EXPECT_LT((robot.truth().p_WF[leg] - before[leg]).norm() / 2.0, 8e-5) << "m/s";
+    EXPECT_LT((robot.truth().p_SF[leg] - before[leg]).norm() / 2.0, 8e-5) << "m/s";
   }
 }
 
@@ -46,7 +46,7 @@ TEST(Standing, ASofterContactSinksDeeper) {
 
 TEST(Standing, StartsWithTheLowestFeetJustTouching) {
   const Plant plant(test::anymal_b(), test::standing_options());
-  for (const Vec3& p_WF : plant.truth().p_WF) EXPECT_NEAR(p_WF.z(), 0.031, 1e-9);
+  for (const Vec3& p_SF : plant.truth().p_SF) EXPECT_NEAR(p_SF.z(), 0.031, 1e-9);
 }
 
 TEST(Contact, ForcesExplainTheMotionOfTheCenterOfMass) {
@@ -57,12 +57,12 @@ TEST(Contact, ForcesExplainTheMotionOfTheCenterOfMass) {
   const JointCommand command;  // constant, so that a force holds for the next step
   double largest = 0.0;
   for (int step = 0; step < 400; ++step) {
-    const Vec3 v_before = plant.truth().v_WCom;
+    const Vec3 v_before = plant.truth().v_SCom;
     Vec3 force = Vec3(0.0, 0.0, -kWeight);
     for (const TrueContact& foot : plant.truth().feet) force += foot.force;
     const bool only_feet = plant.truth().body_contact_force == 0.0;
     plant.write(command);
-    const Vec3 momentum = kMass * (plant.truth().v_WCom - v_before);
+    const Vec3 momentum = kMass * (plant.truth().v_SCom - v_before);
     if (!only_feet) break;
     largest = std::max(largest, force.norm());
     EXPECT_LT((momentum - options.timestep * force).norm(), options.timestep * 0.01 * kWeight);
@@ -83,13 +83,13 @@ TEST(Contact, VelocitiesAreTheDerivativesOfPositions) {
   const GroundTruth& after = plant.truth();
   const auto rate = [&options](const Vec3& a, const Vec3& b) { return (b - a) / options.timestep; };
   EXPECT_GT(after.qd.norm(), 1.0);
-  EXPECT_LT((rate(before.p_WB, after.p_WB) - after.v_WB).norm(), 1e-6);
-  EXPECT_LT((rate(before.p_WCom, after.p_WCom) - after.v_WCom).norm(), 0.02);
+  EXPECT_LT((rate(before.p_SB, after.p_SB) - after.v_SB).norm(), 1e-6);
+  EXPECT_LT((rate(before.p_SCom, after.p_SCom) - after.v_SCom).norm(), 0.02);
   for (std::size_t leg = 0; leg < kNumLegs; ++leg) {
-    EXPECT_LT((rate(before.p_WF[leg], after.p_WF[leg]) - after.v_WF[leg]).norm(), 0.02);
+    EXPECT_LT((rate(before.p_SF[leg], after.p_SF[leg]) - after.v_SF[leg]).norm(), 0.02);
   }
-  const Quat turn = before.q_WB.conjugate() * after.q_WB;
-  EXPECT_LT((2.0 * turn.vec() / options.timestep - after.w_WB_B).norm(), 1e-4);
+  const Quat turn = before.q_SB.conjugate() * after.q_SB;
+  EXPECT_LT((2.0 * turn.vec() / options.timestep - after.w_SB_B).norm(), 1e-4);
   EXPECT_LT(((after.q - before.q) / options.timestep - after.qd).norm(), 1e-9);
 }
 
@@ -179,7 +179,7 @@ TEST(Contact, AFootThatRollsDoesNotSlip) {
       robot.q_hold[first_joint(leg) + 1] = q_start[first_joint(leg) + 1] + sway;
     robot.tick();
     for (const Leg leg : kLegs) {
-      fastest_center = std::max(fastest_center, robot.truth().v_WF[index(leg)].head<2>().norm());
+      fastest_center = std::max(fastest_center, robot.truth().v_SF[index(leg)].head<2>().norm());
       fastest_slip = std::max(fastest_slip, robot.truth().feet[index(leg)].slip_velocity.norm());
     }
   }
@@ -228,21 +228,21 @@ TEST(Contact, AFallIsSeenAsTheTorsoTouchingTheGround) {
     seen = seen || plant.truth().torso_contact;
   }
   EXPECT_TRUE(seen);
-  EXPECT_LT(plant.truth().p_WB.z(), 0.25);
+  EXPECT_LT(plant.truth().p_SB.z(), 0.25);
   EXPECT_GT(plant.truth().body_contact_force, 10.0);
 }
 
 TEST(Contact, AShankThatTouchesABoxIsSeenOnItsLegAlone) {
   const PlantOptions standing = test::standing_options();
-  const PerLeg<Vec3> p_WF = Plant(test::anymal_b(), standing).truth().p_WF;
+  const PerLeg<Vec3> p_SF = Plant(test::anymal_b(), standing).truth().p_SF;
   for (const Leg leg : kLegs) {
     PlantOptions options = standing;
     const double pitch = is_front(leg) ? -0.4 : 0.4;
     TerrainBox obstacle;
-    obstacle.position = p_WF[index(leg)] + 0.15 * Vec3(std::sin(pitch), 0.0, std::cos(pitch));
+    obstacle.position = p_SF[index(leg)] + 0.15 * Vec3(std::sin(pitch), 0.0, std::cos(pitch));
     obstacle.size = Vec3(0.02, 0.02, 0.02);
     options.terrain.elements = {TerrainLevel{}, obstacle};
-    options.initial.position.z() = Plant(test::anymal_b(), standing).truth().p_WB.z();
+    options.initial.position.z() = Plant(test::anymal_b(), standing).truth().p_SB.z();
     const Plant plant(test::anymal_b(), options);
     EXPECT_EQ(plant.truth().shank_contacts, 1 << static_cast<int>(leg));
     EXPECT_GT(plant.truth().body_contact_force, 0.0);
@@ -252,7 +252,7 @@ TEST(Contact, AShankThatTouchesABoxIsSeenOnItsLegAlone) {
 
 TEST(Contact, ATorsoThatTouchesABoxIsSeen) {
   PlantOptions options = test::standing_options();
-  options.initial.position.z() = Plant(test::anymal_b(), options).truth().p_WB.z();
+  options.initial.position.z() = Plant(test::anymal_b(), options).truth().p_SB.z();
   TerrainBox block;
   block.size = Vec3(0.2, 0.1, 0.8);  // up to 0.4 m, the belly is at 0.37 m
   options.terrain.elements = {TerrainLevel{}, block};

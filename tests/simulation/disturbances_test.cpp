@@ -15,7 +15,7 @@ Vec3 momentum_after(const Push& push, double duration) {
   options.disturbances.pushes = {push};
   Plant plant(test::anymal_b(), options);
   while (plant.time() < duration - 1e-9) plant.write({});
-  return kMass * (plant.truth().v_WCom + Vec3(0.0, 0.0, kGravity * plant.time()));
+  return kMass * (plant.truth().v_SCom + Vec3(0.0, 0.0, kGravity * plant.time()));
 }
 
 TEST(Push, GivesItsImpulseWhateverLinkItActsOnAlsoBetweenPhysicsSteps) {
@@ -40,7 +40,7 @@ TEST(Push, AddsToOthersOnTheSameLink) {
   options.disturbances.pushes = {push, push};
   Plant plant(test::anymal_b(), options);
   while (plant.time() < 0.2 - 1e-9) plant.write({});
-  EXPECT_NEAR(kMass * plant.truth().v_WCom.y(), 5.0, 0.02);
+  EXPECT_NEAR(kMass * plant.truth().v_SCom.y(), 5.0, 0.02);
 }
 
 TEST(Push, OffTheCenterOfMassTurnsTheRobot) {
@@ -48,7 +48,7 @@ TEST(Push, OffTheCenterOfMassTurnsTheRobot) {
   options.disturbances.pushes = {{"LF_HIP", 0.0, 0.1, Vec3(0.0, 30.0, 0.0)}};
   Plant plant(test::anymal_b(), options);
   for (int tick = 0; tick < 40; ++tick) plant.write({});
-  EXPECT_GT(plant.truth().w_WB_B.z(), 0.1);
+  EXPECT_GT(plant.truth().w_SB_B.z(), 0.1);
 }
 
 TEST(Lift, TheHandRisesStaysAndComesDownAndLetsGo) {
@@ -65,13 +65,13 @@ TEST(Lift, TheHandRisesStaysAndComesDownAndLetsGo) {
     }
     return plant.truth();
   };
-  const double standing = hold(0.2).p_WB.z();
+  const double standing = hold(0.2).p_SB.z();
   const GroundTruth up = hold(1.6);
-  EXPECT_NEAR(up.p_WB.z() - standing, 0.3 - 0.03, 0.01);  // the hand gives way under the weight
-  EXPECT_LT(up.v_WB.norm(), 0.05);
+  EXPECT_NEAR(up.p_SB.z() - standing, 0.3 - 0.03, 0.01);  // the hand gives way under the weight
+  EXPECT_LT(up.v_SB.norm(), 0.05);
   for (const TrueContact& foot : up.feet) EXPECT_FALSE(foot.touching);
   const GroundTruth down = hold(4.0);
-  EXPECT_NEAR(down.p_WB.z(), standing, 0.03);
+  EXPECT_NEAR(down.p_SB.z(), standing, 0.03);
   for (const TrueContact& foot : down.feet) EXPECT_TRUE(foot.touching);
   const auto& pulls = down.xfrc_applied;
   EXPECT_TRUE(std::ranges::all_of(pulls, [](double pull) { return pull == 0.0; }));
@@ -82,9 +82,9 @@ TEST(Payload, AddsItsWeightAndMovesTheCenterOfMass) {
   PlantOptions options = test::standing_options();
   options.disturbances.payload = {6.0, Vec3(0.1, -0.05, 0.25)};
   test::HeldRobot robot(options);
-  const Vec3 payload = robot.truth().p_WB + options.disturbances.payload.position;
-  const Vec3 expected = (kMass * plain.p_WCom + 6.0 * payload) / (kMass + 6.0);
-  EXPECT_LT((robot.truth().p_WCom - expected).norm(), 1e-9);
+  const Vec3 payload = robot.truth().p_SB + options.disturbances.payload.position;
+  const Vec3 expected = (kMass * plain.p_SCom + 6.0 * payload) / (kMass + 6.0);
+  EXPECT_LT((robot.truth().p_SCom - expected).norm(), 1e-9);
   robot.run(1.0);
   const double weight = (kMass + 6.0) * kGravity;
   EXPECT_NEAR(robot.ground_force().z(), weight, 0.01 * weight);
@@ -122,9 +122,9 @@ TEST(WrongMasses, ScaleInertiasToo) {
 TEST(WrongMasses, MoveTheCenterOfMassOfTheBase) {
   const Vec3 offset(0.02, -0.01, 0.015);
   PlantOptions options = test::standing_options();
-  const Vec3 before = Plant(test::anymal_b(), options).truth().p_WCom;
+  const Vec3 before = Plant(test::anymal_b(), options).truth().p_SCom;
   options.disturbances.base_com_offset = offset;
-  const Vec3 after = Plant(test::anymal_b(), options).truth().p_WCom;
+  const Vec3 after = Plant(test::anymal_b(), options).truth().p_SCom;
   EXPECT_LT((after - before - (16.793507758 + 0.05) / kMass * offset).norm(), 1e-9);
 }
 
@@ -169,7 +169,7 @@ std::pair<double, double> lengths_of(const Plant& plant, Leg leg) {
   const Vec3 hip = at(mujoco.data->xanchor, joint("_HFE"));
   const Vec3 knee = at(mujoco.data->xanchor, joint("_KFE"));
   return {across(knee - hip, at(mujoco.data->xaxis, joint("_HFE"))),
-          across(plant.truth().p_WF[index(leg)] - knee, at(mujoco.data->xaxis, joint("_KFE")))};
+          across(plant.truth().p_SF[index(leg)] - knee, at(mujoco.data->xaxis, joint("_KFE")))};
 }
 
 TEST(WrongLengths, AreThoseThatWereAskedFor) {

@@ -8,7 +8,7 @@ namespace {
 using test::kMass;
 
 Vec3 momentum(const Plant& plant) {
-  return kMass * (plant.truth().v_WCom + Vec3(0.0, 0.0, kGravity * plant.time()));
+  return kMass * (plant.truth().v_SCom + Vec3(0.0, 0.0, kGravity * plant.time()));
 }
 
 TEST(LivePush, gives_its_impulse_from_the_tick_on_at_which_it_is_given) {

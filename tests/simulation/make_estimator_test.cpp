@@ -23,7 +23,7 @@ TEST(MakeEstimator, MakesOneOfEveryKindThatFollowsThePlant) {
     const RobotState& state = estimator->update(plant.read(), falling);
     EXPECT_EQ(state.time, plant.time()) << estimation::name(estimation);
     EXPECT_LT((state.q - plant.truth().q).norm(), 0.01) << estimation::name(estimation);
-    EXPECT_LT((state.v_WB - plant.truth().v_WB).norm(), 0.01) << estimation::name(estimation);
+    EXPECT_LT((state.v_WB - plant.truth().v_SB).norm(), 0.01) << estimation::name(estimation);
   }
 }
 

@@ -89,7 +89,7 @@ TEST(PhysicsModel, FeetStandWhereThePublishedKinematicsPutThem) {
     const StockMujoco mujoco = stock(plant);
     for (const Leg leg : kLegs) {
       const int body = mujoco.body(std::string(kLegNames[index(leg)]) + "_FOOT");
-      const Vec3 foot = Eigen::Map<const Vec3>(mujoco.data->xpos + 3 * body) - plant.truth().p_WB;
+      const Vec3 foot = Eigen::Map<const Vec3>(mujoco.data->xpos + 3 * body) - plant.truth().p_SB;
       const Vec3 mirror(is_front(leg) ? 1.0 : -1.0, is_left(leg) ? 1.0 : -1.0, 1.0);
       EXPECT_LT((foot - mirror.cwiseProduct(posture.foot)).cwiseAbs().maxCoeff(), 1e-4);
     }

@@ -74,9 +74,9 @@ struct StockMujoco {
 inline Eigen::Vector4d carrying_forces(const simulation::GroundTruth& truth, double weight) {
   Eigen::Matrix<double, 3, 4> balance;
   for (std::size_t leg = 0; leg < kNumLegs; ++leg) {
-    balance.col(static_cast<Eigen::Index>(leg)) << 1.0, truth.p_WF[leg].x(), truth.p_WF[leg].y();
+    balance.col(static_cast<Eigen::Index>(leg)) << 1.0, truth.p_SF[leg].x(), truth.p_SF[leg].y();
   }
-  const Vec3 load = weight * Vec3(1.0, truth.p_WCom.x(), truth.p_WCom.y());
+  const Vec3 load = weight * Vec3(1.0, truth.p_SCom.x(), truth.p_SCom.y());
   return balance.transpose() * (balance * balance.transpose()).inverse() * load;
 }
 
@@ -93,7 +93,7 @@ inline JointVector carrying_torques(const simulation::Plant& plant) {
     Eigen::Matrix<double, 3, Eigen::Dynamic, Eigen::RowMajor> jacobian(3, model.nv);
     const std::string foot = std::string(kLegNames[index(leg)]) + "_FOOT";
     mj_jac(&model, stock.data.get(), jacobian.data(), nullptr,
-           plant.truth().p_WF[index(leg)].data(), stock.body(foot));
+           plant.truth().p_SF[index(leg)].data(), stock.body(foot));
     torque -= jacobian.row(2).transpose() * forces[static_cast<Eigen::Index>(leg)];
   }
   return torque.tail<kNumLegJoints>();  // the URDF's order of ANYmal B is ours
@@ -115,7 +115,7 @@ struct HeldRobot {
     while (plant.time() < end) tick();
   }
   [[nodiscard]] const simulation::GroundTruth& truth() const { return plant.truth(); }
-  /// Sum of the ground's forces on the feet, in W [N].
+  /// Sum of the ground's forces on the feet, in S [N].
   [[nodiscard]] Vec3 ground_force() const {
     Vec3 sum = Vec3::Zero();
     for (const simulation::TrueContact& foot : truth().feet) sum += foot.force;

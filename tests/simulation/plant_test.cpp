@@ -123,11 +123,11 @@ TEST(Plant, AppliesSeaTorquesWithDelayAndLag) {
 
 TEST(Plant, AFreeFallFollowsGravity) {
   Plant plant(test::anymal_b(), test::falling_options());
-  const Vec3 start = plant.truth().p_WCom;
+  const Vec3 start = plant.truth().p_SCom;
   for (int tick = 0; tick < 200; ++tick) plant.write({});
   const double time = plant.time();
-  EXPECT_NEAR(plant.truth().v_WCom.z(), -kGravity * time, 1e-6);
-  EXPECT_NEAR(plant.truth().p_WCom.z() - start.z(), -0.5 * kGravity * time * time, 2e-3);
+  EXPECT_NEAR(plant.truth().v_SCom.z(), -kGravity * time, 1e-6);
+  EXPECT_NEAR(plant.truth().p_SCom.z() - start.z(), -0.5 * kGravity * time * time, 2e-3);
 }
 
 TEST(Plant, TakesNoTorqueForOneThatIsNotANumberAndSaysSo) {
@@ -142,7 +142,7 @@ TEST(Plant, TakesNoTorqueForOneThatIsNotANumberAndSaysSo) {
   EXPECT_EQ(plant.truth().torque[5], 0.0);
   EXPECT_EQ(plant.truth().torque[4], 1.0);
   EXPECT_EQ(plant.notes().size(), notes + 2);
-  EXPECT_TRUE(plant.truth().p_WB.allFinite());
+  EXPECT_TRUE(plant.truth().p_SB.allFinite());
 }
 
 TEST(Plant, SaysThatItDivergedInsteadOfGoingOn) {
@@ -215,7 +215,7 @@ TEST_P(LoggedModel, GivesStockMujocoTheSameMassesCenterOfMassAndContactForces) {
     EXPECT_NEAR(mj_getTotalmass(mujoco.model.get()), test::kMass + 2.0, 1e-9);
     const int base = mujoco.body("base");
     const Vec3 com = Eigen::Map<const Vec3>(mujoco.data->subtree_com + 3 * base);
-    EXPECT_LT((com - robot.truth().p_WCom).norm(), 1e-9);
+    EXPECT_LT((com - robot.truth().p_SCom).norm(), 1e-9);
     const PerLeg<Vec3> forces = recomputed_forces(mujoco);
     for (std::size_t leg = 0; leg < kNumLegs; ++leg) {
       EXPECT_LT((forces[leg] - robot.truth().feet[leg].force).norm(), 0.05);

@@ -30,8 +30,8 @@ struct Statistics {
 
 GroundTruth some_truth() {
   GroundTruth truth;
-  truth.q_WB = Quat(Eigen::AngleAxisd(0.3, Vec3(1.0, 2.0, 0.5).normalized()));
-  truth.w_WB_B = Vec3(0.1, -0.2, 0.3);
+  truth.q_SB = Quat(Eigen::AngleAxisd(0.3, Vec3(1.0, 2.0, 0.5).normalized()));
+  truth.w_SB_B = Vec3(0.1, -0.2, 0.3);
   for (Eigen::Index i = 0; i < kNumLegJoints; ++i) {
     truth.q[i] = 0.1 * static_cast<double>(i) + 0.0123456;
     truth.torque[i] = static_cast<double>(i);
@@ -52,8 +52,8 @@ TEST(Sensors, AddNothingWhenTheyAreExactAndFeelGravityAtRest) {
   const SensorReading reading = first_reading(test::exact_sensors(), truth);
   EXPECT_EQ(reading.q, truth.q);
   EXPECT_EQ(reading.torque, truth.torque);
-  EXPECT_EQ(reading.gyro, truth.w_WB_B);
-  const Vec3 up_B = truth.q_WB.conjugate() * Vec3::UnitZ();
+  EXPECT_EQ(reading.gyro, truth.w_SB_B);
+  const Vec3 up_B = truth.q_SB.conjugate() * Vec3::UnitZ();
   EXPECT_LT((reading.accelerometer - kGravity * up_B).norm(), 1e-12);
   for (const double force : first_reading({}, truth).foot_force) EXPECT_TRUE(std::isnan(force));
 }
@@ -90,14 +90,14 @@ TEST(Sensors, NoiseHasTheChosenDeviations) {
   options.imu.gyro_bias = options.imu.accelerometer_bias = 0.0;
   Sensors sensors(options, kPeriod, 5);
   const GroundTruth truth = some_truth();
-  const Vec3 up_B = truth.q_WB.conjugate() * Vec3::UnitZ();
+  const Vec3 up_B = truth.q_SB.conjugate() * Vec3::UnitZ();
   Statistics angle, torque, gyro, accelerometer, foot;
   for (int tick = 0; tick < 20000; ++tick) {
     SensorReading reading;
     sensors.read(truth, reading);
     angle.add(reading.q[4] - truth.q[4]);
     torque.add(reading.torque[7] - truth.torque[7]);
-    gyro.add(reading.gyro.y() - truth.w_WB_B.y());
+    gyro.add(reading.gyro.y() - truth.w_SB_B.y());
     accelerometer.add(reading.accelerometer.z() - kGravity * up_B.z());
     foot.add(reading.foot_force[2] - 70.0);
   }
@@ -153,7 +153,7 @@ GroundTruth counting(int tick) {
   GroundTruth truth;
   truth.q.setConstant(tick);
   truth.torque.setConstant(tick);
-  truth.w_WB_B.setConstant(tick);
+  truth.w_SB_B.setConstant(tick);
   for (TrueContact& foot : truth.feet) foot.force = tick * Vec3::UnitZ();
   return truth;
 }
@@ -238,17 +238,17 @@ TEST(Sensors, TheIntegralOfAPlantsAccelerometerIsItsChangeOfVelocity) {
   options.initial.yaw = 0.7;
   options.disturbances.pushes = {{"", 0.05, 0.2, Vec3(80.0, 30.0, 0.0)}};
   test::HeldRobot robot(options);
-  Vec3 v_WB = Vec3::Zero();
+  Vec3 v_SB = Vec3::Zero();
   double largest = 0.0;
   for (int tick = 0; tick < 120; ++tick) {
-    const Quat q_before = robot.truth().q_WB;
+    const Quat q_before = robot.truth().q_SB;
     robot.tick();
-    const Quat q_mean = q_before.slerp(0.5, robot.truth().q_WB);
-    v_WB += kPeriod * (q_mean * robot.plant.read().accelerometer - Vec3(0.0, 0.0, kGravity));
+    const Quat q_mean = q_before.slerp(0.5, robot.truth().q_SB);
+    v_SB += kPeriod * (q_mean * robot.plant.read().accelerometer - Vec3(0.0, 0.0, kGravity));
     largest = std::max(largest, robot.plant.read().accelerometer.norm());
   }
   EXPECT_GT(largest, 30.0);
-  EXPECT_LT((v_WB - robot.truth().v_WB).norm(), 2e-3);
+  EXPECT_LT((v_SB - robot.truth().v_SB).norm(), 2e-3);
 }
 
 TEST(Sensors, APlantsGyroGivesTheAngularVelocityInTheBaseFrame) {
@@ -256,8 +256,8 @@ TEST(Sensors, APlantsGyroGivesTheAngularVelocityInTheBaseFrame) {
   options.disturbances.pushes = {{"LF_HIP", 0.0, 0.1, Vec3(0.0, 0.0, 50.0)}};
   Plant plant(test::anymal_b(), options);
   for (int tick = 0; tick < 80; ++tick) plant.write({});
-  EXPECT_GT(plant.truth().w_WB_B.norm(), 0.5);
-  EXPECT_EQ(plant.read().gyro, plant.truth().w_WB_B);
+  EXPECT_GT(plant.truth().w_SB_B.norm(), 0.5);
+  EXPECT_EQ(plant.read().gyro, plant.truth().w_SB_B);
 }
 
 TEST(Sensors, APlantsFootForceSensorReadsItsNormalForce) {
@@ -282,13 +282,13 @@ TEST(Sensors, ATiltedImuMeasuresAlongItsOwnAxes) {
   options.imu.tilt = Vec3(0.02, -0.03, 0.05);
   const GroundTruth truth = some_truth();
   const SensorReading reading = first_reading(options, truth);
-  const Mat3 R_BS =
+  const Mat3 R_BI =
       (Eigen::AngleAxisd(0.05, Vec3::UnitZ()) * Eigen::AngleAxisd(-0.03, Vec3::UnitY()) *
        Eigen::AngleAxisd(0.02, Vec3::UnitX()))
           .toRotationMatrix();
-  EXPECT_LT((R_BS * reading.gyro - truth.w_WB_B).norm(), 1e-12);
-  const Vec3 force_B = kGravity * (truth.q_WB.conjugate() * Vec3::UnitZ());
-  EXPECT_LT((R_BS * reading.accelerometer - force_B).norm(), 1e-12);
+  EXPECT_LT((R_BI * reading.gyro - truth.w_SB_B).norm(), 1e-12);
+  const Vec3 force_B = kGravity * (truth.q_SB.conjugate() * Vec3::UnitZ());
+  EXPECT_LT((R_BI * reading.accelerometer - force_B).norm(), 1e-12);
 }
 
 TEST(Sensors, BiasesWanderSlowlyFromZeroToTheirLongRunDeviation) {
@@ -301,7 +301,7 @@ TEST(Sensors, BiasesWanderSlowlyFromZeroToTheirLongRunDeviation) {
   const GroundTruth truth;
   SensorReading reading;
   sensors.read(truth, reading);
-  EXPECT_LT((reading.gyro - truth.w_WB_B).norm(), 5e-4);
+  EXPECT_LT((reading.gyro - truth.w_SB_B).norm(), 5e-4);
   Statistics gyro, change, accelerometer;
   for (int tick = 0; tick < 400'000; ++tick) {
     const double before = reading.gyro.x();

@@ -31,7 +31,7 @@ TEST(StandUp, OnRoughGroundAllFeetCarryAndNothingMoves) {
   for (std::uint64_t seed = 1; seed <= 10; ++seed) {
     const Plant plant(test::anymal_b(), rough_ground(seed));
     EXPECT_EQ(feet_that_touch(plant), 4) << seed;
-    EXPECT_LT(plant.truth().v_WB.norm(), 0.005) << seed;
+    EXPECT_LT(plant.truth().v_SB.norm(), 0.005) << seed;
     EXPECT_EQ(plant.truth().time, 0.0) << seed;
   }
 }
@@ -51,7 +51,7 @@ TEST(StandUp, ALimpRobotLiesWhereItHasSunk) {
   Plant plant(test::anymal_b(), options);
   for (int tick = 0; tick < 40; ++tick) plant.write({});
   EXPECT_TRUE(plant.truth().torso_contact);
-  EXPECT_LT(plant.truth().v_WB.norm(), 0.05);
+  EXPECT_LT(plant.truth().v_SB.norm(), 0.05);
 }
 
 // Not in the ground: well-folded legs are above the torso's lowest point.
@@ -63,7 +63,7 @@ TEST(StandUp, APostureOfItsOwnRestsOnWhatIsLowest) {
     options.initial.q.segment<3>(first_joint(leg)) << 0.0, 1.9 * side, -2.6 * side;
   }
   const Plant plant(test::anymal_b(), options);
-  EXPECT_GT(plant.truth().p_WB.z(), 0.09);
+  EXPECT_GT(plant.truth().p_SB.z(), 0.09);
 }
 
 TEST(StandUp, OnLevelGroundThePostureIsKept) {

@@ -81,7 +81,7 @@ TEST(StartingPosture, HyQ_has_the_same_mass_in_both_models_and_stands) {
   const test::StockMujoco stock(plant.model_xml(), plant.truth());
   EXPECT_NEAR(mj_getTotalmass(stock.model.get()), model.mass(), 1e-9 * model.mass());
   for (const TrueContact& foot : plant.truth().feet) EXPECT_TRUE(foot.touching);
-  EXPECT_LT(plant.truth().v_WB.norm(), 0.01);
+  EXPECT_LT(plant.truth().v_SB.norm(), 0.01);
 }
 
 }  // namespace

@@ -189,7 +189,7 @@ TEST(InitialHeight, PutsTheFirstFootSphereOnWhateverIsUnderIt) {
   PlantOptions options = test::standing_options();
   options.terrain.elements = {TerrainLevel{}, step};
   const Plant plant(test::anymal_b(), options);
-  EXPECT_NEAR(plant.truth().p_WF[index(Leg::RF)].z(), 0.08 + 0.031, 1e-9);
+  EXPECT_NEAR(plant.truth().p_SF[index(Leg::RF)].z(), 0.08 + 0.031, 1e-9);
   EXPECT_TRUE(plant.truth().feet[index(Leg::RF)].penetration < 1e-6);
 }
 
@@ -202,7 +202,7 @@ TEST(InitialHeight, KeepsTheSpheresOutOfASlope) {
   const Plant plant(test::anymal_b(), options);
   const Vec3 normal(std::sin(angle), 0.0, std::cos(angle));
   double lowest = 1.0;
-  for (const Vec3& p_WF : plant.truth().p_WF) lowest = std::min(lowest, p_WF.dot(normal));
+  for (const Vec3& p_SF : plant.truth().p_SF) lowest = std::min(lowest, p_SF.dot(normal));
   EXPECT_NEAR(lowest, 0.031, 5e-5);
 }
 
@@ -215,15 +215,15 @@ TEST(InitialHeight, FollowsYawAndPosition) {
   options.initial.position.head<2>() << 2.0, 3.0;
   options.initial.yaw = kPi / 2.0;
   const Plant plant(test::anymal_b(), options);
-  EXPECT_NEAR(plant.truth().p_WF[index(Leg::LF)].z(), 0.1 + 0.031, 1e-9);
-  EXPECT_NEAR(plant.truth().p_WF[index(Leg::LF)].y(), 3.46, 0.01);
+  EXPECT_NEAR(plant.truth().p_SF[index(Leg::LF)].z(), 0.1 + 0.031, 1e-9);
+  EXPECT_NEAR(plant.truth().p_SF[index(Leg::LF)].y(), 3.46, 0.01);
 }
 
 TEST(InitialHeight, IsTheGivenOneWhenThereIsOne) {
   PlantOptions options = test::standing_options();
   options.initial.position = Vec3(0.1, 0.2, 1.7);
   const Plant plant(test::anymal_b(), options);
-  EXPECT_EQ(plant.truth().p_WB, options.initial.position);
+  EXPECT_EQ(plant.truth().p_SB, options.initial.position);
 }
 
 }  // namespace

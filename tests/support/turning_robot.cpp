@@ -16,7 +16,7 @@ TurningRobot::TurningRobot(const KinematicErrors& errors, const gaits::Calibrati
     described_[k] = tree.legs[k].chain;
     chains_[k] = described_[k].lengthened(errors.thigh[k], errors.shank[k]);
     p_WF_[k] = p_BF(leg);
-    R_BS_[k] = chains_[k].shank_in_base(q_.segment<3>(first_joint(leg)));
+    R_BK_[k] = chains_[k].shank_in_base(q_.segment<3>(first_joint(leg)));
   }
   reading_.time = -kPeriod;
   tick();
@@ -48,14 +48,14 @@ Quat TurningRobot::orientation(double time) const {
 void TurningRobot::move_leg(Leg leg, const Mat3& R_before) {
   const std::size_t k = index(leg);
   const Vec3 p_before = p_WF_[k];
-  const Mat3 R_WS_before = R_before * R_BS_[k];
+  const Mat3 R_WK_before = R_before * R_BK_[k];
   for (int i = 0; i < 2; ++i) {
     const Vec3 guess = q_.segment<3>(first_joint(leg));
     Vec3 q;
     (void)chains_[k].inverse_kinematics(R_WB_.transpose() * p_WF_[k], guess, q);
     q_.segment<3>(first_joint(leg)) = q;
-    R_BS_[k] = chains_[k].shank_in_base(q);
-    const Vec3 turn = log_rotation(Quat(Mat3(R_WB_ * R_BS_[k] * R_WS_before.transpose())));
+    R_BK_[k] = chains_[k].shank_in_base(q);
+    const Vec3 turn = log_rotation(Quat(Mat3(R_WB_ * R_BK_[k] * R_WK_before.transpose())));
     p_WF_[k] = p_before + turn.cross(description_.foot_radius * Vec3::UnitZ());
   }
 }

@@ -41,7 +41,7 @@ class TurningRobot {
   Mat3 R_WB_ = Mat3::Identity();
   JointVector q_;
   PerLeg<Vec3> p_WF_{};  // from the base's origin, which stays where it is
-  PerLeg<Mat3> R_BS_{};
+  PerLeg<Mat3> R_BK_{};
   SensorReading reading_;
 };
 

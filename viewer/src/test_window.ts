@@ -35,21 +35,21 @@ export function expose(app: App): void {
     get quality() { return world?.stage.quality.step ?? -1; },
     /** Whether nothing moves, so that the picture is as fine as it gets here. */
     get atRest() { return world?.stage.quality.resting ?? false; },
-    /** Where the camera is, in W. */
+    /** Where the camera is, in S. */
     get camera() { return world?.stage.camera.position.toArray() ?? []; },
-    /** Place of a point of W in the page [pixels]. */
-    place: (p_W: Point) => world?.place(p_W),
+    /** Place of a point of S in the page [pixels]. */
+    place: (p_S: Point) => world?.place(p_S),
     /** Height of the ground in the picture. */
     ground: (x: number, y: number) => world?.groundAt(x, y),
-    /** Place of a link's frame in W, as it is drawn. */
+    /** Place of a link's frame in S, as it is drawn. */
     position: (link: string) => world?.positionOf(link),
     channel(name: string) {
       const info = app.frame?.schema.channel(name);
       return info && [...(app.frame?.values.subarray(info.offset, info.offset + info.size) ?? [])];
     },
     levels: () => (app.frame === undefined ? [] : levelStates(app.frame, player.source.explained?.(app.frame.tick))),
-    /** Colour of the picture at a point of W: red, green, blue, from 0 to 255. */
-    pixel: (p_W: Point) => world?.pixelAt(...world.place(p_W)),
+    /** Colour of the picture at a point of S: red, green, blue, from 0 to 255. */
+    pixel: (p_S: Point) => world?.pixelAt(...world.place(p_S)),
     /** The same at a place of the page [pixels]. */
     pixelAt: (x: number, y: number) => world?.pixelAt(x, y),
   };

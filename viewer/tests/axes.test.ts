@@ -4,10 +4,10 @@ import * as THREE from "three";
 import { Axes, axisDirections } from "../src/overlays/axes.ts";
 import { fakePage, type FakeElement } from "./fake_page.ts";
 
-function cameraAt(...p_W: [number, number, number]): THREE.Camera {
+function cameraAt(...p_S: [number, number, number]): THREE.Camera {
   const camera = new THREE.PerspectiveCamera();
   camera.up.set(0, 0, 1);
-  camera.position.set(...p_W);
+  camera.position.set(...p_S);
   camera.lookAt(0, 0, 0);
   camera.updateMatrixWorld();
   return camera;

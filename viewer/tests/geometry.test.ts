@@ -5,7 +5,7 @@ import { TerrainGeometry } from "../src/scene/terrain_geometry.ts";
 import { randomNumbers } from "./make.ts";
 
 const close = (a: number, b: number): void => assert.ok(Math.abs(a - b) < 1e-9, `${a} is not ${b}`);
-const piece = { position: [0, 0, 0], q_WT: [1, 0, 0, 0], size: [0, 0, 0], columns: 0, rows: 0, heights: [] };
+const piece = { position: [0, 0, 0], q_SG: [1, 0, 0, 0], size: [0, 0, 0], columns: 0, rows: 0, heights: [] };
 
 test("every point lies inside the hull, whose corners are some of the points", () => {
   const random = randomNumbers(5);
@@ -45,7 +45,7 @@ test("the centre of pressure lies between the feet as they carry", () => {
 
 test("each triangle of a turned box looks outward, and its corners are the box's", () => {
   const q = [0.5, 0.5, -0.5, 0.5];
-  const box = { ...piece, shape: "box", position: [1, 2, 3], q_WT: q, size: [2, 4, 6] };
+  const box = { ...piece, shape: "box", position: [1, 2, 3], q_SG: q, size: [2, 4, 6] };
   const { positions, normals, indices } = new TerrainGeometry([box]);
   const vertex = (list: number[], i: number): number[] => list.slice(3 * i, 3 * i + 3);
   assert.equal(indices.length, 36);

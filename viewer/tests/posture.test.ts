@@ -21,7 +21,7 @@ function frameOf(p: number[], q: number[]): Frame {
 test("a robot stands where its base is, also while an encoder says nothing", () => {
   const posture = new Posture(3);
   assert.ok(posture.read(frameOf([1, 2, 3], [0.25, NaN, -0.5]), "state", "state"));
-  assert.deepEqual([posture.p_WB, posture.q], [[1, 2, 3], [0.25, NaN, -0.5]]);
+  assert.deepEqual([posture.p_SB, posture.q], [[1, 2, 3], [0.25, NaN, -0.5]]);
   assert.ok(!posture.read(frameOf([1, NaN, 3], [0, 0, 0]), "state", "state"));
   assert.ok(!posture.read(frameOf([1, 2, 3], [0, 0, 0]), "truth", "truth"), "a log without it");
   assert.ok(posture.read(frameOf([1, 2, 3], [0, 0, 0]), "state", "truth"));

@@ -16,7 +16,7 @@ const PHASES = ["stance", "unloading", "swing", "search"];
 /** `touching`: undefined where the truth is not known. */
 function said(phase: string, touching: number | undefined, force = [3, 4, 12], mode = "optimal"): Map<string, string> {
   const truth = touching === undefined ? {} : Object.fromEntries(LEGS.flatMap((leg) => [[`truth.feet.${leg}.touching`, 1], [`truth.feet.${leg}.force`, 3]]));
-  const schema = schemaOf({ ...Object.fromEntries(LEGS.map((leg) => [`plan.feet.${leg}.phase`, 1])), ...truth, "state.v_WB": 3, ...(touching === undefined ? {} : { "truth.v_WB": 3 }), "command.mode": 1 });
+  const schema = schemaOf({ ...Object.fromEntries(LEGS.map((leg) => [`plan.feet.${leg}.phase`, 1])), ...truth, "state.v_WB": 3, ...(touching === undefined ? {} : { "truth.v_SB": 3 }), "command.mode": 1 });
   Object.assign(schema.channel("command.mode") as object, { values: [mode] });
   for (const leg of LEGS) Object.assign(schema.channel(`plan.feet.${leg}.phase`) as object, { values: PHASES });
   const values = [...LEGS.map(() => PHASES.indexOf(phase)), ...(touching === undefined ? [] : LEGS.flatMap(() => [touching, ...force])), 3, 4, 1, ...(touching === undefined ? [] : [6, 8, 1]), 0];
@@ -54,14 +54,14 @@ test("of velocities it is told whose they are", () => {
 });
 
 test("a base that stands where it began is not told as to the left or right of that by nothing", () => {
-  const schema = schemaOf({ "truth.p_WB": 3, "truth.q_WB": 4 });
+  const schema = schemaOf({ "truth.p_SB": 3, "truth.q_SB": 4 });
   const frame: Frame = { schema, tick: 0, time: 0, values: Float32Array.of(-1e-5, -0, 0.42, 1, 0, 0, -1e-9), active: [], blocking: [] };
   assert.equal(new Map(sentences(frame)).get("Base, true"), "x 0.000 m, y 0.000 m, z 0.420 m, heading 0.00°");
 });
 
-/** Pushed by these forces, one a body, of which the first is the world, heading to the left of W. */
+/** Pushed by these forces, one a body, of which the first is the world, heading to the left of S. */
 function pushed(...forces: [number, number, number][]): string | undefined {
-  const schema = schemaOf({ "truth.q_WB": 4, "truth.xfrc_applied": 6 * forces.length }, { bodies: ["base", "LF_HIP"] });
+  const schema = schemaOf({ "truth.q_SB": 4, "truth.xfrc_applied": 6 * forces.length }, { bodies: ["base", "LF_HIP"] });
   const table = new FrameTable(schema, 1);
   const values = [Math.SQRT1_2, 0, 0, Math.SQRT1_2, ...forces.flatMap((force) => [...force, 1, 2, 3])];
   table.append(0, 0, Float32Array.from(values), undefined);
@@ -71,8 +71,8 @@ function pushed(...forces: [number, number, number][]): string | undefined {
 test("what pushes the robot is told with its size, where, and how it goes in the world", () => {
   const truth = " (truth: the controller is not told)";
   assert.equal(pushed([0, 0, 0], [0, 0, 0]), "nothing", "a torque is no push");
-  assert.equal(pushed([0, 0, 0], [-50, 0, 0]), `50.0 N on base, (−50.0, 0.0, 0.0) N in the world${truth}`);
-  assert.equal(pushed([0, 0, 0], [0, 0, 0], [30, 0, -40]), `50.0 N on LF_HIP, (30.0, 0.0, −40.0) N in the world${truth}`);
+  assert.equal(pushed([0, 0, 0], [-50, 0, 0]), `50.0 N on base, (−50.0, 0.0, 0.0) N in S, the simulator's world${truth}`);
+  assert.equal(pushed([0, 0, 0], [0, 0, 0], [30, 0, -40]), `50.0 N on LF_HIP, (30.0, 0.0, −40.0) N in S, the simulator's world${truth}`);
   assert.equal(said("stance", 1).get("Pushed by"), "", "where it is not known");
 });
 
@@ -80,7 +80,7 @@ const BODIES = ["base", "LF_HIP"];
 
 /** The arrows of forces on the base and on a leg, each with a torque: their texts and where they begin. */
 function arrowsOf(base: number[], leg: number[]): { texts: string[]; starts: number[][] } {
-  const schema = schemaOf({ "truth.p_WCom": 3, "truth.xfrc_applied": 18 }, { bodies: BODIES, period: 0.0025 });
+  const schema = schemaOf({ "truth.p_SCom": 3, "truth.xfrc_applied": 18 }, { bodies: BODIES, period: 0.0025 });
   const table = new FrameTable(schema, 1);
   table.append(0, 0, Float32Array.from([0, 0, 0.5, 0, 0, 0, 0, 0, 0, ...base, ...leg]), undefined);
   const texts: string[] = [];

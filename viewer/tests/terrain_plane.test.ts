@@ -3,7 +3,7 @@ import { test } from "node:test";
 import { TerrainGeometry } from "../src/scene/terrain_geometry.ts";
 
 test("an endless plane is small triangles where robots walk: what is drawn on it is not lost in it", () => {
-  const plane = new TerrainGeometry([{ shape: "plane", position: [0, 0, 0], q_WT: [1, 0, 0, 0] } as never]);
+  const plane = new TerrainGeometry([{ shape: "plane", position: [0, 0, 0], q_SG: [1, 0, 0, 0] } as never]);
   for (const place of [[0.5, 0.5], [-1.5, 3], [8, -3], [-13, 12], [500, 800]] as [number, number][]) {
     let found = 0;
     for (let i = 0; i < plane.indices.length; i += 3) {

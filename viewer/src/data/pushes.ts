@@ -6,7 +6,7 @@ const LEAST_PUSH = 1e-6;
 
 type Three = [number, number, number];
 
-/** A force from outside on a body, and its torque about the body's centre of mass, in W [N, N·m]; `body` is its number among those that can be pushed. */
+/** A force from outside on a body, and its torque about the body's centre of mass, in S [N, N·m]; `body` is its number among those that can be pushed. */
 export interface Push {
   body: number;
   force: Three;
@@ -14,7 +14,7 @@ export interface Push {
 }
 
 /**
- * Shortest vector from the body's centre of mass to the force's line of action, in W [m]: r = f × τ / |f|². Zero if longer than `reach`: the torque
+ * Shortest vector from the body's centre of mass to the force's line of action, in S [m]: r = f × τ / |f|². Zero if longer than `reach`: the torque
  * then has another cause.
  */
 export function leverOf({ force, torque }: Push, reach: number): Three {

@@ -28,6 +28,9 @@ export function channelsOf(name: string) {
     truePoint: `truth.feet.${name}.point`,
   };
 }
+/** The base's channel on a topic: the controller's topics are in its world W, what is compared with the truth in the simulator's S. */
+export const baseChannel = (topic: string, quantity: "p" | "q" | "v"): string => `${topic}.${quantity}_${topic === "state" ? "W" : "S"}B`;
+
 export type LegChannels = ReturnType<typeof channelsOf>;
 
 /** Gives a level's residual the unit of its rows, from the header. */

@@ -8,8 +8,8 @@ export function useClass(use: number): UseClass {
 }
 
 /**
- * Corners of the friction pyramid P at height `normal` over its tip, in W: points p with |p·x| = |p·y| = μ normal and
- * p·z = normal, where x, y, z are the axes that `q_WP` turns into W; counter-clockwise about z.
+ * Corners of the friction pyramid P at height `normal` over its tip, in S: points p with |p·x| = |p·y| = μ normal and
+ * p·z = normal, where x, y, z are the axes that `q_WP` turns into S; counter-clockwise about z.
  */
 export function pyramidCorners(q_WP: number[], mu: number, normal: number): number[][] {
   const half = mu * normal;

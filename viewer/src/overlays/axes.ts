@@ -1,7 +1,7 @@
 import type * as THREE from "three";
 import { svg } from "../panels/dom.ts";
 
-/** Direction of an axis of W in the picture, a unit vector: right, up, towards the camera. */
+/** Direction of an axis of S in the picture, a unit vector: right, up, towards the camera. */
 export type AxisDirection = [right: number, up: number, nearer: number];
 
 /** The directions of x, y and z for a camera. */

@@ -99,7 +99,7 @@ export class OutsideForce implements Overlay {
 
   private draw(push: Push, { frame, labels, colours, newton, longest, centreOf }: Picture): void {
     if (centreOf(frame.schema.bodies[push.body] ?? "", this.start)) this.start.add(this.point.fromArray(leverOf(push, BODY_REACH)));
-    else if (!vector(frame, "truth.p_WCom", this.start)) return;
+    else if (!vector(frame, "truth.p_SCom", this.start)) return;
     const newtons = this.force.fromArray(push.force).length();
     this.arrows.add(this.start, this.stretch(newton), colours.push, longest);
     this.point.copy(this.arrows.tip).z += NUMBER_OVER;
@@ -109,7 +109,7 @@ export class OutsideForce implements Overlay {
   }
 
   private drawBelieved({ frame, labels, colours, newton, longest, beliefToWorld }: Picture): void {
-    if (!vector(frame, "truth.p_WCom", this.start)) return;
+    if (!vector(frame, "truth.p_SCom", this.start)) return;
     if (!vector(frame, "state.external_force", this.force) || this.force.length() < LEAST_BELIEVED) return;
     const newtons = this.force.applyMatrix4(this.turn.extractRotation(beliefToWorld)).length();
     this.believed.add(this.start, this.stretch(newton), colours.push, longest);

@@ -29,9 +29,9 @@ export const reachOf = (className: string): number => (className === "push" || c
 /** Margin around elements over the picture [pixels]. */
 const AROUND = 8;
 
-/** Bounding box of points in W, in a picture of this size; undefined where all are behind the camera. */
-export function boxOf(points_W: THREE.Vector3[], camera: THREE.Camera, width: number, height: number): Box | undefined {
-  const seen = points_W.map((p_W) => p_W.clone().project(camera)).filter(({ z }) => z <= 1);
+/** Bounding box of points in S, in a picture of this size; undefined where all are behind the camera. */
+export function boxOf(points_S: THREE.Vector3[], camera: THREE.Camera, width: number, height: number): Box | undefined {
+  const seen = points_S.map((p_S) => p_S.clone().project(camera)).filter(({ z }) => z <= 1);
   if (seen.length === 0) return undefined;
   const x = seen.map((at) => 0.5 * (1 + at.x) * width), y = seen.map((at) => 0.5 * (1 - at.y) * height);
   return { left: Math.min(...x), right: Math.max(...x), top: Math.min(...y), bottom: Math.max(...y) };
@@ -73,15 +73,15 @@ export class Labels {
     this.height = height;
   }
 
-  /** Texts should leave the box of these points of W free. */
-  spare(points_W: THREE.Vector3[]): void {
-    const box = boxOf(points_W, this.camera, this.width, this.height);
+  /** Texts should leave the box of these points of S free. */
+  spare(points_S: THREE.Vector3[]): void {
+    const box = boxOf(points_S, this.camera, this.width, this.height);
     if (box !== undefined) this.marks.push(box);
   }
 
-  /** `p_W`: a point of the scene in W; `under`: the text stands below it rather than above. */
-  put(p_W: THREE.Vector3, text: string, className = "", under = false): void {
-    this.at.copy(p_W).project(this.camera);
+  /** `p_S`: a point of the scene in S; `under`: the text stands below it rather than above. */
+  put(p_S: THREE.Vector3, text: string, className = "", under = false): void {
+    this.at.copy(p_S).project(this.camera);
     const rank = rankOf(className), reach = reachOf(className);
     if (this.at.z > 1 || Math.abs(this.at.x) > reach || Math.abs(this.at.y) > reach) return;
     const label = this.next();

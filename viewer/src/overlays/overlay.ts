@@ -18,7 +18,7 @@ export interface Picture {
   longest: number;
   /** Moves what is planned and believed to the true robot. */
   beliefToWorld: THREE.Matrix4;
-  /** Centre of mass of a body in W; false: there is no such body. */
+  /** Centre of mass of a body in S; false: there is no such body. */
   centreOf: (body: string, out: THREE.Vector3) => boolean;
   /** Trails are drawn again in this picture. */
   trails: boolean;
@@ -26,7 +26,7 @@ export interface Picture {
 
 /** A drawing over the robot that can be switched off. */
 export interface Overlay {
-  /** Whether its coordinates are in the believed or in the true W. */
+  /** Whether its coordinates are in S, the controller's world, or in S, the simulator's. */
   readonly space: "belief" | "world";
   readonly root: THREE.Object3D;
   /** Sets the colours of its materials. */

@@ -98,7 +98,7 @@ export class FrictionPyramids implements Overlay {
     this.alarms.end();
   }
 
-  /** Tip and corners in W. */
+  /** Tip and corners in S. */
   private outlineOf(corners: number[][], beliefToWorld: THREE.Matrix4): THREE.Vector3[] {
     this.outline.forEach((point, k) => point.fromArray(corners[k] ?? [0, 0, 0]).add(this.tip).applyMatrix4(beliefToWorld));
     return this.outline;

@@ -86,7 +86,7 @@ export class OverlaySet {
   /** Sets the turn about z and the shift that take the believed base to the true one. */
   private align(frame: Frame): void {
     this.beliefToWorld.identity();
-    if (!read(frame, "truth.p_WB", this.p_true) || !read(frame, "truth.q_WB", this.q_true)) return;
+    if (!read(frame, "truth.p_SB", this.p_true) || !read(frame, "truth.q_SB", this.q_true)) return;
     if (!read(frame, "state.p_WB", this.p) || !read(frame, "state.q_WB", this.q)) return;
     this.beliefToWorld.makeRotationZ(wrap(yawOf(this.q_true) - yawOf(this.q)));
     this.moved.fromArray(this.p).applyMatrix4(this.beliefToWorld);

@@ -1,6 +1,6 @@
 import { read, scalar, word, type Frame } from "../data/frame.ts";
 import { accountAt, type Account } from "../data/hierarchy.ts";
-import type { LegChannels } from "../data/schema.ts";
+import { baseChannel, type LegChannels } from "../data/schema.ts";
 import { pushesOf } from "../data/pushes.ts";
 import { pyramidUse } from "../data/pyramid_use.ts";
 import { yawOf } from "../math/geometry.ts";
@@ -50,14 +50,14 @@ function feetText(frame: Frame): string {
 /** Velocity of the base in the plane. */
 function speedText(frame: Frame, topic: string): string {
   const v = [0, 0];
-  return read(frame, `${topic}.v_WB`, v) ? `${digits(seen(Math.hypot(...v), "m/s"))} m/s` : "";
+  return read(frame, baseChannel(topic, "v"), v) ? `${digits(seen(Math.hypot(...v), "m/s"))} m/s` : "";
 }
 
 /** Position and heading of a base; "": not known. */
 function whereabouts(frame: Frame, topic: string): string {
   const p = [0, 0, 0];
   const q = [1, 0, 0, 0];
-  if (!read(frame, `${topic}.p_WB`, p) || !read(frame, `${topic}.q_WB`, q)) return "";
+  if (!read(frame, baseChannel(topic, "p"), p) || !read(frame, baseChannel(topic, "q"), q)) return "";
   const [x, y, z] = p.map((one) => fixed(one, 3));
   return `x ${x} m, y ${y} m, z ${z} m, heading ${fixed((yawOf(q) * 180) / Math.PI, 2)}°`;
 }
@@ -80,7 +80,7 @@ function pushText(frame: Frame): string {
   const pushes = pushesOf(frame);
   if (pushes === undefined) return "";
   const forces = pushes.map(({ body, force }) =>
-    `${digits(Math.hypot(...force))} N on ${frame.schema.bodies[body] ?? `body ${body + 1}`}, (${force.map((part) => fixed(part, 1)).join(", ")}) N in the world`);
+    `${digits(Math.hypot(...force))} N on ${frame.schema.bodies[body] ?? `body ${body + 1}`}, (${force.map((part) => fixed(part, 1)).join(", ")}) N in S, the simulator's world`);
   return forces.length === 0 ? "nothing" : `${forces.join("; ")} (truth: the controller is not told)`;
 }
 

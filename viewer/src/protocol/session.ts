@@ -20,7 +20,7 @@ export interface MeshInfo {
 export interface TerrainPiece {
   shape: string;
   position: number[];
-  q_WT: number[];
+  q_SG: number[];
   size: number[];
   columns: number;
   rows: number;

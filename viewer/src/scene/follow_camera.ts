@@ -29,14 +29,14 @@ export class FollowCamera {
     this.controls.update();
   }
 
-  /** `p_WB`: the base's position; `dt` [s]. */
-  update(p_WB: THREE.Vector3, dt: number): void {
+  /** `p_SB`: the base's position; `dt` [s]. */
+  update(p_SB: THREE.Vector3, dt: number): void {
     if (!this.placed) {
-      this.target.copy(p_WB).setZ(p_WB.z - 0.15);
+      this.target.copy(p_SB).setZ(p_SB.z - 0.15);
       this.placed = true;
       this.home();
     } else if (this.follow) {
-      this.shift.copy(p_WB).setZ(p_WB.z - 0.15).sub(this.target);
+      this.shift.copy(p_SB).setZ(p_SB.z - 0.15).sub(this.target);
       const far = this.shift.lengthSq() > 0.25;
       this.shift.multiplyScalar(far ? 1 : Math.min(1, 6 * dt));
       this.target.add(this.shift);

@@ -1,4 +1,5 @@
 import { read, type Frame } from "../data/frame.ts";
+import { baseChannel } from "../data/schema.ts";
 
 /** A robot with joints; angle in rad. */
 export interface Jointed {
@@ -6,11 +7,11 @@ export interface Jointed {
   setJointValue(name: string, value: number): unknown;
 }
 
-/** The robot's posture at a tick. */
+/** The robot's posture at a tick, in S; of a log without truth in S. */
 export class Posture {
-  readonly p_WB = [0, 0, 0];
+  readonly p_SB = [0, 0, 0];
   /** w, x, y, z. */
-  readonly q_WB = [1, 0, 0, 0];
+  readonly q_SB = [1, 0, 0, 0];
   /** Of each joint; NaN: not known [rad]. */
   readonly q: number[];
 
@@ -22,7 +23,7 @@ export class Posture {
   read(frame: Frame, base: string, legs: string): boolean {
     if (frame.schema.offset(`${legs}.q`) < 0) this.q.fill(NaN);
     else read(frame, `${legs}.q`, this.q); // those that are not known are NaN
-    return read(frame, `${base}.p_WB`, this.p_WB) && read(frame, `${base}.q_WB`, this.q_WB);
+    return read(frame, baseChannel(base, "p"), this.p_SB) && read(frame, baseChannel(base, "q"), this.q_SB);
   }
 }
 

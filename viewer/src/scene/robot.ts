@@ -65,13 +65,13 @@ export class Robot {
   }
 
   /** `joints`: names, in the posture's order; `like`: source of unknown angles. */
-  pose({ p_WB, q_WB, q }: Posture, joints: string[], like?: Robot): void {
-    this.root.position.set(p_WB[0] as number, p_WB[1] as number, p_WB[2] as number);
-    this.root.quaternion.set(q_WB[1] as number, q_WB[2] as number, q_WB[3] as number, q_WB[0] as number);
+  pose({ p_SB, q_SB, q }: Posture, joints: string[], like?: Robot): void {
+    this.root.position.set(p_SB[0] as number, p_SB[1] as number, p_SB[2] as number);
+    this.root.quaternion.set(q_SB[1] as number, q_SB[2] as number, q_SB[3] as number, q_SB[0] as number);
     bend(this.urdf, joints, q, like?.urdf);
   }
 
-  /** Centre of mass of a link in W [m], as the URDF has it; false: there is no link of that name. */
+  /** Centre of mass of a link in S [m], as the URDF has it; false: there is no link of that name. */
   centreOf(name: string, out: THREE.Vector3): boolean {
     const link = this.urdf.links[name], centre = this.centres.get(name);
     if (link === undefined || centre === undefined) return false;

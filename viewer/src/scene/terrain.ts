@@ -5,7 +5,7 @@ import type { Palette } from "./palette.ts";
 import { PlainGround } from "./plain_ground.ts";
 import { TerrainGeometry } from "./terrain_geometry.ts";
 
-const FLAT: TerrainPiece = { shape: "plane", position: [0, 0, 0], q_WT: [1, 0, 0, 0], size: [0, 0, 0], columns: 0, rows: 0, heights: [] };
+const FLAT: TerrainPiece = { shape: "plane", position: [0, 0, 0], q_SG: [1, 0, 0, 0], size: [0, 0, 0], columns: 0, rows: 0, heights: [] };
 
 /** The ground, with lines each 0.1 m and stronger lines each metre. */
 export class Terrain {

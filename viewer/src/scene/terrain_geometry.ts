@@ -5,7 +5,7 @@ import type { TerrainPiece } from "../protocol/session.ts";
  * millimetres by which marks lie above the ground. */
 const PLANE_LINES = [0, 2, 4, 6, 9, 14, 20, 40, 100, 300, 2000];
 
-/** Triangles and sharp edges of the ground in W, as plain arrays. */
+/** Triangles and sharp edges of the ground in S, as plain arrays. */
 export class TerrainGeometry {
   readonly positions: number[] = [];
   readonly normals: number[] = [];
@@ -21,10 +21,10 @@ export class TerrainGeometry {
     }
   }
 
-  private vertex(piece: TerrainPiece, p_T: number[], n_T: number[]): number {
-    const p = rotate(piece.q_WT, p_T);
+  private vertex(piece: TerrainPiece, p_G: number[], n_G: number[]): number {
+    const p = rotate(piece.q_SG, p_G);
     for (let i = 0; i < 3; ++i) this.positions.push((p[i] as number) + (piece.position[i] as number));
-    this.normals.push(...rotate(piece.q_WT, n_T));
+    this.normals.push(...rotate(piece.q_SG, n_G));
     return this.positions.length / 3 - 1;
   }
 
@@ -67,7 +67,7 @@ export class TerrainGeometry {
     corners.forEach((corner, k) => {
       const other = side > 0 ? (corners[(k + 1) % 4] as number[]) : [corner[0], corner[1], -(corner[2] as number)];
       for (const point of [corner, other]) {
-        const p = rotate(piece.q_WT, point as number[]);
+        const p = rotate(piece.q_SG, point as number[]);
         for (let i = 0; i < 3; ++i) this.edges.push((p[i] as number) + (piece.position[i] as number));
       }
     });

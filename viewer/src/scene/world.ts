@@ -177,7 +177,7 @@ export class World {
 
   private readonly centreOf = (body: string, out: THREE.Vector3): boolean => this.robot.centreOf(body, out);
 
-  /** Place of a link's frame in W [m]. */
+  /** Place of a link's frame in S [m]. */
   positionOf(link: string): number[] | undefined {
     const found = this.robot.urdf.links[link];
     return found === undefined ? undefined : found.getWorldPosition(new THREE.Vector3()).toArray();
@@ -188,9 +188,9 @@ export class World {
     return this.shown;
   }
 
-  /** Place of a point of W in the page [pixels]. */
-  place(p_W: [number, number, number]): [number, number] {
-    const at = new THREE.Vector3(...p_W).project(this.stage.camera);
+  /** Place of a point of S in the page [pixels]. */
+  place(p_S: [number, number, number]): [number, number] {
+    const at = new THREE.Vector3(...p_S).project(this.stage.camera);
     const box = this.stage.renderer.domElement.getBoundingClientRect();
     return [box.left + 0.5 * (1 + at.x) * box.width, box.top + 0.5 * (1 - at.y) * box.height];
   }
