@@ -14,6 +14,7 @@ from surefoot_campaign.errors import InputError
 from surefoot_campaign.experiments import EXPERIMENTS
 from surefoot_campaign.output_files import folder_of_our_own, remove_if_empty, remove_outdated
 from surefoot_campaign.program import Program
+from surefoot_campaign.progress import duration_text
 from surefoot_campaign.scheduler import Task
 from surefoot_campaign.seeds import FAILED, PASSED, enough_succeeded, run_rows, seeds_json, seeds_line
 from surefoot_campaign.text import aligned, asked_of, pretty, printable
@@ -132,7 +133,9 @@ def make_demo(program, arguments, out):
         about = dict(zip([one.name for one in EXPERIMENTS], pool.map(lambda one: program.about(one.words()), EXPERIMENTS)))
     of = {experiment.name: tasks_of(experiment, program, arguments, out) for experiment in EXPERIMENTS}
     tasks = sorted((task for of_one in of.values() for task in of_one), key=lambda task: (task.id[1] > 0, task.id[0] != FIRST))
-    print(f"{len(of)} experiments of the paper in {len(tasks)} runs, {jobs} at a time; reports go to {out}", file=sys.stderr)
+    seconds = sum(about[task.id[0]]["cost"]["wall_time_s"] for task in tasks) / jobs
+    print(f"{len(of)} experiments of the paper in {len(tasks)} runs, {jobs} at a time: about {duration_text(seconds)}, {FIRST} first; "
+          f"reports go to {out}", file=sys.stderr)  # fmt: skip
     found = run_rows("experiments", tasks, jobs, lambda name, seed, row: [] if seed else [f"{name}: {row['reason']}{link_to(out / name, row)}"])
     whole = [one for one in EXPERIMENTS if all(task.id in found for task in of[one.name])]
     for experiment in (one for one in EXPERIMENTS if one not in whole):

@@ -3,6 +3,8 @@
 import json
 import os
 import pathlib
+import re
+import shutil
 import subprocess
 import sys
 import sysconfig
@@ -43,6 +45,9 @@ def site(wheel, tmp_path_factory):
     for entry in LIBRARIES.iterdir():
         if entry.name != "pip":
             (site / entry.name).symlink_to(entry)
+    robots = site / "example_robot_data-6.0.0.dist-info"  # tools/setup.sh unpacks what it needs of this one
+    robots.mkdir()
+    (robots / "METADATA").write_text("Metadata-Version: 2.1\nName: example-robot-data\nVersion: 6.0.0\n")
     tool(sys.executable, "-m", "pip", "--python", environment / "bin/python", "install", "--no-deps", "--no-index", wheel)
     return site
 
@@ -81,7 +86,7 @@ def test_the_wheel_names_nothing_of_the_tree_and_is_small(wheel):
         for name in archive.namelist():
             assert str(ROOT).encode() not in archive.read(name), name
         data = {pathlib.PurePath(name).parts[3] for name in archive.namelist() if name.startswith("surefoot/share/")}
-    assert data == {"robots", "stacks", "scenarios", "randomisations", "campaigns"}
+    assert data == {"robots", "stacks", "gaits", "scenarios", "randomisations", "campaigns"}
     assert wheel.stat().st_size < 8e6
 
 
@@ -96,6 +101,7 @@ def test_its_data_is_its_own(surefoot):
     told = json.loads(surefoot("run", "step_down", "--check", "--json"))
     assert told["description"]
     assert "anymal_b" in surefoot("list", "robots") and "step_down" in surefoot("list", "scenarios")
+    assert surefoot("run", "trot", "--check")
     where = "import surefoot; print(surefoot.load_scenario('step_down').file)"
     assert pathlib.Path(surefoot.run("python", "-c", where).strip()) == surefoot.site / "surefoot/share/surefoot/scenarios/step_down.yaml"
 
@@ -120,16 +126,23 @@ def test_many_runs_work(surefoot):
     assert "experiments" in surefoot("demo", "--help").lower()
 
 
-def test_the_rest_works(surefoot):
+def test_the_rest_works(surefoot, log):
     (surefoot.folder / "problem.jsonl").write_text('{"levels":[{"A":[[1]],"b":[2]}]}\n')
     assert json.loads(surefoot("solve", "problem.jsonl"))["x"] == [2]
     robot = "package://example-robot-data/robots/anymal_b_simple_description/robots/anymal.urdf"
-    assert "LF_FOOT" in surefoot("doctor", robot)
+    assert "LF_FOOT" in surefoot("doctor", robot, "--name", "mine", "--out", "mine.yaml")
+    assert surefoot("run", "walk_flat", "--check", "--set", "robot=mine.yaml")
+    assert (surefoot.folder / "mine.svg").exists()
+    surefoot("mend", log, "--out", "mended.mcap")
     assert surefoot("dump", "walk_flat_ideal", "--to", "0.01").startswith("{")
 
 
-def test_the_page_is_in_the_program(surefoot, log):
-    served = subprocess.Popen(["surefoot", "replay", log, "--port", "0"], cwd=surefoot.folder, env=surefoot.environment,
+VIEWED = ["run", "walk_flat_ideal", "--view", "--no-wait"]
+
+
+@pytest.mark.parametrize("command", [["replay", "run.mcap"], VIEWED], ids=["log", "live"])
+def test_the_page_is_in_the_program(surefoot, log, command):
+    served = subprocess.Popen(["surefoot", *command, "--port", "0"], cwd=surefoot.folder, env=surefoot.environment,
                               stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)  # fmt: skip
     try:
         address = next(word for line in served.stdout for word in line.split() if word.startswith("http://"))
@@ -155,3 +168,54 @@ libraries = {line.split()[-1] for line in open("/proc/self/maps") if "libmujoco"
 print(len(libraries))
 """
     assert surefoot.run("python", "-c", code).strip() == "2"
+
+
+def refused(surefoot, *words, **changes):
+    """The one line that a wrong installation answers with."""
+    done = subprocess.run([*map(str, words)], cwd=surefoot.folder, env=surefoot.environment | changes, capture_output=True, text=True, timeout=60)
+    assert done.returncode == 1
+    return done.stderr.strip().splitlines()[-1]
+
+
+IMPORT = ["python", "-c", "import surefoot"]
+
+
+@pytest.fixture
+def other_site(surefoot, tmp_path):
+    """A copy of what the wheel installed, to be spoilt."""
+    for path in surefoot.site.glob("surefoot*"):
+        if path.is_dir():
+            shutil.copytree(path, tmp_path / path.name, ignore=shutil.ignore_patterns("share", "bin"))
+        else:
+            shutil.copy(path, tmp_path)
+    return tmp_path
+
+
+def test_a_missing_package_is_named_with_what_installs_it(surefoot):
+    (information,) = surefoot.site.glob("libpinocchio*.dist-info")
+    away = information.rename(surefoot.folder / "away")
+    try:
+        assert "the package libpinocchio is missing" in refused(surefoot, "surefoot", "list", "robots")
+    finally:
+        away.rename(information)
+    assert surefoot("list", "robots")
+
+
+def test_a_package_of_another_version_is_named_with_both(surefoot, other_site):
+    (information,) = other_site.glob("surefoot-*.dist-info")
+    metadata = (information / "METADATA").read_text()
+    (information / "METADATA").write_text(metadata.replace("mujoco-core==", "mujoco-core==9."))
+    told = refused(surefoot, "python", "-m", "surefoot_installation", PYTHONPATH=str(other_site))
+    assert re.search(r"mujoco-core is version \S+, and this Surefoot was built with 9\.", told)
+
+
+def test_a_module_for_another_python_says_so(surefoot, other_site):
+    (module,) = (other_site / "surefoot").glob("_core*.so")
+    module.rename(module.with_name("_core.cpython-399-x86_64-linux-gnu.so"))
+    assert "another Python (_core.cpython-399" in refused(surefoot, *IMPORT, PYTHONPATH=str(other_site))
+
+
+def test_two_versions_in_one_process_are_refused(surefoot, other_site):
+    shutil.rmtree(other_site / "surefoot")
+    for told in (refused(surefoot, *IMPORT, PYTHONPATH=str(other_site)), refused(surefoot, "surefoot", "list", "robots", PYTHONPATH=str(other_site))):
+        assert "two versions of Surefoot lie side by side" in told and str(other_site) in told
