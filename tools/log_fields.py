@@ -1,4 +1,4 @@
-"""Writes docs/log_fields.md from the schemas that stand in a log: tools/log_fields.py RUN.mcap > docs/log_fields.md"""
+"""Lists the fields of a log from the schemas that stand in it, as Markdown: .venv/bin/python tools/log_fields.py RUN.mcap"""
 
 import json
 import re
@@ -8,7 +8,7 @@ from mcap.reader import make_reader
 
 HEAD = """# The fields of the log
 
-Version {version}. Made by `tools/log_fields.py` from the schemas in a log.
+Version {version}. Made from the schemas in a log.
 [log.md](log.md) says what the topics are for and what holds for all fields.
 
 `<leg>` is LF, RF, LH or RH, of six legs LM or RM, too; `[]` are the elements of a list. A unit alone is a number, `12 [rad]` are 12 of them.

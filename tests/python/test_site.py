@@ -32,6 +32,11 @@ def test_pages_load_nothing_from_a_network(site):
         assert not re.search(r"(url\([\"']?|@import [\"'])(https?:)?//", style.read_text()), style.name
 
 
+def test_the_fields_of_the_log_have_a_page(site):
+    page = (site / "log_fields.html").read_text()
+    assert "/readings" in page and "[N·m]: measured joint torques" in page
+
+
 def test_formulas_are_mathml(site):
     for page, least in {"concept_dynamics": 8, "concept_tasks": 8, "solver": 10}.items():
         text = (site / f"{page}.html").read_text()

@@ -2,9 +2,12 @@
 as MathML. Nothing of the site comes from a network."""
 
 import html
+import os
 import pathlib
 import re
+import subprocess
 import sys
+import tempfile
 
 from latex2mathml.converter import convert
 from mkdocs.structure.files import File
@@ -40,7 +43,7 @@ def on_files(files, config):
                                              if f"docs/{file.src_uri}" not in ELSEWHERE})  # fmt: skip
     texts = {site: (ROOT / path).read_text() for path, site in pages.site_of.items()}
     texts = {site: pages.linked(text, site) for site, text in texts.items()}
-    texts |= cpp_reference.pages(ROOT) | python_reference.pages(ROOT)
+    texts |= cpp_reference.pages(ROOT) | python_reference.pages(ROOT) | {"log_fields.md": fields_of_the_log()}
     texts |= pages.linked_files()
     replaced = {"decisions/README.md", *texts}
     for file in [file for file in files if file.src_uri in replaced]:
@@ -58,6 +61,15 @@ def with_folders(nav, pages):
     if isinstance(nav, dict):
         return {title: with_folders(entry, pages) for title, entry in nav.items()}
     return sorted((page for page in pages if page.startswith(nav)), key=lambda page: not page.endswith("index.md")) if nav.endswith("/") else nav
+
+
+def fields_of_the_log():
+    """As the program writes them now."""
+    with tempfile.TemporaryDirectory() as folder:
+        log = pathlib.Path(folder) / "run.mcap"
+        program = os.environ.get("SUREFOOT_PROGRAM", ROOT / "build/release/bin/surefoot")
+        subprocess.run([program, "run", "walk_flat_ideal", "--set", "duration=0.01", "--record", log], capture_output=True)
+        return subprocess.run([sys.executable, ROOT / "tools/log_fields.py", log], capture_output=True, text=True, check=True).stdout
 
 
 def on_page_markdown(markdown, **_):
