@@ -19,6 +19,7 @@ BLOCK = re.compile(r"^```(sh|yaml|json|python|py)\n(.*?)^```$", re.MULTILINE | r
 NOT_RUN = {
     "./demo": "it is tests/python/test_demo.py",
     "./test": "it is this",
+    "pip install": "tests/python/test_wheel.py does",
     "cmake --preset": "another build takes minutes",
     "SUREFOOT_FUZZ": "it needs that other build",
     "PYTHONPATH=build/release/python": "it opens a prompt",
