@@ -48,7 +48,7 @@ struct ViewFrame {
   std::vector<FrameEvent> events;
 };
 
-/// The head of a block, docs/view_protocol.md.
+/// The head of a block, viewer/README.md.
 struct BlockHead {
   std::uint32_t frames = 0, dropped = 0, generation = 0;
 };

@@ -8,7 +8,7 @@
 
 namespace surefoot::server {
 
-/// A request of `/api/frames` (docs/view_protocol.md): frames of ticks `from`, `from` + `stride`,
+/// A request of `/api/frames` (viewer/README.md): frames of ticks `from`, `from` + `stride`,
 /// …, at most `count`; with `min_max` two frames for each stride.
 struct FrameRequest {
   std::uint32_t from = 0, count = 1, stride = 1;

@@ -22,7 +22,7 @@ enum class ViewCommandType {
   friction,
 };
 
-/// A command of a page, docs/view_protocol.md. Members that its type lacks keep their defaults.
+/// A command of a page, viewer/README.md. Members that its type lacks keep their defaults.
 /// Numbers are finite, but otherwise unchecked.
 struct ViewCommand {
   ViewCommandType type = ViewCommandType::pause;

@@ -58,7 +58,7 @@ struct ViewRun {
   double friction = 0.0;            ///< that the controller assumes
 };
 
-/// What a page needs before the frames of a run: /api/session of docs/view_protocol.md.
+/// What a page needs before the frames of a run: /api/session of viewer/README.md.
 struct ViewSession : ViewRun {
   std::string start;  ///< names this start of the program: another serves another run
   std::string mode;   ///< "live" or "replay"

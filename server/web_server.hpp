@@ -73,7 +73,7 @@ struct WebServerOptions {
   int max_clients = 8;     ///< that watch live
 };
 
-/// Serves the viewer's page by HTTP and WebSocket (docs/view_protocol.md), on its own thread. No
+/// Serves the viewer's page by HTTP and WebSocket (viewer/README.md), on its own thread. No
 /// client can make others wait: what it does not read in time is dropped, and its requests are
 /// limited in size, number and rate.
 class WebServer {

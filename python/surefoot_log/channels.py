@@ -1,4 +1,4 @@
-"""The fields of a topic as flat channels, named as docs/view_protocol.md names them."""
+"""The fields of a topic as flat channels, named as viewer/README.md does."""
 
 import re
 from dataclasses import dataclass, field

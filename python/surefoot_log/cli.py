@@ -14,7 +14,7 @@ from surefoot_log.log_file import LogFile
 LARGEST = (3840, 2160)  # pixels
 FASTEST = 400  # images a second
 
-EXPORT_EPILOG = """Columns are called as in docs/view_protocol.md: plan.feet.LF.p_WF.x, hierarchy.level.com_xy.residual; in CSV with
+EXPORT_EPILOG = """Columns are called by topic and field: plan.feet.LF.p_WF.x, hierarchy.level.com_xy.residual; in CSV with
 their unit behind them, plan.feet.LF.p_WF.x[m], in Parquet with unit and description as metadata. Lists that
 change their length from tick to tick (rows at a bound, blocked_by) are left out.
 

@@ -1,4 +1,4 @@
-"""A page without a browser: what the viewer's page says and hears (docs/view_protocol.md)."""
+"""A page without a browser: what the viewer's page says and hears (viewer/README.md)."""
 
 import contextlib
 import http.client

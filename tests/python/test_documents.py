@@ -88,7 +88,7 @@ def anchor_of(heading):
 
 
 def test_links_within_the_documents_lead_to_a_file_and_a_heading():
-    pages = [page for folder in (".", "docs", "docs/decisions", "python") for page in (ROOT / folder).glob("*.md")]
+    pages = [page for folder in (".", "docs", "docs/decisions", "python", "viewer") for page in (ROOT / folder).glob("*.md")]
     anchors = {page.resolve(): {anchor_of(heading) for heading in re.findall(r"^#+ (.*)$", page.read_text(), re.MULTILINE)} for page in pages}
     links = [(page, *link.partition("#")[::2]) for page in pages for link in re.findall(r"\]\(([^)\s]+)\)", page.read_text())]
     within = [(page, (page.parent / file if file else page).resolve(), anchor) for page, file, anchor in links if "://" not in file]

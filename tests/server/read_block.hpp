@@ -65,7 +65,7 @@ struct ReadBlock {
   std::vector<ViewFrame> frames;
 };
 
-/// Reads a block as docs/view_protocol.md describes it. Throws Error where the bytes are no block
+/// Reads a block as viewer/README.md describes it. Throws Error where the bytes are no block
 /// of frames with so many floats.
 inline ReadBlock read_block(std::string_view bytes, std::size_t frame_floats) {
   Bytes block(bytes);

@@ -24,6 +24,7 @@ ELSEWHERE = {
     "python/README.md": "python.md",
     "CONTRIBUTING.md": "contributing.md",
     "CHANGELOG.md": "changelog.md",
+    "viewer/README.md": "view_protocol.md",
     "docs/decisions/README.md": "decisions/index.md",
 }
 

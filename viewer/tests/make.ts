@@ -26,7 +26,7 @@ export interface RawFrame {
   blocking?: [level: number, by: number, row: number, cost: number][];
 }
 
-/** A block's bytes, written by what docs/view_protocol.md says. */
+/** A block's bytes, written by what viewer/README.md says. */
 export function blockOf(frames: RawFrame[], dropped = 0, generation = 0): ArrayBuffer {
   const sizes = frames.map(({ values, active = [], blocking = [] }) => {
     const bytes = 16 + 4 * values.length + 4 + 8 * (active.length + blocking.length);

@@ -12,7 +12,7 @@ const SPIKE = 7777;
 const schema = schemaOf({ x: 1 });
 const valueAt = (tick: number): number => (tick === SPIKE ? 1000 : tick % 7);
 
-/** A server of a log, as docs/view_protocol.md has it. */
+/** A server of a log, as viewer/README.md has it. */
 function server(): { fetchBlock: (url: string) => Promise<ArrayBuffer>; urls: string[] } {
   const urls: string[] = [];
   const fetchBlock = (url: string): Promise<ArrayBuffer> => {

@@ -1,7 +1,7 @@
 import { NoAnswer, pause } from "../protocol/ask.ts";
 import type { Schema } from "./schema.ts";
 
-/** What `/api/explain` answers of a tick (docs/view_protocol.md). */
+/** What `/api/explain` answers of a tick (viewer/README.md). */
 export interface ExplainAnswer {
   /** `told`: number of rows to show. */
   gave_way?: { level: string; to: AnswerRow[]; told: number }[];

@@ -1,4 +1,4 @@
-/** Reads blocks of frames (docs/view_protocol.md). */
+/** Reads blocks of frames (viewer/README.md). */
 
 const MAGIC = 0x31564653; // "SFV1", little-endian
 const BLOCK_HEAD = 16;

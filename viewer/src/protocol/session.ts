@@ -1,6 +1,6 @@
 import { askJson } from "./ask.ts";
 
-/** What `/api/session` answers (docs/view_protocol.md). */
+/** What `/api/session` answers (viewer/README.md). */
 export interface ChannelInfo {
   name: string;
   unit: string;
