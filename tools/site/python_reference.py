@@ -25,11 +25,18 @@ def pages(root):
 def module(name, files):
     trees = [ast.parse(file.read_text()) for file in files]
     about = [ast.get_docstring(tree) for tree in trees]
-    entries = [entry for tree in trees for entry in members(tree) if is_public(entry)]
+    elsewhere = {name for tree in trees for name in taken_from_modules(tree)}
+    entries = [entry for tree in trees for entry in members(tree) if is_public(entry) and name_of(entry) not in elsewhere]
     order = {ast.ClassDef: 0, ast.FunctionDef: 1}
     entries.sort(key=lambda entry: order.get(type(entry), 2))
     parts = [f"\n## {name}\n", *(prose.to_html(text) + "\n" for text in about if text)]
     return "\n".join(parts + [described(entry, 3, name) for entry in entries])
+
+
+def taken_from_modules(tree):
+    """Names that stand in the package, and are described with the module that they come from."""
+    imports = [entry for entry in tree.body if isinstance(entry, ast.ImportFrom) and entry.module.startswith("surefoot.")]
+    return [alias.asname or alias.name for entry in imports if entry.module != "surefoot._core" for alias in entry.names]
 
 
 def members(tree):
