@@ -1,5 +1,8 @@
 """The demo's experiments and its page. How it is interrupted: test_interrupts.py."""
 
+import re
+import subprocess
+
 from program import PROGRAM, SHORT, run_result
 from surefoot_campaign.demo import Row, measured
 from surefoot_campaign.demo_page import demo_page
@@ -33,3 +36,10 @@ def test_the_page_names_links_and_escapes():
     for part in ('<a href="step/index.html">step &lt;1&gt;</a>', "a &amp; b", "3 of 4", '<span class="ok">✓</span>', "<p>all of it</p>"):
         assert part in page
     assert "http" not in page
+
+
+def test_it_says_how_long_it_will_take_before_anything_has_run(tmp_path):
+    with subprocess.Popen([PROGRAM, "demo", "--out", tmp_path / "demo", "--seeds", "1"], stderr=subprocess.PIPE, stdout=subprocess.DEVNULL, text=True) as demo:
+        first = demo.stderr.readline()
+        demo.terminate()
+    assert re.match(rf"{len(EXPERIMENTS)} experiments of the paper in \d+ runs, 2 at a time: about \d+ (s|min), step_down first; reports go to ", first), first
