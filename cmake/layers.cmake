@@ -49,6 +49,19 @@ foreach(line IN LISTS lines)
   endif()
 endforeach()
 
+# All of them, for a user's program: surefoot::surefoot. The program owns the plain name.
+list(TRANSFORM SUREFOOT_FOLDERS PREPEND surefoot_ OUTPUT_VARIABLE folder_targets)
+add_library(surefoot_all INTERFACE)
+target_link_libraries(surefoot_all INTERFACE ${folder_targets})
+set_target_properties(surefoot_all PROPERTIES EXPORT_NAME surefoot)
+add_library(surefoot::surefoot ALIAS surefoot_all)
+
+# For a user's tests: check_task() counts allocations in a program that links it.
+add_library(surefoot_count_allocations STATIC ${PROJECT_SOURCE_DIR}/testing/count_allocations.cpp)
+target_link_options(surefoot_count_allocations INTERFACE LINKER:--undefined=surefoot_count_allocations)
+set_target_properties(surefoot_count_allocations PROPERTIES EXPORT_NAME count_allocations)
+add_library(surefoot::count_allocations ALIAS surefoot_count_allocations)
+
 # The commit is that of the build, not of the configuration: asked each time, written when it is another one.
 set(commit_header ${PROJECT_BINARY_DIR}/generated/surefoot_commit.hpp)
 add_custom_target(surefoot_commit BYPRODUCTS ${commit_header}

@@ -12,7 +12,7 @@ set_source_files_properties(${PROJECT_SOURCE_DIR}/tests/support/source_file.cpp 
 
 # tests/support/ is compiled into a library of its own, used as "tests/support/….hpp".
 file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/tests/support/*.cpp)
-set(SUREFOOT_TEST_LIBRARIES surefoot_compiler ${SUREFOOT_LIBRARIES})
+set(SUREFOOT_TEST_LIBRARIES surefoot_compiler surefoot_count_allocations ${SUREFOOT_LIBRARIES})
 if(sources)
   add_library(surefoot_test_support STATIC ${sources})
   target_link_libraries(surefoot_test_support PUBLIC ${SUREFOOT_TEST_LIBRARIES} GTest::gtest)

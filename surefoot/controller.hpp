@@ -1,7 +1,7 @@
 #pragma once
 
-// The whole-body controller: one call of `step` a tick. It takes any `StateEstimator`;
-// `LegInertialEstimator` is the one for IMU and encoders.
+// The whole-body controller: one call of `step` a tick. It takes any `StateEstimator` and
+// `MotionPlanner`; `LegInertialEstimator` is the one for IMU and encoders.
 
 #include "surefoot/control/controller.hpp"
 #include "surefoot/estimation/leg_inertial_estimator.hpp"

@@ -63,10 +63,8 @@ class ClosedLoop {
         options_(options),
         model_(scenario.robot),
         plant_(scenario.robot, scenario.plant),
-        controller_(scenario.robot, controller_options(scenario, options),
-                    simulation::make_estimator(
-                        scenario.estimation,
-                        {scenario.robot, scenario.controller.period, plant_, scenario.estimator})),
+        controller_(scenario.robot, controller_options(scenario, options), estimator(),
+                    options.make_planner ? options.make_planner() : nullptr),
         goal_(scenario.goal),
         evaluator_(evaluator_options()) {
     controller_.set_stage_observer(&timer_);
@@ -107,6 +105,13 @@ class ClosedLoop {
   }
 
  private:
+  std::unique_ptr<estimation::StateEstimator> estimator() const {
+    if (options_.make_estimator) return options_.make_estimator();
+    return simulation::make_estimator(
+        scenario_.estimation,
+        {scenario_.robot, scenario_.controller.period, plant_, scenario_.estimator});
+  }
+
   evaluation::EvaluatorOptions evaluator_options() const {
     return {.control_period = scenario_.controller.period,
             .mass = model_.mass(),
@@ -186,6 +191,7 @@ class ClosedLoop {
       why_stopped_ = logging::text_of_stop(
           controller_.record(),
           told_joints(scenario_.robot.joint_names(), scenario_.robot.num_legs()));
+      if (command.cause == StopCause::own_part) why_stopped_ += ": " + controller_.fault();
     }
     if (command.mode == CommandMode::damping && std::isnan(damped_at_)) damped_at_ = time;
     if (time - damped_at_ > kTimeAfterStop) return Ending::safety;

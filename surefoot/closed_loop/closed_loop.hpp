@@ -3,12 +3,15 @@
 #include "surefoot/closed_loop/run_steering.hpp"
 #include "surefoot/closed_loop/trouble_counter.hpp"
 #include "surefoot/config/scenario.hpp"
+#include "surefoot/estimation/state_estimator.hpp"
 #include "surefoot/evaluation/criteria.hpp"
 #include "surefoot/evaluation/event_counter.hpp"
 #include "surefoot/evaluation/metrics.hpp"
+#include "surefoot/gaits/motion_planner.hpp"
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -31,6 +34,10 @@ struct ClosedLoopOptions {
   std::function<bool()> interrupted{};          ///< asked at every tick
   RunSteering* steering = nullptr;              ///< called between the ticks
   std::function<void()> ready{};                ///< called after set-up, before the first tick
+  /// Make parts of your own; empty: the library's. Tasks of your own come with the scenario's
+  /// stack.
+  std::function<std::unique_ptr<estimation::StateEstimator>()> make_estimator{};
+  std::function<std::unique_ptr<gaits::MotionPlanner>()> make_planner{};
 };
 
 struct RunResult {

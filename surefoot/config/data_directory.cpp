@@ -13,6 +13,9 @@
 #include <system_error>
 #include <utility>
 
+// Of a program that is linked with an installed package, which may have been moved.
+extern "C" [[gnu::weak]] const char* const surefoot_package_data;
+
 namespace surefoot::config {
 
 namespace fs = std::filesystem;
@@ -60,6 +63,7 @@ std::vector<fs::path> built_packages() {
 std::vector<fs::path> data_directories() {
   if (const char* chosen = std::getenv("SUREFOOT_DATA_DIR")) return {chosen};
   std::vector<fs::path> places{own_folder() / "share" / "surefoot"};
+  if (&surefoot_package_data != nullptr) places.emplace_back(surefoot_package_data);
   for (const std::string_view built : {build_info().source_data, build_info().installed_data}) {
     if (!built.empty()) places.emplace_back(built);
   }

@@ -7,7 +7,7 @@ namespace surefoot::config {
 
 /// Where robots/, stacks/ and scenarios/ may be, in order of priority: $SUREFOOT_DATA_DIR alone if
 /// it is set; else share/surefoot beside the running program (or its bin/) or Python module; then
-/// the source tree and the install prefix, where the build has them.
+/// that of the CMake package, the source tree and the install prefix, where the build has them.
 [[nodiscard]] std::vector<std::filesystem::path> data_directories();
 
 /// The folder that holds robots/, stacks/ and scenarios/. Throws FileError, naming the places

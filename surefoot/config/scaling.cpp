@@ -56,6 +56,7 @@ void apply(const Rule& rule, ConfigNode& node) {
   node.text = shortest_text(rule.of(*number));
 }
 
+/// Of the library's tasks: numbers of the user's own are as they stand.
 const tasks::TaskParameter* find_parameter(const std::string& task, const std::string& name) {
   for (const tasks::TaskInfo& info : tasks::task_catalog()) {
     const auto found = std::ranges::find(info.parameters, name, &tasks::TaskParameter::name);
@@ -204,17 +205,18 @@ double default_of(const tasks::TaskParameter& parameter, const Scale& scale) {
   return rule_of(parameter, scale).of(parameter.default_value);
 }
 
-void scale_weights(control::LevelSpec& level, const Scale& scale) {
+void scale_weights(control::LevelSpec& level, const Scale& scale, const tasks::OwnTasks& own) {
   for (control::TaskSpec& task : level.tasks) {
-    const std::string_view unit = tasks::task_info(task.task).unit;
+    const std::string_view unit = tasks::task_info(task.task, own).unit;
     task.weight /= scale.of(unit.substr(0, unit.find(' ')));
   }
 }
 
-void scale_level(control::LevelSpec& level, const Scale& scale, bool only_defaults) {
-  if (!only_defaults && level.tasks.size() > 1) scale_weights(level, scale);
+void scale_level(control::LevelSpec& level, const Scale& scale, const tasks::OwnTasks& own,
+                 bool only_defaults) {
+  if (!only_defaults && level.tasks.size() > 1) scale_weights(level, scale, own);
   for (control::TaskSpec& task : level.tasks) {
-    for (const tasks::TaskParameter& parameter : tasks::task_info(task.task).parameters) {
+    for (const tasks::TaskParameter& parameter : tasks::task_info(task.task, own).parameters) {
       const std::string name(parameter.name);
       const auto given = task.numbers.find(name);
       if (given == task.numbers.end()) {

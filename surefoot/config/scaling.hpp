@@ -22,9 +22,10 @@ void fit_defaults(Group& options, const model::RobotDescription& robot, Scenario
 /// The default of a task's number for a robot of this scale.
 [[nodiscard]] double default_of(const tasks::TaskParameter& parameter, const Scale& scale);
 /// Weights against the units of the tasks' rows, to keep the balance of rows with different units.
-void scale_weights(control::LevelSpec& level, const Scale& scale);
+void scale_weights(control::LevelSpec& level, const Scale& scale, const tasks::OwnTasks& own = {});
 /// The same for the parameters of a level's tasks: for all, with the weights where there are
 /// several, or only for defaults.
-void scale_level(control::LevelSpec& level, const Scale& scale, bool only_defaults);
+void scale_level(control::LevelSpec& level, const Scale& scale, const tasks::OwnTasks& own,
+                 bool only_defaults);
 
 }  // namespace surefoot::config

@@ -222,20 +222,20 @@ control::StackOptions with_arms(const control::StackOptions& stack, const Scale&
   for (control::LevelSpec& level : result.levels) {
     const bool is_new = std::ranges::find(stack.levels, level.name, &control::LevelSpec::name) ==
                         stack.levels.end();
-    if (is_new) scale_level(level, scale, true);
+    if (is_new) scale_level(level, scale, {}, true);
   }
   return result;
 }
 
 void read_robot_and_stack(Section& top, const fs::path& file, const model::RobotDescription* robot,
-                          Scenario& scenario) {
+                          const tasks::OwnTasks& own, Scenario& scenario) {
   const fs::path folder = file.parent_path();
   scenario.robot = load_named(top, "robot", [&](const std::string& name) {
     keep_source(scenario, "robot.yaml", find_data_file("robots", name, folder));
     return robot == nullptr ? load_robot(name, folder) : *robot;
   });
   scenario.controller.stack = load_named(top, "stack", [&](const std::string& name) {
-    control::StackOptions stack = load_stack(name, folder, scenario.robot.scale);
+    control::StackOptions stack = load_stack(name, folder, scenario.robot.scale, own);
     keep_sources(scenario, "stack", "stack_base", stack_files(name, folder));
     return scenario.robot.arms.empty() ? stack : with_arms(stack, scenario.robot.scale);
   });
@@ -431,7 +431,7 @@ Scenario load_scenario(const ScenarioRequest& request) {
   }
   Section top(tree, "");
   read_body(top, robot, scenario);
-  read_robot_and_stack(top, file, robot, scenario);
+  read_robot_and_stack(top, file, robot, request.own_tasks, scenario);
   scenario.sources_hash = hash_of_sources(scenario);
 
   scenario.plant.seed = request.seed;

@@ -19,6 +19,7 @@ struct ScenarioRequest {
   std::uint64_t seed = 0;
   std::vector<std::string>
       assignments;  ///< "path.to.key=value", applied to the file, with priority over draws
+  tasks::OwnTasks own_tasks = {};  ///< of the user, that the stack can name
 };
 
 /// Reads scenarios/*.yaml with its robot and stack. The file is merged over its `base:`, except for

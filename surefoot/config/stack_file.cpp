@@ -26,8 +26,8 @@ bool contains(const std::vector<std::string>& names, const std::string& name) {
 
 /// Reads a parameter: a number or the name of a choice, according to the catalog.
 void read_parameter(const ConfigNode& node, const std::string& key, const std::string& path,
-                    control::TaskSpec& task) {
-  const tasks::TaskInfo& info = tasks::task_info(task.task);
+                    const tasks::OwnTasks& own, control::TaskSpec& task) {
+  const tasks::TaskInfo& info = tasks::task_info(task.task, own);
   const std::vector<std::string> numbers = names_of(info.parameters),
                                  choices = names_of(info.choices);
   tasks::TaskParameters parameter;
@@ -43,20 +43,21 @@ void read_parameter(const ConfigNode& node, const std::string& key, const std::s
             "the task " + task.task + " has no such parameter; " + valid_names(key, valid));
   }
   try {
-    (void)tasks::make_task(task.task, parameter);
+    (void)tasks::make_task(task.task, parameter, own);
   } catch (const Error& error) {
     fail_at(node, path, error.what());
   }
 }
 
 /// `is_level`: keys of the level stand next to the parameters.
-control::TaskSpec read_task(const ConfigNode& node, const std::string& path, bool is_level) {
+control::TaskSpec read_task(const ConfigNode& node, const std::string& path,
+                            const tasks::OwnTasks& own, bool is_level) {
   Section section(node, path);
   control::TaskSpec task;
   section.text("task", task.task);
   section.number("weight", task.weight, kPositive);
   if (section.node("task") == nullptr) section.fail("task", "this key is missing");
-  const std::vector<std::string> valid = names_of(tasks::task_catalog());
+  const std::vector<std::string> valid = tasks::task_names(own);
   if (!contains(valid, task.task)) {
     section.fail("task", "unknown task \"" + task.task + "\"; " + valid_names(task.task, valid));
   }
@@ -65,20 +66,22 @@ control::TaskSpec read_task(const ConfigNode& node, const std::string& path, boo
   for (const std::string& key : others) (void)section.node(key.c_str());
   for (const std::string& key : section.keys()) {
     if (contains(others, key)) continue;
-    read_parameter(*section.node(key.c_str()), key, section.path_of(key), task);
+    read_parameter(*section.node(key.c_str()), key, section.path_of(key), own, task);
   }
   section.finish();
   return task;
 }
 
-std::vector<control::TaskSpec> read_task_list(const ConfigNode& list, const std::string& path) {
+std::vector<control::TaskSpec> read_task_list(const ConfigNode& list, const std::string& path,
+                                              const tasks::OwnTasks& own) {
   if (list.items.empty()) fail_at(list, path, "must be a list of at least one task");
   std::vector<control::TaskSpec> tasks;
-  for (const ConfigNode& item : list.items) tasks.push_back(read_task(item, path, false));
+  for (const ConfigNode& item : list.items) tasks.push_back(read_task(item, path, own, false));
   return tasks;
 }
 
-control::LevelSpec read_level(const ConfigNode& node, const std::string& path) {
+control::LevelSpec read_level(const ConfigNode& node, const std::string& path,
+                              const tasks::OwnTasks& own) {
   control::LevelSpec level;
   if (const ConfigNode* tasks = node.find("tasks")) {
     Section section(node, path);
@@ -87,12 +90,12 @@ control::LevelSpec read_level(const ConfigNode& node, const std::string& path) {
     section.text("name", level.name);
     section.number("weight", weight, kPositive);
     section.number("damping", level.damping, kNotNegative);
-    level.tasks = read_task_list(*tasks, path);
+    level.tasks = read_task_list(*tasks, path, own);
     for (control::TaskSpec& task : level.tasks) task.weight *= weight;
     (void)section.node("tasks");
     section.finish();
   } else {
-    level.tasks.push_back(read_task(node, path, true));
+    level.tasks.push_back(read_task(node, path, own, true));
     const ConfigNode* name = node.find("name");
     level.name = name == nullptr ? level.tasks.front().task : read_text(*name, path + ".name");
     if (const ConfigNode* damping = node.find("damping")) {
@@ -116,7 +119,7 @@ void override_task(control::StackOptions& stack, const std::string& name,
     for (control::TaskSpec& task : level.tasks) {
       if (task.task != name) continue;
       for (const auto& [key, value] : parameters.members) {
-        read_parameter(value, key, path + "." + key, task);
+        read_parameter(value, key, path + "." + key, stack.own_tasks, task);
       }
     }
   }
@@ -140,12 +143,13 @@ control::LevelSpec take_level(const ConfigNode& name, const std::string& path,
 /// Scaling of a file's numbers to the robot.
 struct Fit {
   const Scale& scale;
+  const tasks::OwnTasks& own;
   bool is_scaled;  ///< false: only defaults are scaled
 };
 
 control::LevelSpec read_level(const ConfigNode& node, const std::string& path, const Fit& fit) {
-  control::LevelSpec level = read_level(node, path);
-  scale_level(level, fit.scale, !fit.is_scaled);
+  control::LevelSpec level = read_level(node, path, fit.own);
+  scale_level(level, fit.scale, fit.own, !fit.is_scaled);
   return level;
 }
 
@@ -198,7 +202,7 @@ control::StackOptions merge(const ConfigNode& name, control::StackOptions stack,
   }
   if (fit.is_scaled) {
     for (control::LevelSpec& level : stack.levels) {
-      if (level.tasks.size() == 1) scale_weights(level, fit.scale);
+      if (level.tasks.size() == 1) scale_weights(level, fit.scale, fit.own);
     }
   }
   try {
@@ -211,9 +215,9 @@ control::StackOptions merge(const ConfigNode& name, control::StackOptions stack,
 
 /// The levels of another stack.
 std::vector<control::LevelSpec> read_base(const Section& top, const ConfigNode& base,
-                                          const std::filesystem::path& folder, const Scale& scale) {
+                                          const std::filesystem::path& folder, const Fit& fit) {
   try {
-    return load_stack(read_text(base, "base"), folder, scale).levels;
+    return load_stack(read_text(base, "base"), folder, fit.scale, fit.own).levels;
   } catch (const UnknownNameError& error) {
     top.fail("base", error.what());
   }
@@ -221,10 +225,10 @@ std::vector<control::LevelSpec> read_base(const Section& top, const ConfigNode& 
 
 /// `folder`: searched for the base.
 control::StackOptions read_stack(ConfigNode tree, const std::filesystem::path& folder,
-                                 const Scale& scale) {
-  const Fit fit{scale, take_scaled(tree)};
+                                 const Scale& scale, const tasks::OwnTasks& own) {
+  const Fit fit{scale, own, take_scaled(tree)};
   Section top(tree, "");
-  control::StackOptions stack;
+  control::StackOptions stack{.name = {}, .levels = {}, .own_tasks = own};
   std::string description;
   top.require("name");
   top.text("name", stack.name);
@@ -241,7 +245,7 @@ control::StackOptions read_stack(ConfigNode tree, const std::filesystem::path& f
   if (without != nullptr && levels != nullptr)
     top.fail("without", "there are levels, too: what they don't name is left out already");
   std::vector<control::LevelSpec> below;
-  if (base != nullptr) below = read_base(top, *base, folder, scale);
+  if (base != nullptr) below = read_base(top, *base, folder, fit);
   if (levels != nullptr) {
     read_levels(*levels, below, fit, stack);
   } else {
@@ -255,14 +259,15 @@ control::StackOptions read_stack(ConfigNode tree, const std::filesystem::path& f
 }  // namespace
 
 control::StackOptions load_stack(const std::string& name_or_path,
-                                 const std::filesystem::path& beside, const Scale& scale) {
+                                 const std::filesystem::path& beside, const Scale& scale,
+                                 const tasks::OwnTasks& own) {
   const std::filesystem::path file = find_data_file("stacks", name_or_path, beside);
-  return read_stack(parse_yaml_file(file), file.parent_path(), scale);
+  return read_stack(parse_yaml_file(file), file.parent_path(), scale, own);
 }
 
 control::StackOptions parse_stack(const std::string& text, const std::string& name,
-                                  const Scale& scale) {
-  return read_stack(parse_yaml_map(text, name), {}, scale);
+                                  const Scale& scale, const tasks::OwnTasks& own) {
+  return read_stack(parse_yaml_map(text, name), {}, scale, own);
 }
 
 std::vector<std::filesystem::path> stack_files(const std::string& name_or_path,

@@ -41,15 +41,17 @@ namespace surefoot::config {
 ///     weights: {com_xy: 100, swing_foot: 30}      # default 1
 ///     weighted_from: com_xy
 ///
-/// Numbers of a file with `scaled: true`, and all defaults, are scaled to the robot. Throws Error,
-/// also on unknown tasks and parameters.
+/// Numbers of a file with `scaled: true`, and all defaults, are scaled to the robot. Levels can
+/// name tasks of the user's `own`. Throws Error, also on unknown tasks and parameters.
 [[nodiscard]] control::StackOptions load_stack(const std::string& name_or_path,
                                                const std::filesystem::path& beside = {},
-                                               const Scale& scale = {});
+                                               const Scale& scale = {},
+                                               const tasks::OwnTasks& own = {});
 
 /// The same for a stack file's text; `name` stands for the file in errors. Throws Error.
 [[nodiscard]] control::StackOptions parse_stack(const std::string& text, const std::string& name,
-                                                const Scale& scale = {});
+                                                const Scale& scale = {},
+                                                const tasks::OwnTasks& own = {});
 
 /// The files of a stack: its own, then those of its bases, recursively. Throws Error.
 [[nodiscard]] std::vector<std::filesystem::path> stack_files(

@@ -37,7 +37,7 @@ std::vector<std::string> level_names(const control::StackOptions& stack) {
 control::StackOptions with_defaults(control::StackOptions stack) {
   for (control::LevelSpec& level : stack.levels) {
     for (control::TaskSpec& task : level.tasks) {
-      const tasks::TaskInfo& info = tasks::task_info(task.task);
+      const tasks::TaskInfo& info = tasks::task_info(task.task, stack.own_tasks);
       for (const tasks::TaskParameter& parameter : info.parameters) {
         task.numbers.try_emplace(std::string(parameter.name), parameter.default_value);
       }

@@ -11,7 +11,6 @@
 #include "surefoot/control/state_estimation.hpp"
 #include "surefoot/estimation/first_readings.hpp"
 #include "surefoot/gaits/parts/arm_reference.hpp"
-#include "surefoot/gaits/planner.hpp"
 #include "surefoot/math/rotation.hpp"
 #include "surefoot/signals/plan_event.hpp"
 
@@ -50,6 +49,27 @@ UserCommand limited(const UserCommand& user) {
   return result;
 }
 
+/// What is wrong with a plan of the user's own; empty if nothing.
+std::string_view what_is_wrong(const MotionPlan& plan, int num_legs) {
+  if (static_cast<int>(plan.feet.size()) != num_legs)
+    return "the planner's plan does not have the robot's number of feet";
+  const auto is_finite = [](const FootPlan& foot) {
+    return foot.p_WF.allFinite() && foot.v_WF.allFinite() && foot.a_WF.allFinite() &&
+           std::isfinite(foot.force_min + foot.force_max + foot.friction);
+  };
+  if (!std::ranges::all_of(plan.feet, is_finite))
+    return "the planner's plan has NaN or infinity in a foot";
+  const TorsoPlan& torso = plan.torso;
+  const bool is_torso_known = torso.q_WB.coeffs().allFinite() && torso.w_WB.allFinite() &&
+                              torso.wdot_WB.allFinite() && std::isfinite(torso.height) &&
+                              std::isfinite(torso.height_rate + torso.height_acceleration);
+  if (!is_torso_known) return "the planner's plan has NaN or infinity in the torso";
+  if (!plan.com.p.allFinite() || !plan.com.v.allFinite() || !plan.com.a.allFinite())
+    return "the planner's plan has NaN or infinity in the centre of mass";
+  if (!is_rotation(Quat(plan.R_WC))) return "the planner's R_WC is no rotation";
+  return {};
+}
+
 ModelRecord unknown_model(int num_legs) {
   const Vec3 unknown = Vec3::Constant(kNaN);
   ModelRecord model{
@@ -69,13 +89,13 @@ struct Controller::Implementation {
     StateEstimation estimation;
     Calibration calibration;
     Footing footing;
-    gaits::Planner planner;
     gaits::ArmReference arm;
     LastTick last;
   };
 
   Implementation(const model::RobotDescription& robot, const ControllerOptions& options,
-                 std::unique_ptr<estimation::StateEstimator> state_estimator);
+                 std::unique_ptr<estimation::StateEstimator> state_estimator,
+                 std::unique_ptr<gaits::MotionPlanner> own_planner);
 
   const JointCommand& step(const SensorReading& reading, const UserCommand& user) noexcept;
   void begin_tick(const SensorReading& reading, const UserCommand& user) noexcept;
@@ -86,10 +106,12 @@ struct Controller::Implementation {
   [[nodiscard]] bool estimate(const estimation::ReadingGuard& seen) noexcept;
   [[nodiscard]] bool is_on_its_feet() noexcept;
   const model::Dynamics& calibrate(const estimation::ReadingGuard& seen) noexcept;
-  const MotionPlan& plan_motion(const model::Dynamics& dynamics) noexcept;
+  [[nodiscard]] bool plan_motion(const model::Dynamics& dynamics) noexcept;
+  void blame(const PartFault& found) noexcept;
   void describe(const model::Dynamics& dynamics, const solver::Solution& solution) noexcept;
   const JointCommand& command(const solver::Solution& solution) noexcept;
   const JointCommand& command_without_state() noexcept;
+  const JointCommand& command_without_plan() noexcept;
   const JointCommand& command_off_its_feet() noexcept;
   const JointCommand& finish(const solver::Solution* solution,
                              const HierarchyOutcome& outcome) noexcept;
@@ -103,6 +125,8 @@ struct Controller::Implementation {
 
   model::RobotModel model;
   std::unique_ptr<estimation::StateEstimator> estimator;
+  bool has_own_planner;
+  std::unique_ptr<gaits::MotionPlanner> planner;
   Memory memory;
   Memory at_start;
   estimation::FirstReadings first_readings;
@@ -113,19 +137,24 @@ struct Controller::Implementation {
   bool explains_levels = false;
   bool has_solved = false;      // the last tick
   bool has_begun_anew = false;  // at this tick
+  PartFault fault;              // the latest
   StageObserver* observer = nullptr;
 };
 
 Controller::Implementation::Implementation(
     const model::RobotDescription& robot, const ControllerOptions& options,
-    std::unique_ptr<estimation::StateEstimator> state_estimator)
+    std::unique_ptr<estimation::StateEstimator> state_estimator,
+    std::unique_ptr<gaits::MotionPlanner> own_planner)
     : model(robot),
       estimator(std::move(state_estimator)),
+      has_own_planner(own_planner != nullptr),
+      planner(has_own_planner ? std::move(own_planner)
+                              : gaits::make_planner(options.planner, checked_period(options.period),
+                                                    robot.scale)),
       memory{.guard = {options.guard, robot, checked_period(options.period)},
              .estimation = {options, *estimator, model},
              .calibration = {options.link_masses, robot, model.base_mass(), options.period},
              .footing = {options.planner.stance, options.period, robot.scale},
-             .planner = {options.planner, options.period, robot.scale},
              .arm = {options.period, robot.scale},
              .last = {}},
       at_start(memory),
@@ -146,8 +175,10 @@ const JointCommand& Controller::Implementation::step(const SensorReading& readin
   if (!estimate(seen)) return command_without_state();
   if (!is_on_its_feet()) return command_off_its_feet();
   const model::Dynamics& dynamics = calibrate(seen);
-  const MotionPlan& plan = plan_motion(dynamics);
+  if (!plan_motion(dynamics)) return command_without_plan();
+  const MotionPlan& plan = record.plan;
   stack.update(record.state.time, dynamics, plan);
+  blame(stack.tasks().fault());
   ended(Stage::stack);
   const solver::Solution& solution = stack.solve(record.state.time, dynamics, plan);
   ended(Stage::solve);
@@ -194,7 +225,10 @@ void Controller::Implementation::guard_reading(SensorReading reading) noexcept {
 void Controller::Implementation::restart() noexcept {
   memory = at_start;
   memory.last.torque = record.command.torque;
-  estimator->restart();
+  PartFault found;
+  (void)runs([&] { estimator->restart(); }, found, "restart() of the state estimator");
+  (void)runs([&] { planner->restart(); }, found, "restart() of the planner");
+  blame(found);
   safety.restart();
   stack.restart();
   record.plan = {};
@@ -205,9 +239,11 @@ void Controller::Implementation::restart() noexcept {
 /// The robot has stood up: discards where it stood before.
 void Controller::Implementation::restart_standing() noexcept {
   memory.arm = at_start.arm;
-  memory.planner.begin_anew(at_start.planner);
+  PartFault found;
+  (void)runs([&] { planner->restart(); }, found, "restart() of the planner");
+  blame(found);
   memory.estimation.restart_standing(at_start.estimation);
-  memory.last.terrain_normal_W = memory.planner.terrain_normal();
+  memory.last.terrain_normal_W = planner->terrain_normal(record.plan);
   safety.restart();
 }
 
@@ -217,6 +253,7 @@ bool Controller::Implementation::estimate(const estimation::ReadingGuard& seen) 
   StateEstimation& estimation = memory.estimation;
   const LastTick& last = memory.last;
   const bool is_known = estimation.estimate_motion(seen, last, now, record.health);
+  blame(estimation.fault());
   ended(Stage::estimate);
   if (is_known) {
     model.set_leg_lengths(last.kinematics);
@@ -242,19 +279,41 @@ const model::Dynamics& Controller::Implementation::calibrate(
     const estimation::ReadingGuard& seen) noexcept {
   const RobotState& state = record.state;
   memory.calibration.update(state, model.dynamics(), seen.repaired().gyro, memory.last,
-                            memory.planner.is_undisturbed(state));
-  memory.planner.tell_calibration_known(memory.calibration.is_known());
+                            planner->is_undisturbed(state));
+  planner->tell_calibration_known(memory.calibration.is_known());
   model.apply_wrench(state.external_force, state.external_moment);
   ended(Stage::model);
   return model.dynamics();
 }
 
-const MotionPlan& Controller::Implementation::plan_motion(
-    const model::Dynamics& dynamics) noexcept {
-  record.plan = memory.planner.update(record.user, record.state, dynamics, memory.last.outcome);
+/// False: a planner of the user's own gave no plan that can be followed.
+bool Controller::Implementation::plan_motion(const model::Dynamics& dynamics) noexcept {
+  PartFault found;
+  const MotionPlan* plan = nullptr;
+  const auto update = [&] {
+    plan = &planner->update(record.user, record.state, dynamics, memory.last.outcome);
+  };
+  if (runs(update, found, "the planner") && has_own_planner)
+    found.set(what_is_wrong(*plan, model.description().num_legs()));
+  blame(found);
+  if (!found.is_set()) record.plan = *plan;
+  record.plan.time = record.state.time;
   record.plan.arm = memory.arm.update(record.user.reach, record.state, dynamics);
   ended(Stage::plan);
-  return record.plan;
+  return !found.is_set();
+}
+
+/// Holds the posture.
+const JointCommand& Controller::Implementation::command_without_plan() noexcept {
+  describe_unsolved();
+  record.plan.events = {};
+  return finish(nullptr, {});
+}
+
+void Controller::Implementation::blame(const PartFault& found) noexcept {
+  if (!found.is_set()) return;
+  fault = found;
+  safety.blame_own_part();
 }
 
 const JointCommand& Controller::Implementation::command(const solver::Solution& solution) noexcept {
@@ -318,7 +377,7 @@ RobotMode Controller::Implementation::mode() const {
 
 LastTick Controller::Implementation::remember(const HierarchyOutcome& outcome) const noexcept {
   LastTick last{.plan = record.plan,
-                .terrain_normal_W = memory.planner.terrain_normal(),
+                .terrain_normal_W = planner->terrain_normal(record.plan),
                 .foot_force = record.state.foot_force,
                 .slips = record.state.slips,
                 .joint_velocity = memory.estimation.joint_velocity(),
@@ -327,7 +386,7 @@ LastTick Controller::Implementation::remember(const HierarchyOutcome& outcome) c
                 .load = memory.calibration.load(),
                 .outcome = outcome,
                 .imu_step = memory.estimation.imu_step(),
-                .restarts = memory.planner.restarts() || memory.footing.restarts()};
+                .restarts = planner->restarts() || memory.footing.restarts()};
   last.outcome.pyramid_normal.resize(model.description().num_legs());
   return last;
 }
@@ -362,9 +421,11 @@ void Controller::Implementation::describe_unsolved() noexcept {
 }
 
 Controller::Controller(const model::RobotDescription& robot, const ControllerOptions& options,
-                       std::unique_ptr<estimation::StateEstimator> estimator) {
+                       std::unique_ptr<estimation::StateEstimator> estimator,
+                       std::unique_ptr<gaits::MotionPlanner> planner) {
   if (estimator == nullptr) throw Error("the controller was given no state estimator");
-  implementation_ = std::make_unique<Implementation>(robot, options, std::move(estimator));
+  implementation_ =
+      std::make_unique<Implementation>(robot, options, std::move(estimator), std::move(planner));
   ControllerOptions given = options;
   check_fields("", fields(given));
 }
@@ -386,10 +447,7 @@ bool Controller::set_stack(const StackOptions& stack, double duration) {
   return true;
 }
 
-void Controller::set_friction(double friction) {
-  implementation_->memory.planner.set_friction(friction);
-  implementation_->at_start.planner.set_friction(friction);
-}
+void Controller::set_friction(double friction) { implementation_->planner->set_friction(friction); }
 
 const TickRecord& Controller::record() const { return implementation_->record; }
 
@@ -425,6 +483,8 @@ std::vector<std::vector<std::string>> Controller::row_names() const {
   return implementation_->stack.tasks().row_names();
 }
 
+std::string Controller::fault() const { return implementation_->fault.text(); }
+
 std::vector<std::string> Controller::notes() const { return implementation_->model.notes(); }
 
 void Controller::explain_levels(bool wanted) { implementation_->explains_levels = wanted; }
@@ -433,6 +493,6 @@ void Controller::set_stage_observer(StageObserver* observer) {
   implementation_->observer = observer;
 }
 
-int Controller::steps_taken() const { return implementation_->memory.planner.steps_taken(); }
+int Controller::steps_taken() const { return implementation_->planner->steps_taken(); }
 
 }  // namespace surefoot::control

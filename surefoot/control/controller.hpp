@@ -11,6 +11,7 @@
 #include "surefoot/estimation/sensor_consistency_options.hpp"
 #include "surefoot/estimation/slip_detector.hpp"
 #include "surefoot/estimation/state_estimator.hpp"
+#include "surefoot/gaits/motion_planner.hpp"
 #include "surefoot/gaits/planner_options.hpp"
 #include "surefoot/model/description.hpp"
 #include "surefoot/signals/tick_record.hpp"
@@ -64,12 +65,15 @@ struct ControllerOptions {
 /// Their names, units, ranges and help.
 [[nodiscard]] Group fields(ControllerOptions& o);
 
-/// The whole-body controller: one call a tick turns readings into joint torques.
+/// The whole-body controller: one call a tick turns readings into joint torques. Parts of your own
+/// go in at construction: estimator, planner, and tasks in `options.stack.own_tasks`.
 class Controller {
  public:
-  /// Throws Error on invalid options. Allocates here only.
+  /// Without a planner it makes the library's, of the options. Throws Error on invalid options.
+  /// Allocates here only.
   Controller(const model::RobotDescription& robot, const ControllerOptions& options,
-             std::unique_ptr<estimation::StateEstimator> estimator);
+             std::unique_ptr<estimation::StateEstimator> estimator,
+             std::unique_ptr<gaits::MotionPlanner> planner = nullptr);
   ~Controller();
 
   /// One tick: estimate, model, plan, stack, solve, command. Always returns finite torques within
@@ -108,6 +112,9 @@ class Controller {
   [[nodiscard]] std::string row_name(int level, int id) const;
   /// A copy of all row names, by level and id.
   [[nodiscard]] std::vector<std::vector<std::string>> row_names() const;
+  /// What a part of your own did wrong last, naming it: "task "my_task" threw: ..."; empty if
+  /// nothing. If it goes on, the controller sits down with `StopCause::own_part`.
+  [[nodiscard]] std::string fault() const;
   /// Messages for the user at start, as what the model ignores of the URDF.
   [[nodiscard]] std::vector<std::string> notes() const;
   /// From the next tick on, records which rows block each level, at a cost of some microseconds a

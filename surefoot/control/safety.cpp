@@ -122,7 +122,7 @@ const JointCommand& Safety::command(const RobotState& state, const solver::Solut
   const bool is_new = !has_begun_ || late_start_ticks_ > 0 || pose_mode_;
   if (has_begun_ && late_start_ticks_ > 0) --late_start_ticks_;
   limit_change(before, has_stopped() || bridges || is_new || limits_change_);
-  limits_change_ = false;
+  limits_change_ = own_part_failed_ = false;
   if ((good || pose_mode_) && !has_stopped()) good_torque_ = command_.torque;
   pose_mode_.reset();
   return command_;
@@ -223,10 +223,10 @@ bool Safety::can_sit(const RobotState& state) const {
   return lame_legs <= 1;
 }
 
-// Covers sensors that never had a sample; others count as lost earlier.
+// Of sensors, those that never had a sample; others count as lost earlier.
 void Safety::stop_after_failures(const RobotState& state, const SensorHealth& health) {
-  const StopCause cause = missing_sensor(state, health);
-  const bool sits = is_sensor(cause) && is_posture(state.q, num_leg_joints_);
+  const StopCause cause = own_part_failed_ ? StopCause::own_part : missing_sensor(state, health);
+  const bool sits = cause != StopCause::failures && is_posture(state.q, num_leg_joints_);
   stopped_q_ = is_posture(good_q_, num_leg_joints_) ? good_q_ : state.q;  // the held posture
   stop(sits ? CommandMode::sit : CommandMode::damping, cause, health);
 }

@@ -29,8 +29,9 @@ namespace surefoot::control {
 ///     sit        joint PD along a motion to a lying posture, plus the last good torques, which
 ///                change within 0.4 s to those that carry the robot in its present posture.
 ///                Latched, after a sensor had no good sample for `bridge_time`, or has never had
-///                one after repeated failures. Near the end the torques fade and the PD softens.
-///                Joints of one leg with lost encoders keep their last good torques until then
+///                one after repeated failures, and after those of the user's own code. Near the end
+///                the torques fade and the PD softens. Joints of one leg with lost encoders keep
+///                their last good torques until then
 ///     damping    τ = −k_d q̇, where k_d falls to a soft leg's within 1 s. Latched: after repeated
 ///                failures; lasting non-finite readings; too much tilt (before the first good tick
 ///                only after 30 ms, as the first readings may be wrong); failing joint sensors
@@ -88,6 +89,9 @@ class Safety {
   /// Stops at the next tick: the robot can't stand, or has fallen.
   void give_up(StopCause cause) { given_up_ = cause; }
 
+  /// Code of the user's own fails at this tick, and would be the cause of a stop.
+  void blame_own_part() { own_part_failed_ = true; }
+
   /// Discards the last good tick; the torques continue, and so does the count of failures. Not for
   /// a robot that has stopped.
   void restart() noexcept;
@@ -141,6 +145,7 @@ class Safety {
   LegPosture posture_;
   std::optional<CommandMode> pose_mode_;  // of this tick, with `posture_`
   StopCause given_up_ = StopCause::none;
+  bool own_part_failed_ = false;         // at this tick
   bool change_is_limited_ = false;       // the last change of torque was limited
   std::array<bool, kMaxJoints> lame_{};  // joints whose encoders are lost
   double stopped_at_ = kNaN;             // [s]

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "surefoot/tasks/task_definition.hpp"
+
 #include <cstddef>
 #include <map>
 #include <string>
@@ -7,7 +9,8 @@
 
 namespace surefoot::control {
 
-/// One task of a stack file: its name in the catalog and its parameters as written.
+/// One task of a stack file: its name in the catalog or of the user's own tasks, and its parameters
+/// as written.
 struct TaskSpec {
   std::string task;
   std::map<std::string, double> numbers;       ///< e.g. kp: 500
@@ -26,6 +29,7 @@ struct LevelSpec {
 struct StackOptions {
   std::string name;
   std::vector<LevelSpec> levels;
+  tasks::OwnTasks own_tasks = {};  ///< the user's, that levels can name
 };
 
 /// Does the level have a task that makes the torques physical: equations of motion, contacts,

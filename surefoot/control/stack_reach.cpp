@@ -18,8 +18,9 @@ double leg_length(const model::RobotModel& model, Leg leg) {
   });
 }
 
-void check(const LevelSpec& level, const TaskSpec& task, const StackReach& reach) {
-  for (const tasks::TaskParameter& parameter : tasks::task_info(task.task).parameters) {
+void check(const LevelSpec& level, const TaskSpec& task, const tasks::TaskInfo& info,
+           const StackReach& reach) {
+  for (const tasks::TaskParameter& parameter : info.parameters) {
     const std::string name(parameter.name);
     const auto given = task.numbers.find(name);
     const double value = given == task.numbers.end() ? parameter.default_value : given->second;
@@ -55,7 +56,8 @@ StackReach reach_of(const model::RobotModel& model) {
 
 void check_reach(const StackOptions& stack, const StackReach& reach) {
   for (const LevelSpec& level : stack.levels) {
-    for (const TaskSpec& task : level.tasks) check(level, task, reach);
+    for (const TaskSpec& task : level.tasks)
+      check(level, task, tasks::task_info(task.task, stack.own_tasks), reach);
   }
 }
 

@@ -25,6 +25,11 @@ bool is_plausible(const RobotState& state) {
          within(state.torque, kMaxTorque);
 }
 
+bool has_size(const RobotState& state, Eigen::Index num_joints) {
+  return state.q.size() == num_joints && state.qd.size() == num_joints &&
+         state.torque.size() == num_joints;
+}
+
 TickContext context(const estimation::ReadingGuard& seen, const LastTick& last,
                     const RobotMode& mode, const JointVector& joint_velocity) {
   TickContext result{.joint_velocity = joint_velocity,
@@ -71,6 +76,7 @@ bool StateEstimation::has_begun() const { return std::isfinite(time_); }
 bool StateEstimation::estimate_motion(const estimation::ReadingGuard& seen, const LastTick& last,
                                       const RobotMode& mode, SensorHealth& health) noexcept {
   imu_step_.reset();
+  fault_.clear();
   observe_joints(seen);
   if (!seen.clock_is_right()) {
     state_.time = kNaN;
@@ -78,7 +84,7 @@ bool StateEstimation::estimate_motion(const estimation::ReadingGuard& seen, cons
     state_.qd = joint_velocity_;
     return false;
   }
-  state_ = estimator_->update(seen.repaired(), context(seen, last, mode, joint_velocity_));
+  if (!ask_estimator(seen, last, mode)) return false;
   const bool is_at_rest = mode.stands && !mode.has_begun && !mode.has_stopped;
   const bool fits = !is_at_rest || fits_at_rest(seen, health);
   forget_lost_joints(seen, health);
@@ -86,6 +92,27 @@ bool StateEstimation::estimate_motion(const estimation::ReadingGuard& seen, cons
   if (plausible) time_ = state_.time;
   return plausible && fits && !mode.has_stopped &&
          lost_sensor(health, bridge_time_) == StopCause::none;
+}
+
+/// False after a fault: the state is then that of the joints alone.
+bool StateEstimation::ask_estimator(const estimation::ReadingGuard& seen, const LastTick& last,
+                                    const RobotMode& mode) noexcept {
+  const RobotState* state = nullptr;
+  const auto update = [&] {
+    state = &estimator_->update(seen.repaired(), context(seen, last, mode, joint_velocity_));
+  };
+  if (runs(update, fault_, "the state estimator") && !has_size(*state, joint_velocity_.size()))
+    fault_.set("the state estimator gave q, qd or torque that don't have the robot's joints");
+  if (!fault_.is_set()) {
+    state_ = *state;
+    state_.size_legs(model_->description().num_legs());
+    return true;
+  }
+  state_.time = seen.repaired().time;
+  state_.q = seen.repaired().q;
+  state_.qd = joint_velocity_;
+  state_.q_WB.coeffs().setConstant(kNaN);
+  return false;
 }
 
 void StateEstimation::observe_joints(const estimation::ReadingGuard& seen) noexcept {

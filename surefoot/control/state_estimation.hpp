@@ -2,6 +2,7 @@
 
 #include "surefoot/control/controller.hpp"
 #include "surefoot/control/last_tick.hpp"
+#include "surefoot/control/part_fault.hpp"
 #include "surefoot/estimation/lift_detector.hpp"
 #include "surefoot/estimation/reading_guard.hpp"
 #include "surefoot/estimation/rest_check.hpp"
@@ -44,10 +45,14 @@ class StateEstimation {
   [[nodiscard]] const JointVector& joint_velocity() const { return joint_velocity_; }
   /// The legs' verdict on a step of the IMU at this tick; empty if not checked.
   [[nodiscard]] const std::optional<estimation::ImuStep>& imu_step() const { return imu_step_; }
+  /// What the estimator did wrong at this tick.
+  [[nodiscard]] const PartFault& fault() const { return fault_; }
   /// There was a plausible state.
   [[nodiscard]] bool has_begun() const;
 
  private:
+  [[nodiscard]] bool ask_estimator(const estimation::ReadingGuard& seen, const LastTick& last,
+                                   const RobotMode& mode) noexcept;
   void observe_joints(const estimation::ReadingGuard& seen) noexcept;
   [[nodiscard]] bool fits_at_rest(const estimation::ReadingGuard& seen,
                                   SensorHealth& health) noexcept;
@@ -70,6 +75,7 @@ class StateEstimation {
   double time_ = kNaN;  // of the last plausible state [s]
   std::optional<estimation::ImuStep> imu_step_;
   RobotState state_;
+  PartFault fault_;
 };
 
 }  // namespace surefoot::control

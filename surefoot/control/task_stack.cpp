@@ -5,6 +5,7 @@
 #include "surefoot/signals/sensor_reading.hpp"
 #include "surefoot/solver/extra_rows.hpp"
 #include "surefoot/tasks/catalog.hpp"
+#include "surefoot/tasks/task_rows.hpp"
 
 #include <algorithm>
 #include <string_view>
@@ -13,6 +14,7 @@ namespace surefoot::control {
 
 TaskStack::TaskStack(const StackOptions& options, const model::RobotDescription& robot)
     : robot_(robot),
+      own_tasks_(options.own_tasks),
       hierarchy_(6 + 2 * robot.num_joints()),
       physics_(robot.num_joints()),
       no_motion_(Eigen::VectorXd::Zero(hierarchy_.unknowns())) {
@@ -28,10 +30,14 @@ TaskStack::TaskStack(const StackOptions& options, const model::RobotDescription&
     for (const TaskSpec& task_spec : spec.tasks) {
       solver::check_weight(task_spec.weight, "weight of task \"" + task_spec.task + "\"");
       level.tasks.push_back(
-          tasks::make_task(task_spec.task, {task_spec.numbers, task_spec.choices}));
+          tasks::make_task(task_spec.task, {task_spec.numbers, task_spec.choices}, own_tasks_));
       tasks::Task& task = *level.tasks.back();
       if (const auto* cone = dynamic_cast<const tasks::FrictionCone*>(&task)) friction_cone_ = cone;
       task.prepare(robot);
+      if (own_tasks_.find(task_spec.task) != nullptr) {
+        tasks::check_sizes(task, task_spec.task);
+        level.has_own = true;
+      }
       task.set_first_id(ids);
       ids += task.num_ids();
       rows += task.max_rows();
@@ -48,6 +54,7 @@ TaskStack::TaskStack(const StackOptions& options, const model::RobotDescription&
 
 const solver::Hierarchy& TaskStack::update(const model::Dynamics& dynamics,
                                            const MotionPlan& plan) noexcept {
+  fault_.clear();
   support_.update(dynamics, plan);
   const tasks::TaskInput input{dynamics, plan, support_, robot_};
   for (std::size_t i = 0; i < levels_.size(); ++i) {
@@ -99,7 +106,8 @@ PerLeg<Vec3> TaskStack::pyramid_normals(const MotionPlan& plan) const noexcept {
 }
 
 void TaskStack::write(const LevelTasks& tasks, const tasks::TaskInput& input,
-                      solver::Level& level) const noexcept {
+                      solver::Level& level) noexcept {
+  if (tasks.has_own) return write_own(tasks, input, level);
   for (std::size_t i = 0; i < tasks.tasks.size(); ++i) {
     const Eigen::Index first = level.num_rows();
     tasks.tasks[i]->write(input, level);
@@ -108,12 +116,34 @@ void TaskStack::write(const LevelTasks& tasks, const tasks::TaskInput& input,
   if (tasks.damping > 0.0) solver::add_damping(level, tasks.damping, no_motion_, tasks.num_ids);
 }
 
+// After a fault the level has a row that can't be solved: no solution without the task is used.
+void TaskStack::write_own(const LevelTasks& tasks, const tasks::TaskInput& input,
+                          solver::Level& level) noexcept {
+  for (std::size_t i = 0; i < tasks.tasks.size() && !fault_.is_set(); ++i) {
+    const tasks::Task& task = *tasks.tasks[i];
+    const Eigen::Index first = level.num_rows();
+    if (!runs([&] { task.write(input, level); }, fault_, "task \"", task.name(), "\"")) continue;
+    const std::string_view wrong = tasks::what_is_wrong(task, level, first);
+    if (!wrong.empty()) {
+      fault_.set("task \"", task.name(), "\" ", wrong);
+    } else if (tasks.weights[i] != 1.0) {
+      level.rows(first).weigh(tasks.weights[i]);
+    }
+  }
+  if (fault_.is_set()) {
+    level.clear();
+    level.add(1, 0).set_equal(0, kNaN);
+  } else if (tasks.damping > 0.0) {
+    solver::add_damping(level, tasks.damping, no_motion_, tasks.num_ids);
+  }
+}
+
 std::vector<std::string> TaskStack::units() const {
   std::vector<std::string> units;
   for (const LevelTasks& level : levels_) {
     std::vector<std::string_view> of_tasks;
     for (const auto& task : level.tasks) {
-      const std::string_view unit = tasks::task_info(task->name()).unit;
+      const std::string_view unit = tasks::task_info(task->name(), own_tasks_).unit;
       if (std::ranges::find(of_tasks, unit) == of_tasks.end()) of_tasks.push_back(unit);
     }
     std::string& text = units.emplace_back();

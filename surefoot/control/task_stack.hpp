@@ -1,5 +1,6 @@
 #pragma once
 
+#include "surefoot/control/part_fault.hpp"
 #include "surefoot/control/stack_options.hpp"
 #include "surefoot/model/support_dynamics.hpp"
 #include "surefoot/signals/hierarchy_outcome.hpp"
@@ -42,6 +43,9 @@ class TaskStack {
   /// Unit axes of the friction pyramids in W, of the last such task; NaN without one.
   [[nodiscard]] PerLeg<Vec3> pyramid_normals(const MotionPlan& plan) const noexcept;
 
+  /// What the first of the user's own tasks did wrong in the last update; its rows can't be solved.
+  [[nodiscard]] const PartFault& fault() const { return fault_; }
+
   [[nodiscard]] const solver::Hierarchy& hierarchy() const { return hierarchy_; }
   /// Contact forces as an affine function of x, of the last update.
   [[nodiscard]] const model::SupportDynamics& support() const { return support_; }
@@ -57,6 +61,7 @@ class TaskStack {
   struct LevelTasks {
     std::vector<std::unique_ptr<tasks::Task>> tasks;
     std::vector<double> weights;  // by task
+    bool has_own = false;         // tasks of the user
     double damping = 0.0;
     int num_ids = 0;  // of the tasks, followed by those of damping
     bool is_present = true;
@@ -65,10 +70,12 @@ class TaskStack {
   [[nodiscard]] bool is_only(std::size_t level, std::string_view task) const;
   /// Level of the task alone; the number of levels if there is none.
   [[nodiscard]] std::size_t level_of(std::string_view task) const;
-  void write(const LevelTasks& tasks, const tasks::TaskInput& input,
-             solver::Level& level) const noexcept;
+  void write(const LevelTasks& tasks, const tasks::TaskInput& input, solver::Level& level) noexcept;
+  void write_own(const LevelTasks& tasks, const tasks::TaskInput& input,
+                 solver::Level& level) noexcept;
 
   model::RobotDescription robot_;
+  tasks::OwnTasks own_tasks_;
   std::vector<LevelTasks> levels_;
   model::SupportDynamics support_;
   solver::Hierarchy hierarchy_;
@@ -77,6 +84,7 @@ class TaskStack {
   std::size_t torso_tilt_ = 0;                          // index of its level
   const tasks::FrictionCone* friction_cone_ = nullptr;  // of `levels_`
   Eigen::VectorXd no_motion_;                           // zeros, the target of damping
+  PartFault fault_;
 };
 
 }  // namespace surefoot::control

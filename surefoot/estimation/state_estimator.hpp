@@ -6,7 +6,8 @@
 
 namespace surefoot::estimation {
 
-/// Estimates the state from sensor readings.
+/// Estimates the state from sensor readings. `LegInertialEstimator` is the library's; derive one of
+/// your own for other sensors. If it throws, the controller acts as without a state.
 class StateEstimator {
  public:
   StateEstimator() = default;
@@ -14,13 +15,14 @@ class StateEstimator {
   StateEstimator& operator=(const StateEstimator&) = delete;
   virtual ~StateEstimator() = default;
 
-  /// One tick. `context` is from the tick before. The ContactForceEstimator fills `foot_force` of
-  /// the result later.
+  /// One tick. `context` is from the tick before. Joint vectors of the result have the robot's
+  /// size; NaN means unknown. The ContactForceEstimator fills `foot_force` later. Must not
+  /// allocate.
   [[nodiscard]] virtual const RobotState& update(const SensorReading& reading,
-                                                 const TickContext& context) noexcept = 0;
+                                                 const TickContext& context) = 0;
 
   /// Before an update: discards all readings so far (FirstReadings).
-  virtual void restart() noexcept = 0;
+  virtual void restart() = 0;
 };
 
 }  // namespace surefoot::estimation

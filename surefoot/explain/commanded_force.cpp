@@ -22,7 +22,7 @@ CommandedForces::CommandedForces(int num_legs)
 std::optional<tasks::FrictionCone> friction_cone_of(const control::StackOptions& stack) {
   for (const control::LevelSpec& level : stack.levels) {
     for (const control::TaskSpec& spec : level.tasks) {
-      const auto task = tasks::make_task(spec.task, {spec.numbers, spec.choices});
+      const auto task = tasks::make_task(spec.task, {spec.numbers, spec.choices}, stack.own_tasks);
       if (const auto* cone = dynamic_cast<const tasks::FrictionCone*>(task.get())) return *cone;
     }
   }

@@ -88,8 +88,9 @@ inline constexpr std::array<std::string_view, 4> kPhaseNames{"stance", "unloadin
                                                              "search"};
 inline constexpr std::array<std::string_view, 7> kModeNames{"optimal", "degraded", "hold", "sit",
                                                             "damping", "lifted",   "rise"};
-inline constexpr std::array<std::string_view, 8> kCauseNames{
-    "none", "tilt", "failures", "encoders", "joint_torques", "imu", "cannot_stand", "fallen"};
+inline constexpr std::array<std::string_view, 9> kCauseNames{
+    "none", "tilt",         "failures", "encoders", "joint_torques",
+    "imu",  "cannot_stand", "fallen",   "own_part"};
 inline constexpr std::array<std::string_view, 4> kCalibrationNames{"none", "settling", "turning",
                                                                    "weighing"};
 inline constexpr std::array<std::string_view, 8> kFaultNames{

@@ -63,6 +63,8 @@ std::string text_of_stop(StopCause cause, SampleFault fault, int joint,
       return "it could not stand up";
     case StopCause::fallen:
       return "it fell";
+    case StopCause::own_part:
+      return "a part of your own failed";
   }
   return "";
 }

@@ -44,13 +44,15 @@ void keep_change(const logging::McapMessage& message, std::vector<logged::Change
 }  // namespace
 
 LogReplay::LogReplay(const std::string& path, const ReplayOptions& options)
-    : log_(path, [this, observer = options.observer](const logging::McapMessage& message) {
-        keep_change(message, changes_);
-        if (observer) observer(message);
-      }) {
+    : log_(path,
+           [this, observer = options.observer](const logging::McapMessage& message) {
+             keep_change(message, changes_);
+             if (observer) observer(message);
+           }),
+      own_tasks_(options.own_tasks) {
   check_attachments(path, log_);
   const logging::ScratchFolder folder;
-  config::Scenario scenario = logged_scenario(log_.header(), folder);
+  config::Scenario scenario = logged_scenario(log_.header(), folder, own_tasks_);
   estimates_ = options.state == ReplayedState::estimated &&
                scenario.estimation == estimation::Estimation::sensors;
   std::unique_ptr<estimation::StateEstimator> estimator;
@@ -60,8 +62,9 @@ LogReplay::LogReplay(const std::string& path, const ReplayOptions& options)
   } else {
     estimator = std::make_unique<PlaybackEstimator>(tick_.state);
   }
-  controller_ = std::make_unique<control::Controller>(scenario.robot, scenario.controller,
-                                                      std::move(estimator));
+  controller_ = std::make_unique<control::Controller>(
+      scenario.robot, scenario.controller, std::move(estimator),
+      options.make_planner ? options.make_planner() : nullptr);
   explain_levels(true);
   stack_ = std::move(scenario.controller.stack);
 }
@@ -92,7 +95,8 @@ void LogReplay::apply_changes() {
   for (const logged::Change& change : changes_) {
     if (change.kind == "friction") controller_->set_friction(change.friction);
     if (change.kind != "stack") continue;
-    const control::StackOptions stack = config::parse_stack(change.stack, "/changes");
+    const control::StackOptions stack =
+        config::parse_stack(change.stack, "/changes", {}, own_tasks_);
     // Refused only if the log is of another version; then `is_same` is false.
     (void)controller_->set_stack(stack, change.duration);
   }

@@ -4,6 +4,7 @@
 #include "surefoot/logging/log_reader.hpp"
 #include "surefoot/logging/message_fields.hpp"
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -20,7 +21,10 @@ enum class ReplayedState {
 struct ReplayOptions {
   ReplayedState state = ReplayedState::logged;
   /// Called with messages on other channels, such as /truth; may be empty.
-  logging::LogReader::Other observer;
+  logging::LogReader::Other observer{};
+  /// The user's own parts of the run: without them its controller can't be made again.
+  tasks::OwnTasks own_tasks{};
+  std::function<std::unique_ptr<gaits::MotionPlanner>()> make_planner{};
 };
 
 /// Ticks that are lost within a log, or at its begin. A controller can't be computed again after
@@ -79,6 +83,7 @@ class LogReplay {
   bool estimates_ = false;
   std::unique_ptr<control::Controller> controller_;
   control::StackOptions stack_;
+  tasks::OwnTasks own_tasks_;
 };
 
 }  // namespace surefoot::replay

@@ -103,8 +103,8 @@ void compare_messages(const MessageComparison& comparison, const TickRecord& log
 
 }  // namespace
 
-Verification verify_log(const std::string& path) {
-  LogReplay replay(path, {.state = ReplayedState::estimated, .observer = {}});
+Verification verify_log(const std::string& path, const ReplayOptions& options) {
+  LogReplay replay(path, options);
   const MessageComparison comparison(path, replay.header().is_older());
   Verification result;
   result.header = replay.header();

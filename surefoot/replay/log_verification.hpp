@@ -51,7 +51,10 @@ struct Verification {
 
 /// Runs the controller of a log again on the logged readings, with the run's own estimator, and
 /// compares every torque bit for bit, up to the first tick that is lost. Throws Error as
-/// `LogReplay`, if the log holds no tick, and when it is interrupted.
-[[nodiscard]] Verification verify_log(const std::string& path);
+/// `LogReplay`, if the log holds no tick, and when it is interrupted. A run with an estimator of
+/// the user's own needs `state` logged.
+[[nodiscard]] Verification verify_log(const std::string& path,
+                                      const ReplayOptions& options = {
+                                          .state = ReplayedState::estimated});
 
 }  // namespace surefoot::replay

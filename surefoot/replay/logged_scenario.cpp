@@ -28,23 +28,25 @@ std::string robot_file(const logging::LogHeader& header, const logging::ScratchF
 }  // namespace
 
 config::Scenario logged_scenario(const logging::LogHeader& header,
-                                 const logging::ScratchFolder& folder) {
+                                 const logging::ScratchFolder& folder, const tasks::OwnTasks& own) {
   // JSON is YAML, so the options are a scenario file.
   return config::load_scenario(
       {folder.write("scenario.yaml", header.options),
        0,
        {"stack=" + folder.write("stack.yaml", attachment(header, "resolved_stack.yaml")),
-        "robot=" + robot_file(header, folder)}});
+        "robot=" + robot_file(header, folder)},
+       own});
 }
 
 config::Scenario logged_scenario(const logging::LogHeader& header,
-                                 const logging::ScratchFolder& folder, const std::string& stack) {
+                                 const logging::ScratchFolder& folder, const std::string& stack,
+                                 const tasks::OwnTasks& own) {
   const fs::path file = fs::absolute(config::find_data_file("stacks", stack));
   const std::string robot = robot_file(header, folder);
   const std::string scenario = folder.write("scenario.yaml", header.options);
   try {
     return config::load_scenario(
-        {scenario, 0, {"stack=" + file.string(), "robot=" + robot, "stack_switches=[]"}});
+        {scenario, 0, {"stack=" + file.string(), "robot=" + robot, "stack_switches=[]"}, own});
   } catch (const Error& error) {
     std::string text = error.what();
     const std::size_t found = text.find(scenario);

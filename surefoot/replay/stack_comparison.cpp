@@ -35,9 +35,10 @@ bool is_answered(const TickRecord& tick) {
 }
 
 /// The other stack, made for the log's scenario.
-control::AskedStack asked_stack(const LogReplay& replay, const std::string& name) {
+control::AskedStack asked_stack(const LogReplay& replay, const std::string& name,
+                                const tasks::OwnTasks& own) {
   const logging::ScratchFolder folder;
-  const config::Scenario scenario = logged_scenario(replay.header(), folder, name);
+  const config::Scenario scenario = logged_scenario(replay.header(), folder, name, own);
   const control::ControllerOptions& options = scenario.controller;
   return {options.stack, options.solver, options.safety, scenario.robot};
 }
@@ -190,13 +191,14 @@ void check_has_ticks(const std::string& path, const StackComparison& result) {
 // torques are those of the logged readings; a controller with the other stack would contradict
 // them.
 StackComparison compare_stack(const std::string& path, const std::string& stack,
-                              const StackObserver& observer) {
+                              const StackObserver& observer, const tasks::OwnTasks& own) {
   WalkEndWatch walk;
-  LogReplay replay(
-      path, {.state = ReplayedState::logged,
-             .observer = [&walk](const logging::McapMessage& message) { walk.see(message); }});
+  LogReplay replay(path,
+                   {.state = ReplayedState::logged,
+                    .observer = [&walk](const logging::McapMessage& message) { walk.see(message); },
+                    .own_tasks = own});
   replay.explain_levels(false);
-  control::AskedStack other = asked_stack(replay, stack);
+  control::AskedStack other = asked_stack(replay, stack, own);
   StackComparison result;
   result.header = replay.header();
   result.header.attachments.clear();

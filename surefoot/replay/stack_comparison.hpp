@@ -87,8 +87,10 @@ using StackObserver =
                        const std::vector<OtherLevel>& other_levels)>;
 
 /// `stack`: name or file, as in `--set stack=`. Throws Error as `LogReplay`, if the stack does not
-/// exist or does not fit the log's scenario, if the log has no tick, and on interruption.
+/// exist or does not fit the log's scenario, if the log has no tick, and on interruption. Both
+/// stacks can name tasks of the user's `own`.
 [[nodiscard]] StackComparison compare_stack(const std::string& path, const std::string& stack,
-                                            const StackObserver& observer = {});
+                                            const StackObserver& observer = {},
+                                            const tasks::OwnTasks& own = {});
 
 }  // namespace surefoot::replay

@@ -25,6 +25,7 @@ enum class StopCause : int {
   imu = 5,
   cannot_stand = 6,  ///< did not come to stand on its feet
   fallen = 7,        ///< the torso lies on the ground
+  own_part = 8,      ///< code of the user's own failed: a task, the planner or the estimator
 };
 
 /// Neither stands nor has stopped: nothing follows the plan.

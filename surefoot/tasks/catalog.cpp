@@ -14,6 +14,7 @@
 #include "surefoot/tasks/no_contact_motion.hpp"
 #include "surefoot/tasks/posture.hpp"
 #include "surefoot/tasks/swing_foot.hpp"
+#include "surefoot/tasks/task_entry.hpp"
 #include "surefoot/tasks/torque_limits.hpp"
 #include "surefoot/tasks/torque_minimisation.hpp"
 #include "surefoot/tasks/torso_height.hpp"
@@ -22,148 +23,28 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
+#include <optional>
 #include <sstream>
+#include <utility>
 
 namespace surefoot::tasks {
 namespace {
 
-using Factory = std::function<std::unique_ptr<Task>(const TaskParameters&)>;
+template <typename T>
+using Entry = TaskEntry<T>;
 
+/// The library's.
 struct Catalog {
+  void add(TaskDefinition task) {
+    infos.push_back(std::move(task.info));
+    factories.push_back(std::move(task.make));
+  }
+
   std::vector<TaskInfo> infos;
-  std::vector<Factory> factories;
+  std::vector<TaskFactory> factories;
 };
 
 constexpr std::string_view kNoUnit = "–";
-
-std::string listed(std::span<const std::string_view> names) {
-  std::string text;
-  for (const std::string_view name : names) text += " " + std::string(name);
-  return names.empty() ? " none" : text;
-}
-
-template <typename T>
-struct NoOptions {};
-
-template <typename T, typename = void>
-struct OptionsOf {
-  using type = NoOptions<T>;
-};
-template <typename T>
-struct OptionsOf<T, std::void_t<typename T::Options>> {
-  using type = typename T::Options;
-};
-
-/// One task's entry: binds the names of a stack file to the members of its Options, which alone
-/// hold the defaults.
-template <typename T>
-class Entry {
- public:
-  using Options = typename OptionsOf<T>::type;
-
-  Entry(std::string_view name, std::string_view summary, std::string_view equation,
-        std::string_view unit)
-      : info_{name, summary, equation, unit, {}, {}} {}
-
-  Entry&& number(std::string_view name, double Options::* member, std::string_view unit,
-                 std::string_view help, double minimum = 0.0) && {
-    return std::move(*this).number_at(
-        name, [member](Options& options) -> double& { return options.*member; }, unit, help,
-        minimum);
-  }
-
-  /// The last number does not go with the robot's size as its unit says.
-  Entry&& sized(Sizing sizing) && {
-    info_.parameters.back().sizing = sizing;
-    return std::move(*this);
-  }
-
-  Entry&& number_per_leg(std::string_view first_name, PerLeg<double> Options::* member,
-                         const PerLeg<std::string_view>& names, std::string_view unit) && {
-    for (std::size_t i = 0; i < names.size(); ++i) {
-      (void)std::move(*this).number_at(
-          names[i], [member, i](Options& options) -> double& { return (options.*member)[i]; }, unit,
-          first_name, 0.0);
-    }
-    return std::move(*this);
-  }
-
-  /// `values` in the order of the enumerators.
-  template <typename Enum>
-  Entry&& choice(std::string_view name, Enum Options::* member,
-                 std::vector<std::string_view> values, std::string_view help) && {
-    info_.choices.push_back(
-        {name, values, values[static_cast<std::size_t>(defaults_.*member)], help});
-    set_choice_.emplace(name, [=, task = info_.name](Options& options, const std::string& word) {
-      const auto found = std::ranges::find(values, word);
-      if (found == values.end()) {
-        throw UnknownNameError(std::string(task) + ": " + std::string(name) + " is \"" + word +
-                               "\", but must be one of:" + listed(values));
-      }
-      options.*member = static_cast<Enum>(found - values.begin());
-    });
-    return std::move(*this);
-  }
-
-  void add_to(Catalog& catalog) && {
-    catalog.infos.push_back(std::move(info_));
-    catalog.factories.push_back(
-        [task = catalog.infos.back().name, set_number = std::move(set_number_),
-         set_choice =
-             std::move(set_choice_)](const TaskParameters& parameters) -> std::unique_ptr<Task> {
-          Options options;
-          for (const auto& [name, value] : parameters.numbers) {
-            setter(set_number, task, "number", name)(options, value);
-          }
-          for (const auto& [name, word] : parameters.choices) {
-            setter(set_choice, task, "choice", name)(options, word);
-          }
-          if constexpr (std::is_constructible_v<T, const Options&>) {
-            return std::make_unique<T>(options);
-          } else {
-            return std::make_unique<T>();
-          }
-        });
-  }
-
- private:
-  template <typename Value>
-  using Setters =
-      std::map<std::string_view, std::function<void(Options&, const Value&)>, std::less<>>;
-
-  template <typename Access>
-  Entry&& number_at(std::string_view name, Access access, std::string_view unit,
-                    std::string_view help, double minimum) && {
-    info_.parameters.push_back({name, access(defaults_), minimum, unit, help});
-    set_number_.emplace(name, [=, task = info_.name](Options& options, double value) {
-      if (!std::isfinite(value) || value < minimum) {
-        std::ostringstream message;
-        message << task << ": " << name << " is " << value << ", but must be a number of at least "
-                << minimum << (unit == kNoUnit ? "" : " ") << (unit == kNoUnit ? "" : unit);
-        throw Error(message.str());
-      }
-      access(options) = value;
-    });
-    return std::move(*this);
-  }
-
-  template <typename Value>
-  static const auto& setter(const Setters<Value>& setters, std::string_view task,
-                            std::string_view kind, const std::string& name) {
-    const auto found = setters.find(name);
-    if (found != setters.end()) return found->second;
-    std::vector<std::string_view> names;
-    for (const auto& [valid, set] : setters) names.push_back(valid);
-    throw UnknownNameError(std::string(task) + ": there is no " + std::string(kind) + " \"" + name +
-                           "\"; the task has:" + listed(names));
-  }
-
-  TaskInfo info_;
-  Options defaults_;
-  Setters<double> set_number_;
-  Setters<std::string> set_choice_;
-};
 
 constexpr std::string_view kErrorHelp = "larger tracking errors are shortened to this";
 
@@ -336,25 +217,96 @@ const Catalog& catalog() {
   return kCatalog;
 }
 
-std::size_t find(std::string_view name) {
+/// Index among the library's tasks.
+std::optional<std::size_t> find(std::string_view name) {
   const std::vector<TaskInfo>& infos = catalog().infos;
   const auto found = std::ranges::find(infos, name, &TaskInfo::name);
-  if (found == infos.end()) {
-    std::string message = "unknown task \"" + std::string(name) + "\"; there are:";
-    for (const TaskInfo& info : infos) message += " " + std::string(info.name);
-    throw UnknownNameError(message);
-  }
+  if (found == infos.end()) return std::nullopt;
   return static_cast<std::size_t>(found - infos.begin());
+}
+
+std::string listed(const std::vector<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names) text += " " + name;
+  return names.empty() ? " none" : text;
+}
+
+/// The parameter or choice of this name.
+template <typename Parameter>
+const Parameter& of_name(const std::vector<Parameter>& all, const std::string& task,
+                         const char* kind, const std::string& name) {
+  const auto found = std::ranges::find(all, name, &Parameter::name);
+  if (found != all.end()) return *found;
+  std::vector<std::string> names;
+  for (const Parameter& one : all) names.push_back(one.name);
+  std::ranges::sort(names);
+  throw UnknownNameError(task + ": there is no " + kind + " \"" + name +
+                         "\"; the task has:" + listed(names));
+}
+
+void check_number(const TaskInfo& task, const std::string& name, double value) {
+  const TaskParameter& parameter = of_name(task.parameters, task.name, "number", name);
+  if (std::isfinite(value) && value >= parameter.minimum) return;
+  std::ostringstream message;
+  message << task.name << ": " << name << " is " << value << ", but must be a number of at least "
+          << parameter.minimum;
+  if (parameter.unit != kNoUnit) message << " " << parameter.unit;
+  throw Error(message.str());
+}
+
+void check_choice(const TaskInfo& task, const std::string& name, const std::string& word) {
+  const TaskChoice& choice = of_name(task.choices, task.name, "choice", name);
+  if (std::ranges::find(choice.values, word) != choice.values.end()) return;
+  throw UnknownNameError(task.name + ": " + name + " is \"" + word +
+                         "\", but must be one of:" + listed(choice.values));
 }
 
 }  // namespace
 
 std::span<const TaskInfo> task_catalog() { return catalog().infos; }
 
-const TaskInfo& task_info(std::string_view name) { return catalog().infos[find(name)]; }
+std::vector<std::string> task_names(const OwnTasks& own) {
+  std::vector<std::string> names;
+  for (const TaskInfo& info : task_catalog()) names.push_back(info.name);
+  for (const TaskDefinition& task : own.all()) names.push_back(task.info.name);
+  return names;
+}
 
-std::unique_ptr<Task> make_task(std::string_view name, const TaskParameters& parameters) {
-  return catalog().factories[find(name)](parameters);
+const TaskInfo& task_info(std::string_view name) { return task_info(name, {}); }
+
+const TaskInfo& task_info(std::string_view name, const OwnTasks& own) {
+  if (const auto index = find(name)) return catalog().infos[*index];
+  if (const TaskDefinition* task = own.find(name)) return task->info;
+  throw UnknownNameError("unknown task \"" + std::string(name) +
+                         "\"; there are:" + listed(task_names(own)));
+}
+
+std::unique_ptr<Task> make_task(std::string_view name, const TaskParameters& parameters,
+                                const OwnTasks& own) {
+  const TaskInfo& info = task_info(name, own);
+  for (const auto& [number, value] : parameters.numbers) check_number(info, number, value);
+  for (const auto& [choice, word] : parameters.choices) check_choice(info, choice, word);
+  const auto index = find(name);
+  std::unique_ptr<Task> task =
+      index ? catalog().factories[*index](parameters) : own.find(name)->make(parameters);
+  if (task != nullptr) return task;
+  throw Error("task \"" + info.name + "\": its factory gave no task");
+}
+
+void OwnTasks::add(TaskDefinition task) {
+  const std::string& name = task.info.name;
+  if (name.empty()) throw Error("a task of your own needs a name, by which stacks call it");
+  if (task.make == nullptr) throw Error("task \"" + name + "\" needs a factory that makes it");
+  if (tasks::find(name) || find(name) != nullptr) {
+    throw Error("there is a task \"" + name + "\" already; give yours another name");
+  }
+  all_.push_back(std::move(task));
+}
+
+const TaskDefinition* OwnTasks::find(std::string_view name) const {
+  const auto found =
+      std::ranges::find(all_, name, [](const TaskDefinition& task) { return task.info.name; });
+  return found == all_.end() ? nullptr : &*found;
 }
 
 }  // namespace surefoot::tasks

@@ -19,14 +19,17 @@ struct TaskInput {
   const model::RobotDescription& robot;
 };
 
-/// One objective or limit, as rows over x = (u̇, τ) (Eq. 14). Immutable: the same input gives the
-/// same rows.
+/// One objective or limit, as rows over x = (u̇, τ) (Eq. 14): first the accelerations, then the
+/// torques of all joints. Immutable: the same input gives the same rows. Derive one of your own,
+/// add it to `OwnTasks`, and stacks can name it; `check_task` finds what it does wrong.
 class Task {
  public:
   virtual ~Task() = default;
 
-  /// Appends this tick's rows, at most `max_rows()`. Does not allocate.
-  virtual void write(const TaskInput& input, solver::Level& level) const noexcept = 0;
+  /// Appends this tick's rows, at most `max_rows()`, with ids from `first_id()` on. Must not
+  /// allocate. If it throws, or writes rows that can't be solved, the controller holds its posture,
+  /// then sits down.
+  virtual void write(const TaskInput& input, solver::Level& level) const = 0;
 
   /// Largest number of rows in a tick.
   [[nodiscard]] virtual int max_rows() const = 0;

@@ -1,19 +1,19 @@
 #pragma once
 
-#include <cstddef>
+extern "C" long surefoot_count_allocations();
 
 namespace surefoot::test {
 
-/// Counts the calls of this thread to malloc, calloc, realloc and their aligned kin, whoever makes
-/// them (operator new and Eigen end there too), from its construction on. Linking this file puts
-/// the counting functions in the place of the C library's.
+/// Counts this thread's allocations from its construction on (testing/count_allocations.cpp).
 class MallocCounter {
  public:
-  MallocCounter();
-  [[nodiscard]] std::size_t count() const;
+  MallocCounter() : start_(surefoot_count_allocations()) {}
+  [[nodiscard]] unsigned long count() const {
+    return static_cast<unsigned long>(surefoot_count_allocations() - start_);
+  }
 
  private:
-  std::size_t start_;
+  long start_;
 };
 
 }  // namespace surefoot::test
