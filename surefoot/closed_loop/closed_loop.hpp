@@ -29,7 +29,7 @@ enum class Ending {
 };
 
 struct ClosedLoopOptions {
-  std::string record_path;  ///< log to write; empty: none. A cut-off run leaves its partial_path
+  std::string record_path{};  ///< log to write; empty: none. A cut-off run leaves its partial_path
   std::function<void(double time)> progress{};  ///< called about every 0.1 s of simulated time
   std::function<bool()> interrupted{};          ///< asked at every tick
   RunSteering* steering = nullptr;              ///< called between the ticks

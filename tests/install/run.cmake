@@ -26,7 +26,7 @@ foreach(components "COMPONENTS\\;solver" "")
   file(REMOVE_RECURSE ${alone})
   execute_process(COMMAND ${CMAKE_COMMAND} -S ${SOURCE}/tests/install/solver -B ${alone} -G Ninja
                   -D CMAKE_BUILD_TYPE=Release -D CMAKE_PREFIX_PATH=${prefix} ${nothing_else}
-                  "-DCOMPONENTS=${components}" -D EXAMPLE=${SOURCE}/examples/03_share_a_load.cpp
+                  "-DCOMPONENTS=${components}" -D EXAMPLE=${SOURCE}/examples/11_share_a_load.cpp
                   COMMAND_ERROR_IS_FATAL ANY)
   execute_process(COMMAND ${CMAKE_COMMAND} --build ${alone} COMMAND_ERROR_IS_FATAL ANY)
   execute_process(COMMAND ${alone}/solver_alone COMMAND_ERROR_IS_FATAL ANY)
