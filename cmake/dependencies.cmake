@@ -19,6 +19,7 @@ set(SUREFOOT_ROBOT_PACKAGES ${SUREFOOT_CMEEL_PREFIX}/share)
 set(CMAKE_INSTALL_RPATH ${SUREFOOT_CMEEL_PREFIX}/lib ${SUREFOOT_CMEEL_PREFIX}/lib64 ${SUREFOOT_MUJOCO_PREFIX})
 list(PREPEND CMAKE_PREFIX_PATH ${SUREFOOT_CMEEL_PREFIX} ${SUREFOOT_CMEEL_PREFIX}/lib64)
 
+set(CMAKE_FIND_PACKAGE_TARGETS_GLOBAL ON)  # a project that has this one as a subdirectory links them, too
 set(Boost_NO_WARN_NEW_VERSIONS ON)  # CMake 3.25 is older than the Boost that Pinocchio brings
 find_package(Threads REQUIRED)
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)
@@ -27,7 +28,9 @@ find_package(tinyxml2 REQUIRED)
 find_package(yaml-cpp REQUIRED)
 find_package(nlohmann_json REQUIRED)
 find_package(zstd REQUIRED)
-find_package(CLI11 REQUIRED)
+if(SUREFOOT_BUILD_PROGRAM)
+  find_package(CLI11 REQUIRED)
+endif()
 include(mujoco)
 
 # Boost's headers, which come with Pinocchio's packages: Beast and Asio for the viewer's server.

@@ -6,6 +6,7 @@ include(CMakePackageConfigHelpers)
 set(alone_targets surefoot_base surefoot_math surefoot_solver)
 list(TRANSFORM SUREFOOT_FOLDERS PREPEND surefoot_ OUTPUT_VARIABLE folder_targets)
 list(REMOVE_ITEM folder_targets ${alone_targets})
+list(APPEND folder_targets surefoot_all surefoot_count_allocations)
 install(TARGETS ${alone_targets} EXPORT surefootSolverTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
 install(TARGETS ${folder_targets} EXPORT surefootTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
 # surefoot/*.hpp and the headers that these reach, found when it installs.
@@ -31,5 +32,5 @@ configure_package_config_file(cmake/surefootConfig.cmake.in ${PROJECT_BINARY_DIR
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/surefootConfigVersion.cmake
                                  COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/surefootConfig.cmake ${PROJECT_BINARY_DIR}/surefootConfigVersion.cmake
-              cmake/mujoco.cmake
+              cmake/mujoco.cmake cmake/package_data.cpp.in
         DESTINATION ${package_folder})

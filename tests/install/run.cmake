@@ -1,20 +1,37 @@
-# Installs the build tree BUILD into an empty folder, then configures, builds and runs the consumer
-# against it, as a user would: with nothing of the source tree but two programs.
+# Installs the build tree BUILD into an empty folder, moves it, and configures, builds and runs a
+# consumer against it, as a user would: with nothing of the source tree but its examples.
 
-set(prefix ${BUILD}/install_test/prefix)
-set(consumer ${BUILD}/install_test/consumer)
-file(REMOVE_RECURSE ${prefix} ${consumer})
+set(folder ${BUILD}/install_test)
+set(prefix ${folder}/moved)
+file(REMOVE_RECURSE ${folder})
 
-execute_process(COMMAND ${CMAKE_COMMAND} --install ${BUILD} --prefix ${prefix}
+function(configure source build)
+  execute_process(COMMAND ${CMAKE_COMMAND} -S ${SOURCE}/tests/install${source} -B ${folder}/${build} -G Ninja
+                  -D CMAKE_BUILD_TYPE=Release ${ARGN} COMMAND_ERROR_IS_FATAL ANY)
+endfunction()
+function(build build)
+  execute_process(COMMAND ${CMAKE_COMMAND} --build ${folder}/${build} ${ARGN} COMMAND_ERROR_IS_FATAL ANY)
+endfunction()
+function(run)
+  execute_process(COMMAND ${ARGN} WORKING_DIRECTORY ${folder} COMMAND_ERROR_IS_FATAL ANY)
+endfunction()
+
+execute_process(COMMAND ${CMAKE_COMMAND} --install ${BUILD} --prefix ${folder}/installed
                 OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
-execute_process(COMMAND ${CMAKE_COMMAND} -S ${SOURCE}/tests/install -B ${consumer} -G Ninja
-                -D CMAKE_BUILD_TYPE=Release -D CMAKE_PREFIX_PATH=${prefix}
-                -D CONTROL_LOOP=${SOURCE}/examples/02_control_loop.cpp COMMAND_ERROR_IS_FATAL ANY)
-execute_process(COMMAND ${CMAKE_COMMAND} --build ${consumer} COMMAND_ERROR_IS_FATAL ANY)
-execute_process(COMMAND ${consumer}/consumer COMMAND_ERROR_IS_FATAL ANY)
-execute_process(COMMAND ${CMAKE_COMMAND} -E env SUREFOOT_DATA_DIR=${prefix}/share/surefoot
-                ${consumer}/control_loop COMMAND_ERROR_IS_FATAL ANY)
-execute_process(COMMAND ${prefix}/bin/surefoot --version COMMAND_ERROR_IS_FATAL ANY)
+file(RENAME ${folder}/installed ${prefix})
+
+configure("" consumer -D CMAKE_PREFIX_PATH=${prefix} -D EXAMPLES=${SOURCE}/examples)
+build(consumer)
+run(${folder}/consumer/consumer)
+run(${folder}/consumer/02_control_loop)
+run(${folder}/consumer/04_own_task)
+run(${prefix}/bin/surefoot --version)
+# The data are the package's: without its stacks nothing is found, though the source tree has them.
+file(RENAME ${prefix}/share/surefoot/stacks ${folder}/stacks)
+execute_process(COMMAND ${folder}/consumer/02_control_loop RESULT_VARIABLE result OUTPUT_QUIET ERROR_QUIET)
+if(result EQUAL 0)
+  message(FATAL_ERROR "A program of the package reads stacks of elsewhere.")
+endif()
 
 # The solver alone: asked for, and where nothing but Eigen can be found.
 set(nothing_else)
@@ -22,12 +39,18 @@ foreach(package pinocchio tinyxml2 yaml-cpp zstd mujoco nlohmann_json)
   list(APPEND nothing_else -D CMAKE_DISABLE_FIND_PACKAGE_${package}=ON)
 endforeach()
 foreach(components "COMPONENTS\\;solver" "")
-  set(alone ${BUILD}/install_test/solver)
-  file(REMOVE_RECURSE ${alone})
-  execute_process(COMMAND ${CMAKE_COMMAND} -S ${SOURCE}/tests/install/solver -B ${alone} -G Ninja
-                  -D CMAKE_BUILD_TYPE=Release -D CMAKE_PREFIX_PATH=${prefix} ${nothing_else}
-                  "-DCOMPONENTS=${components}" -D EXAMPLE=${SOURCE}/examples/11_share_a_load.cpp
-                  COMMAND_ERROR_IS_FATAL ANY)
-  execute_process(COMMAND ${CMAKE_COMMAND} --build ${alone} COMMAND_ERROR_IS_FATAL ANY)
-  execute_process(COMMAND ${alone}/solver_alone COMMAND_ERROR_IS_FATAL ANY)
+  file(REMOVE_RECURSE ${folder}/solver)
+  configure(/solver solver -D CMAKE_PREFIX_PATH=${prefix} ${nothing_else} "-DCOMPONENTS=${components}"
+            -D EXAMPLE=${SOURCE}/examples/11_share_a_load.cpp)
+  build(solver)
+  run(${folder}/solver/solver_alone)
 endforeach()
+
+# Within an own project. Configuring resolves all that surefoot::surefoot links; building it all would take minutes. The
+# flags are the build tree's, so that ccache knows the objects.
+foreach(fetches ON OFF)
+  configure(/subproject subproject_${fetches} -D SUREFOOT=${SOURCE} -D FETCHES=${fetches}
+            "-DCMAKE_CXX_FLAGS_RELEASE=-O2 -DNDEBUG" -D SUREFOOT_WARNINGS_AS_ERRORS=ON)
+endforeach()
+build(subproject_ON --target solver_alone)
+run(${folder}/subproject_ON/solver_alone)
