@@ -22,8 +22,10 @@ std::string result(const LogContents& contents) {
   const explain::Outcome outcome = explain::read_outcome(contents.summary);
   if (!outcome.known) return "not known: the log has no summary";
   if (outcome.interrupted) return "the run was " + outcome.reason + "; not judged";
-  return std::string(outcome.succeeded ? "succeeded: " : "did not succeed: ") +
-         std::to_string(outcome.held) + " of " + std::to_string(outcome.num_criteria) +
+  const char* verdict = !outcome.judged     ? "not judged, too short: "
+                        : outcome.succeeded ? "succeeded: "
+                                            : "did not succeed: ";
+  return verdict + std::to_string(outcome.held) + " of " + std::to_string(outcome.num_criteria) +
          " criteria hold; ended: " + outcome.reason;
 }
 

@@ -8,7 +8,7 @@ enum ExitCode : int {
   kFailed = 1,      ///< too few do
   kWrongInput = 2,  ///< the input is wrong, or the run was interrupted
   kSafetyStop = 3,  ///< too few do, and the controller stopped for safety
-  kNotWhole = 4,    ///< a log is not whole; all that could be verified is the same
+  kNotWhole = 4,    ///< a log, or a run for its criteria, is not whole; what there is holds
 };
 
 }  // namespace surefoot::cli

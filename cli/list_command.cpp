@@ -1,6 +1,7 @@
 #include "cli/list_command.hpp"
 
 #include "cli/exit_code.hpp"
+#include "cli/metric_list.hpp"
 #include "surefoot/base/error.hpp"
 #include "surefoot/base/formatted.hpp"
 #include "surefoot/base/printable.hpp"
@@ -155,8 +156,9 @@ int list_schema_command(const std::string& kind) {
 }  // namespace
 
 const std::vector<std::string>& listable() {
-  static const std::vector<std::string> kListable{
-      "robots", "stacks", "gaits", "scenarios", "randomisations", "tasks", "options", "schema"};
+  static const std::vector<std::string> kListable{"robots",         "stacks",  "gaits",
+                                                  "scenarios",      "tasks",   "metrics",
+                                                  "randomisations", "options", "schema"};
   return kListable;
 }
 
@@ -165,6 +167,10 @@ int list_command(const std::string& what, const ListFilter& filter) {
   if (what == "schema") return list_schema_command(filter.about);
   if (!filter.about.empty()) throw Error("only of options and schemas there is a part to list");
   if (what == "tasks") return list_tasks_command(filter);
+  if (what == "metrics") {
+    std::cout << (filter.json ? metrics_json().dump() + "\n" : metrics_text());
+    return kPassed;
+  }
   Table table;
   if (what == "robots") table = robots();
   if (what == "stacks") table = stacks();

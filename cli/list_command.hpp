@@ -11,7 +11,7 @@ namespace surefoot::cli {
 /// Selects a part of what is listed.
 struct ListFilter {
   std::string about;  ///< how keys of options begin; or the kind of file that a schema is of
-  bool json = false;  ///< options as JSON
+  bool json = false;  ///< options or metrics as JSON
   std::string robot = "anymal_b";  ///< whose defaults options and tasks are listed with
 };
 

@@ -25,7 +25,7 @@ namespace {
 
 constexpr const char* kFooter = R"(
 Exit codes: 0 all is as it should be, 1 a result is not, 2 the input is wrong or the run was
-interrupted; run has 3, too. `surefoot COMMAND --help` says more.
+interrupted; run has 3 and 4, too. `surefoot COMMAND --help` says more.
 
 Examples:
   surefoot list scenarios
@@ -36,7 +36,8 @@ Examples:
 
 constexpr const char* kRunFooter = R"(
 Exit codes: 0 enough runs meet the scenario's criteria, 1 they don't, 2 the input is wrong or the
-run was interrupted, 3 they don't, and the controller stopped for safety before the robot fell.
+run was interrupted, 3 they don't, and the controller stopped for safety before the robot fell, 4
+they are not judged: with a shorter --set duration= the run ends before it can meet them.
 Enough is the scenario's success_rate, of one run as of --seeds: all, where it names none. Scenarios
 that show what happens, as found, have success_rate 0: they end with 0 even if the robot falls.
 
@@ -132,6 +133,7 @@ Examples:
   surefoot list gaits
   surefoot list tasks                                    with parameters, defaults and units
   surefoot list tasks --robot go1                        the same with the defaults of another robot
+  surefoot list metrics                                  what a run is measured by: unit, which way is better
   surefoot list randomisations                           what randomise.include=NAME draws
   surefoot list options planner.swing                    keys of a scenario with default, range and help
   surefoot list schema scenario > scenario.schema.json   for editors: scenario, randomisation, robot, stack or gait
@@ -207,6 +209,7 @@ void add_run(CLI::App& app, Command& chosen) {
   run->add_flag("--check", arguments->check,
                 "Read the scenario, stand the robot up and say what is wrong, and what a run would "
                 "take; no run");
+  run->add_flag("--all", arguments->all, "Print all metrics, not the ten that matter most");
   run->add_flag("--json", arguments->json, "Print one JSON object instead of a table");
   add_view(*run, arguments->view);
   run->callback([&chosen, arguments] { chosen = [arguments] { return run_command(*arguments); }; });
@@ -226,7 +229,7 @@ void add_list(CLI::App& app, Command& chosen) {
       ->check(CLI::IsMember(listable()));
   list->add_option("about", filter->about,
                    "How keys of options begin; or the kind of file that a schema is of");
-  list->add_flag("--json", filter->json, "Print options as JSON");
+  list->add_flag("--json", filter->json, "Print options or metrics as JSON");
   list->add_option("--robot", filter->robot, "Whose defaults options and tasks have")
       ->capture_default_str();
   list->callback([&chosen, what, filter] {

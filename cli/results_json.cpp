@@ -1,27 +1,18 @@
 #include "cli/results_json.hpp"
 
+#include "cli/metric_list.hpp"
 #include "surefoot/base/build_info.hpp"
 #include "surefoot/base/formatted.hpp"
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <string_view>
 
 namespace surefoot::cli {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-/// Metrics whose smallest value is the worst.
-constexpr std::array<std::string_view, 5> kMoreIsBetter{"distance_m", "speed_mps",
-                                                        "friction_margin_loaded_min",
-                                                        "friction_margin_min", "realtime_factor"};
-
-/// Metrics that depend on the machine's clock, so they differ between any two runs.
-constexpr std::array<std::string_view, 3> kByClock{"tick_us", "solve_us", "realtime_factor"};
 
 /// What a result depends on, of which robot it is; says so if the estimate is the truth, or uses
 /// sensors that the robot lacks.
@@ -41,31 +32,10 @@ Json criteria_json(const std::vector<evaluation::CriterionResult>& results) {
     if (result.criterion.max) entry["max"] = *result.criterion.max;
     if (result.criterion.equals) entry["equals"] = *result.criterion.equals;
     entry["value"] = result.value;
-    entry["passed"] = result.passed;
+    entry["passed"] = result.passed ? Json(*result.passed) : Json();
     list.push_back(entry);
   }
   return list;
-}
-
-/// Names of the metrics that are numbers; each member of a distribution, as in criteria.
-std::vector<std::string> numeric_metrics() {
-  std::vector<std::string> names;
-  for (const auto& [name, example] : evaluation::values(evaluation::Metrics())) {
-    const std::string metric(name);
-    if (std::holds_alternative<double>(example) || std::holds_alternative<int>(example))
-      names.push_back(metric);
-    if (std::holds_alternative<evaluation::Quantiles>(example))
-      for (const char* member : {".median", ".p99", ".max"}) names.push_back(metric + member);
-  }
-  return names;
-}
-
-bool more_is_better(const std::string& metric) {
-  return std::ranges::find(kMoreIsBetter, metric) != kMoreIsBetter.end();
-}
-
-bool is_by_clock(const std::string& metric) {
-  return std::ranges::find(kByClock, metric.substr(0, metric.find('.'))) != kByClock.end();
 }
 
 std::string hex(std::uint64_t number) {
@@ -97,6 +67,7 @@ Json run_events_json(const closed_loop::RunResult& result, int num_legs) {
 Json run_json(const config::Scenario& scenario, const closed_loop::RunResult& result) {
   Json json = heading(scenario);
   json.update(Json::parse(to_json(result.metrics)));
+  json["judged_after_s"] = scenario.judged_after;
   json["safety_stop"] = result.safety_stop;
   if (result.changes) json["changes_by_hand"] = *result.changes;
   json["criteria"] = criteria_json(result.criteria);
@@ -121,11 +92,7 @@ Json check_json(const config::Scenario& scenario) {
   json["paper"] = Json::object();
   for (const config::PaperFigure& figure : scenario.paper)
     json["paper"][figure.metric] = figure.text;
-  json["metrics"] = Json::object();
-  for (const std::string& metric : numeric_metrics()) {
-    json["metrics"][metric] = {{"worst", more_is_better(metric) ? "least" : "greatest"},
-                               {"by_clock", is_by_clock(metric)}};
-  }
+  json["metrics"] = numbers_json();
   return json;
 }
 

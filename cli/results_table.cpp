@@ -1,8 +1,9 @@
 #include "cli/results_table.hpp"
 
+#include "cli/metric_list.hpp"
 #include "surefoot/base/formatted.hpp"
 #include "surefoot/base/text_table.hpp"
-#include "surefoot/evaluation/metrics.hpp"
+#include "surefoot/evaluation/metric_table.hpp"
 #include "surefoot/signals/leg.hpp"
 
 #include <nlohmann/json.hpp>
@@ -18,29 +19,11 @@ namespace {
 using Json = nlohmann::ordered_json;
 using Table = std::vector<std::vector<std::string>>;
 
-struct Unit {
-  const char* suffix;
-  const char* name;
-  double scale = 1.0;  // from the metric's own unit
-};
-constexpr std::array<Unit, 6> kUnits{{{"_mps", "m/s"},
-                                      {"_nm", "N·m"},
-                                      {"_rad", "rad"},
-                                      {"_us", "µs"},
-                                      {"_m", "mm", 1e3},
-                                      {"_s", "s"}}};
-/// Lengths of the robot's size and more; all other lengths are small, in mm.
-constexpr std::array<std::string_view, 3> kInMetres{"distance_m", "base_height_end_m",
-                                                    "limb_extension_max_m"};
+using evaluation::ShownUnit;
 
-/// A metric always has the same unit, so that two runs can be compared.
-Unit unit_of(const std::string& metric) {
-  const std::string stem = metric.substr(0, metric.find('.'));
-  if (std::ranges::find(kInMetres, stem) != kInMetres.end()) return {"_m", "m"};
-  for (const Unit& unit : kUnits) {
-    if (stem.ends_with(unit.suffix)) return unit;
-  }
-  return {"", ""};
+ShownUnit unit_of(const std::string& metric) {
+  const evaluation::Metric* known = evaluation::find_metric(metric);
+  return known == nullptr ? ShownUnit{} : known->unit;
 }
 
 std::string number(double value, const char* format = "%.3g") { return formatted(format, value); }
@@ -50,20 +33,21 @@ std::string rounded(double value) {
   return number(value, std::abs(value) >= 100.0 ? "%.0f" : "%.3g");
 }
 
-std::string with_unit(double value, const Unit& unit) {
-  const std::string name = unit.name;
-  return rounded(unit.scale * value) + (name.empty() ? "" : " " + name);
+std::string with_unit(double value, const ShownUnit& unit) {
+  const bool is_apart = !unit.name.empty() && !unit.name.starts_with("°");
+  return rounded(unit.scale * value) + (is_apart ? " " : "") + std::string(unit.name);
 }
 
 std::string asked(const Json& criterion) {
-  const Unit unit = unit_of(criterion.at("metric").get<std::string>());
+  const ShownUnit unit = unit_of(criterion.at("metric").get<std::string>());
   std::string text;
   if (criterion.contains("equals")) text = criterion["equals"].get<bool>() ? "yes" : "no";
   if (criterion.contains("min")) text = "≥ " + with_unit(criterion["min"].get<double>(), unit);
   if (criterion.contains("max")) {
     text += (text.empty() ? "≤ " : ", ≤ ") + with_unit(criterion["max"].get<double>(), unit);
   }
-  return text + (criterion.at("passed").get<bool>() ? " ✓" : " ✗");
+  const Json& passed = criterion.at("passed");
+  return text + (passed.is_null() ? ", not judged" : passed.get<bool>() ? " ✓" : " ✗");
 }
 
 std::string paper_of(const config::Scenario& scenario, const std::string& metric) {
@@ -122,12 +106,20 @@ std::string seed_line(const Json& run) {
   return text + line;
 }
 
+std::string not_judged(const Json& run) {
+  const Json& needed = run.at("judged_after_s");
+  const std::string of = needed.is_number() ? " of the " + number(needed.get<double>()) : "";
+  return "not judged: " + run.at("reason").get<std::string>() + " after " +
+         number(run.at("duration_s").get<double>()) + of + " s that its criteria need\n";
+}
+
 std::string verdict(const Json& run) {
   std::string missed;
   for (const Json& criterion : run.at("criteria")) {
-    if (criterion.at("passed").get<bool>()) continue;
+    if (criterion.at("passed") != false) continue;
     missed += (missed.empty() ? "; missed: " : ", ") + criterion.at("metric").get<std::string>();
   }
+  if (run.at("succeeded").is_null()) return not_judged(run);
   return (run.at("succeeded").get<bool>() ? "succeeded: " : "did not succeed: ") +
          run.at("reason").get<std::string>() + missed + "\n";
 }
@@ -154,13 +146,6 @@ std::string events_of_run(const Json& run) {
   return table.empty() ? "" : "\n" + aligned(table);
 }
 
-/// Explains metrics whose name is not enough.
-std::string remark(const std::string& metric) {
-  if (metric == "friction_margin_min") return "of any foot; 0: one slid, be it at a touchdown";
-  if (metric == "friction_margin_loaded_min") return "of feet that carry a tenth of the weight";
-  return "";
-}
-
 /// The run's criterion for a metric, and whether it holds: "≤ 0.5 mm ✓"; empty without one.
 std::string asked_of(const Json& run, const std::string& metric) {
   for (const Json& criterion : run.at("criteria")) {
@@ -172,13 +157,19 @@ std::string asked_of(const Json& run, const std::string& metric) {
   return "";
 }
 
+std::string key(int left_out) {
+  const std::string more =
+      left_out == 0 ? "" : "; --all shows the other " + std::to_string(left_out);
+  return "↓ smaller is better, ↑ larger" + more + "; `list metrics` says what each is\n";
+}
+
 }  // namespace
 
 std::string pretty(const std::string& metric, const Json& value) {
   if (value.is_null()) return "–";
   if (value.is_boolean()) return value.get<bool>() ? "yes" : "no";
   if (value.is_string()) return value.get<std::string>();
-  const bool has_unit = *unit_of(metric).name != '\0';
+  const bool has_unit = !unit_of(metric).name.empty();
   if (value.is_number_integer() && !has_unit) return std::to_string(value.get<std::int64_t>());
   if (value.is_number()) return with_unit(value.get<double>(), unit_of(metric));
   if (value.at("median").is_null()) return "–";
@@ -187,18 +178,22 @@ std::string pretty(const std::string& metric, const Json& value) {
          with_unit(member("max"), unit_of(metric));
 }
 
-std::string run_table(const config::Scenario& scenario, const Json& run) {
-  constexpr std::array<std::string_view, 4> kInTitle{"succeeded", "reason", "seed", "version"};
-  Table table{{"", "measured", "must be", "paper", ""}};
-  for (const auto& [name, value] : evaluation::values(evaluation::Metrics())) {
-    const std::string metric(name);
-    const auto found = run.find(metric);
-    if (found == run.end() || std::ranges::find(kInTitle, name) != kInTitle.end()) continue;
-    table.push_back({metric, pretty(metric, *found), asked_of(run, metric),
-                     paper_of(scenario, metric), remark(metric)});
+std::string run_table(const config::Scenario& scenario, const Json& run, bool all) {
+  Table table{{"", "measured", "", "must be", "paper"}};
+  int left_out = 0;
+  for (const evaluation::Metric& metric : evaluation::metric_table()) {
+    const std::string name(metric.name);
+    const auto found = run.find(name);
+    if (found == run.end() || metric.place == evaluation::Place::in_the_title) continue;
+    const std::string asked = asked_of(run, name), paper = paper_of(scenario, name);
+    const bool is_first = metric.place == evaluation::Place::among_the_first;
+    if (all || is_first || !asked.empty() || !paper.empty())
+      table.push_back({name, pretty(name, *found), arrow_of(metric), asked, paper});
+    else
+      ++left_out;
   }
   return title(scenario, run) + seed_line(run) + "\n" + verdict(run) + steered(run) + "\n" +
-         aligned(table) + events_of_run(run);
+         aligned(table) + key(left_out) + events_of_run(run);
 }
 
 }  // namespace surefoot::cli

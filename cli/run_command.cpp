@@ -99,7 +99,9 @@ void print(const RunArguments& arguments, const Json& json, const std::string& t
 
 /// For one run, any success rate above 0 means that it must succeed.
 int exit_code(const config::Scenario& scenario, const closed_loop::RunResult& result) {
-  if (result.metrics.succeeded || scenario.success_rate <= 0.0) return kPassed;
+  const std::optional<bool> succeeded = result.metrics.succeeded;
+  if (succeeded.value_or(false) || scenario.success_rate <= 0.0) return kPassed;
+  if (!succeeded) return kNotWhole;
   return result.safety_stop ? kSafetyStop : kFailed;
 }
 
@@ -123,7 +125,7 @@ int watch_one(const RunArguments& arguments) {
   print_notes(scenario);
   const auto print_result = [&](const closed_loop::RunResult& result) {
     const Json json = run_json(scenario, result);
-    print(arguments, json, run_table(scenario, json));
+    print(arguments, json, run_table(scenario, json, arguments.all));
   };
   const auto [result, log] = server::run_live(
       scenario,
@@ -162,7 +164,7 @@ int run_one(const RunArguments& arguments) {
   if (!arguments.video.empty())
     report_film(film(log, arguments.video), arguments.video, place.is_kept() ? log : "");
   const Json json = run_json(scenario, result);
-  print(arguments, json, run_table(scenario, json));
+  print(arguments, json, run_table(scenario, json, arguments.all));
   if (!has_report) {
     throw Error("the report was not written; surefoot report " + log + " --out " +
                 arguments.report + " tries again");
@@ -208,6 +210,7 @@ int check_one(const RunArguments& arguments) {
   if (!arguments.report.empty()) words.push_back("--report=" + arguments.report);
   if (!arguments.video.empty()) words.push_back("--video=" + arguments.video);
   if (arguments.no_pictures) words.emplace_back("--no-pictures");
+  if (arguments.all) words.emplace_back("--all");
   if (arguments.json) words.emplace_back("--json");
   become_python("--seeds", "surefoot_campaign.seeds", words);
 }

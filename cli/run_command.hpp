@@ -21,6 +21,7 @@ struct RunArguments {
   bool no_pictures = false;  ///< in the report: they take seconds
   std::string video;
   bool json = false;
+  bool all = false;    ///< print every metric
   bool check = false;  ///< read the scenario and run nothing
   server::ViewArguments view;
 };

@@ -1,6 +1,7 @@
 #pragma once
 
-#include "surefoot/evaluation/truth_fields.hpp"  // fields() must be known where signal() calls it
+#include "surefoot/evaluation/alignment_fields.hpp"  // fields() must be known where signal() calls it
+#include "surefoot/evaluation/truth_fields.hpp"
 #include "surefoot/logging/message_codec.hpp"
 
 #include <nanobind/nanobind.h>

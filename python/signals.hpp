@@ -97,7 +97,10 @@ inline void bind_signals(nb::module_& module) {
   signal<simulation::TrueContact>(module, "TrueContact",
                                   "What really touches the ground at a foot.");
   signal<simulation::GroundTruth>(module, "GroundTruth",
-                                  "What the simulator knows and no sensor says.");
+                                  "What the simulator knows and no sensor says, in its world S.");
+  signal<evaluation::WorldPose>(module, "WorldPose", "Where S lies in the controller's world W.");
+  signal<evaluation::Alignment>(
+      module, "Alignment", "How the two worlds lie, and the errors of plan and estimate by that.");
 }
 
 }  // namespace surefoot::python

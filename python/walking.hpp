@@ -5,6 +5,7 @@
 #include "surefoot/config/data_file.hpp"
 #include "surefoot/config/scenario_file.hpp"
 #include "surefoot/control/controller.hpp"
+#include "surefoot/evaluation/alignment.hpp"
 #include "surefoot/runtime/stage_timer.hpp"
 #include "surefoot/simulation/make_estimator.hpp"
 #include "surefoot/simulation/plant.hpp"
@@ -145,6 +146,23 @@ inline void bind_plant(nb::module_& module) {
            "The physics model as MJCF text, for MuJoCo's own tools.");
 }
 
+/// Call after bind_controller.
+inline void bind_aligner(nb::module_& module) {
+  nb::class_<evaluation::Aligner>(
+      module, "Aligner",
+      "Compares a plant's truth, in S, with its controller's plan and estimate, in W. The two\n"
+      "worlds lie elsewhere and drift apart: never subtract their numbers.")
+      .def(nb::init<>())
+      .def(
+          "update",
+          [](evaluation::Aligner& self, const simulation::Plant& plant, const TimedController& of) {
+            return self.update(plant.truth(), of.controller.record());
+          },
+          nb::arg("plant"), nb::arg("controller"),
+          "The alignment and its errors after a tick: call it at every tick, from the first on,\n"
+          "between controller.step() and plant.write().");
+}
+
 inline void bind_controller(nb::module_& module) {
   using Self = TimedController;
   nb::class_<Self>(
@@ -194,6 +212,7 @@ inline void bind_walking(nb::module_& module) {
   bind_scenario(module);
   bind_plant(module);
   bind_controller(module);
+  bind_aligner(module);
 }
 
 }  // namespace surefoot::python

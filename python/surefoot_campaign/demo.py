@@ -17,7 +17,7 @@ from surefoot_campaign.program import Program
 from surefoot_campaign.progress import duration_text
 from surefoot_campaign.scheduler import Task
 from surefoot_campaign.seeds import FAILED, PASSED, enough_succeeded, run_rows, seeds_json, seeds_line
-from surefoot_campaign.text import aligned, asked_of, pretty, printable
+from surefoot_campaign.text import aligned, asked_of, in_words, pretty, printable
 
 SEEDS, JOBS = 10, 2
 FIRST = "step_down"  # its pictures come first
@@ -45,11 +45,15 @@ class Row:
 
     name: str
     description: str
-    measured: str
+    headline: str  # the figure that tells the result
+    headline_metric: str  # whose it is; empty where it says so itself
+    headline_paper: str  # the paper's
+    measured: str  # all
     seeds: str
     paper: str
     verdict: str  # "✓", "✗", or "as found"
     report: str  # path of its report, relative to the page; empty: none
+    picture: str = ""  # of a picture of it
 
 
 def parser():
@@ -78,6 +82,22 @@ def tasks_of(experiment, program, arguments, out):
     return [Task((experiment.name, 0), words + report), *(Task((experiment.name, seed), [*words, f"--seed={seed}"]) for seed in seeds)]
 
 
+def headline(experiment, run):
+    """The first of its metrics, in words where it is a yes or a text: "goal reached"."""
+    metric = experiment.shown[0]
+    if "crashed" in run or metric == "reason":
+        return run["reason"], ""
+    if isinstance(run[metric], bool):
+        return in_words(metric) if run[metric] else {"goal_reached": "goal not reached"}.get(metric, f"not {in_words(metric)}"), ""
+    return pretty(metric, run[metric]), metric
+
+
+def picture_of(out, experiment):
+    """Of the robot, or else the figure of its COM."""
+    places = [f"{experiment.name}/figures/{file}" for file in ("strip.jpg", "com_tracking.svg")]
+    return next((place for place in places if (out / place).is_file()), "")
+
+
 def measured(experiment, run):
     if "crashed" in run:
         return run["reason"]
@@ -88,18 +108,22 @@ def measured(experiment, run):
     return ", ".join(texts)
 
 
-def summarise(experiment, about, rows):
+def summarise(experiment, about, rows, out):
     """The experiment's line, from its rows: nominal, then seeds."""
     nominal, *seeds = rows
     passed = nominal["succeeded"] and enough_succeeded(about, seeds)
     return Row(
         name=experiment.name,
         description=about["description"],
+        headline=headline(experiment, nominal)[0],
+        headline_metric=headline(experiment, nominal)[1],
+        headline_paper=about["paper"].get(experiment.shown[0], ""),
         measured=measured(experiment, nominal),
         seeds=seeds_line(about, seeds_json(about, seeds)) if seeds else "",
         paper=", ".join(f"{metric} {figure}" for metric, figure in about["paper"].items() if metric in experiment.shown),
         verdict="as found" if experiment.as_found else "✓" if passed else "✗",
         report="" if "crashed" in nominal else f"{experiment.name}/index.html",
+        picture=picture_of(out, experiment),
     )
 
 
@@ -144,7 +168,7 @@ def make_demo(program, arguments, out):
     if not whole:
         return tell("interrupted: no results")
     rows_of = {one.name: [found[task.id] for task in of[one.name]] for one in whole}
-    rows = [summarise(one, about[one.name], rows_of[one.name]) for one in whole]
+    rows = [summarise(one, about[one.name], rows_of[one.name], out) for one in whole]
     print_rows(rows)
     (out / "results.json").write_text(json.dumps(sum(rows_of.values(), []), indent=1, ensure_ascii=False) + "\n")
     cut = "" if len(whole) == len(of) else "interrupted; "

@@ -6,8 +6,8 @@ import signal
 from surefoot_campaign.command_line import WRONG_INPUT
 from surefoot_campaign.statistics import is_number
 
-OUTCOMES = ["succeeded", "failed", "crashed", "timed_out", "refused"]
-JUDGED = (0, 1, 3)  # exit codes of a run that came to its end
+OUTCOMES = ["succeeded", "failed", "not_judged", "crashed", "timed_out", "refused"]
+ENDED = (0, 1, 3, 4)  # exit codes of a run that came to its end
 
 
 def last_line(text):
@@ -33,13 +33,13 @@ def read_result(stdout):
         result = json.loads(stdout)
     except ValueError:
         return None
-    return result if isinstance(result, dict) and isinstance(result.get("succeeded"), bool) else None
+    return result if isinstance(result, dict) and result.get("succeeded", "") in (True, False, None) else None
 
 
 def ended_from_outside(result, stopped):
     """Whether somebody asked the run to end, or `stopped` its scheduler: it has no outcome, and must be made again."""
     if stopped or result.timed_out:
-        return stopped and result.status not in JUDGED
+        return stopped and result.status not in ENDED
     asked = result.status in (-signal.SIGTERM, -signal.SIGINT)
     return asked or (result.status == WRONG_INPUT and last_line(result.stderr).startswith("interrupted"))
 
@@ -59,12 +59,12 @@ def judge(task, result):
         return "crashed", with_words(f"killed by {signal_name(-result.status)}", result.stderr), None
     if result.status == WRONG_INPUT:
         return "refused", last_line(result.stderr) or "exit code 2", None
-    if result.status not in JUDGED:
+    if result.status not in ENDED:
         return "crashed", with_words(f"exit code {result.status}", result.stderr), None
     found = read_result(result.stdout)
     if found is None:
         return "crashed", f"exit code {result.status}, but its output is no result", None
-    return ("succeeded" if found["succeeded"] else "failed"), found.get("reason", ""), found
+    return {True: "succeeded", False: "failed"}.get(found["succeeded"], "not_judged"), found.get("reason", ""), found
 
 
 def row_of(campaign, run, task, result):

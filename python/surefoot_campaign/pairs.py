@@ -1,6 +1,8 @@
 """Cases compared with the first one seed by seed: what each of them mends, breaks and gains."""
 
+from surefoot_campaign.metrics import unit_of
 from surefoot_campaign.statistics import median, median_interval
+from surefoot_campaign.units import metric_label
 
 
 def pair_key(run, spec):
@@ -41,14 +43,14 @@ def one_point(spec, judge, first, couples):
 
 def pairs_rows(found, judge):
     """A table of texts with its heading."""
-    rows = [["scenario", *found[0]["parameters"], "seeds", "mended", "broken", f"{judge} difference", "95 %"]]
+    rows = [["scenario", *found[0]["parameters"], "seeds", "mended", "broken", f"difference of {metric_label(judge)}", "95 %"]]
     for entry in found:
         counts = [str(entry[key]) for key in ("seeds", "mended", "broken")]
-        rows.append([entry["scenario"], *map(str, entry["parameters"].values()), *counts, *difference_cells(entry["difference"])])
+        rows.append([entry["scenario"], *map(str, entry["parameters"].values()), *counts, *difference_cells(judge, entry["difference"])])
     return rows
 
 
-def difference_cells(difference):
-    middle, interval = difference["median"], difference["interval"]
-    ends = "–" if interval is None else f"{interval[0]:+.3g} … {interval[1]:+.3g}"
-    return ["–" if middle is None else f"{middle:+.3g}", ends]
+def difference_cells(judge, difference):
+    middle, interval, scale = difference["median"], difference["interval"], unit_of(judge)[1]
+    ends = "–" if interval is None else f"{scale * interval[0]:+.3g} … {scale * interval[1]:+.3g}"
+    return ["–" if middle is None else f"{scale * middle:+.3g}", ends]

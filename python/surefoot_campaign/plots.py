@@ -10,6 +10,7 @@ from matplotlib.figure import Figure
 from surefoot_campaign.axes import axis_of
 from surefoot_campaign.results import values_of
 from surefoot_campaign.statistics import quantile, rate_of
+from surefoot_campaign.metrics import unit_of
 from surefoot_campaign.units import metric_label
 
 FORMATS = ["png", "svg"]
@@ -48,8 +49,13 @@ def draw_rates(axes, axis, records, style, places):
     return rates
 
 
+def shown_values(records, metric):
+    """In the unit that people read."""
+    return [unit_of(metric)[1] * value for value in values_of(records, metric)]
+
+
 def draw_judge(axes, plan, axis, records, style, places):
-    values = [values_of(cell, plan.spec.judge) for cell in axis.cells(records)]
+    values = [shown_values(cell, plan.spec.judge) for cell in axis.cells(records)]
     shares = [[quantile(v, share) for share in (0.5, 0.05, 0.95)] for v in values]
     draw_curve(axes, axis, places, *zip(*shares), style)
     return [of_cell for of_cell in shares if of_cell[0] is not None]
@@ -137,7 +143,7 @@ def map_figure(plan, records, scenario, parameters):
     texts = [["" if r is None else f"{100 * r.rate:.0f} %\n{r.successes}/{r.trials}" for r in row] for row in rates]
     percent = [[None if r is None else 100 * r.rate for r in row] for row in rates]
     heat_map(figure, left, x, y, percent, texts, ("cividis", 0, 100), "succeeded [%]")
-    medians = [[quantile(values_of(cell, plan.spec.judge), 0.5) for cell in row] for row in cells]
+    medians = [[quantile(shown_values(cell, plan.spec.judge), 0.5) for cell in row] for row in cells]
     texts = [["" if m is None else f"{m:.3g}" for m in row] for row in medians]
     heat_map(figure, right, x, y, medians, texts, ("viridis_r", None, None), f"median of {metric_label(plan.spec.judge)}")
     left.set_ylabel(y.label)

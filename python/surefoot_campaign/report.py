@@ -9,7 +9,7 @@ from surefoot_campaign.program import yaml_text
 from surefoot_campaign.results import Table, csv_table, plain, values_of
 from surefoot_campaign.spec import CASE
 from surefoot_campaign.statistics import rate_of, summary_of
-from surefoot_campaign.text import aligned, in_words
+from surefoot_campaign.text import aligned, in_words, pretty
 from surefoot_campaign.worst import entry, in_one_line, worst, worst_text
 
 
@@ -73,13 +73,9 @@ def write_all(plan, records, program, folder):
     return found
 
 
-def number(value):
-    return "–" if value is None else f"{value:.3g}"
-
-
 def rate_cells(entry):
     low, high = entry["interval"]
-    return [f"{entry['successes']}/{entry['trials']}", f"{100 * entry['rate']:.0f} %", f"{100 * low:.0f}–{100 * high:.0f} %"]
+    return [f"{entry['successes']}/{entry['trials']}", "–" if entry['rate'] is None else f"{100 * entry['rate']:.0f} %", f"{100 * low:.0f}–{100 * high:.0f} %"]
 
 
 def others(outcomes):
@@ -93,7 +89,7 @@ def short_table(plan, found, folder):
     rows = [["scenario", *columns(plan), "succeeded", "rate", "95 %", f"{judge} median", "worst", ""]]
     for point in found["points"]:
         values = [yaml_text(value) for value in point["parameters"].values()]
-        measured = [number(point["judge"]["median"]), number(point["judge"]["worst"])]
+        measured = [pretty(judge, point["judge"]["median"]), pretty(judge, point["judge"]["worst"])]
         rows.append([point["scenario"], *values, *rate_cells(point), *measured, others(point["outcomes"])])
     text = aligned(rows)
     if found["worst"]:

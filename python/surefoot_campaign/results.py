@@ -53,7 +53,7 @@ def flat(result, prefix=""):
 
 def missed(result):
     """Names of the criteria that a run missed."""
-    return [c["metric"] for c in result.get("criteria", []) if not c.get("passed", True)]
+    return [c["metric"] for c in result.get("criteria", []) if c.get("passed") is False]
 
 
 def cells_of(record):

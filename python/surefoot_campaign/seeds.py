@@ -8,6 +8,8 @@ import sys
 
 from surefoot_campaign.command_line import run_command, tell
 from surefoot_campaign.errors import InputError
+from surefoot_campaign.metrics import KEY, arrow, is_first
+from surefoot_campaign.metrics import about as metric_about
 from surefoot_campaign.outcome import ended_from_outside, judge, number_at, read_result
 from surefoot_campaign.output_files import check_not_being_written, folder_of_our_own, remove_outdated, with_seed
 from surefoot_campaign.program import MAX_SEED, Program
@@ -16,14 +18,10 @@ from surefoot_campaign.scheduler import LocalScheduler, Task, results_of
 from surefoot_campaign.statistics import Rate, summary_of
 from surefoot_campaign.text import aligned, asked, in_words, pretty, printable, rate_text
 
-PASSED, FAILED, SAFETY_STOP = 0, 1, 3
+PASSED, FAILED, SAFETY_STOP, NOT_JUDGED = 0, 1, 3, 4
 HEADING = ["scenario", "robot", "stack", "estimation", "foot_force_sensor", "version"]
 RATES = ["succeeded", "fell", "goal_reached", "safety_stop", "crashed"]
-BY_CLOCK = {"tick_us", "solve_us", "realtime_factor"}
-REMARKS = {
-    "friction_margin_min": "of any foot; 0: one slid, be it at a touchdown",
-    "friction_margin_loaded_min": "of feet that carry a tenth of the weight",
-}
+VERDICTS = {True: "succeeded", False: "did not succeed", None: "not judged"}
 
 
 def complaints(result, row):
@@ -61,27 +59,29 @@ def event_totals(rows):
 
 def seeds_json(about, rows):
     """What the runs come to: `rates`, `metrics` (each with median and worst) and `events` before the `runs` themselves."""
-    rates = {name: Rate(sum(row.get(name) is True for row in rows), len(rows)).as_json()
+    judged = [row for row in rows if row["succeeded"] is not None]
+    rates = {name: Rate(sum(row.get(name) is True for row in rows), len(judged if name == "succeeded" else rows)).as_json()
              for name in RATES if name != "goal_reached" or about["has_goal"]}  # fmt: skip
     values = {metric: [float(value) for row in rows if (value := number_at(row, metric)) is not None] for metric in about["metrics"]}
-    judged = {criterion["metric"] for row in rows for criterion in row.get("criteria", [])}
-    metrics = {metric: summary_of(found, about["metrics"][metric]["worst"]) for metric, found in values.items() if found or metric in judged}
+    limited = {criterion["metric"] for row in rows for criterion in row.get("criteria", [])}
+    metrics = {metric: summary_of(found, about["metrics"][metric]["worst"]) for metric, found in values.items() if found or metric in limited}
     heading = {key: about[key] for key in HEADING}
     return {**heading, "rates": rates, "metrics": metrics, "events": event_totals(rows), "runs": rows}
 
 
-def enough_succeeded(about, rows):
-    return sum(row["succeeded"] for row in rows) >= about["success_rate"] * len(rows)
+def enough_succeeded(about, rows, also=True):
+    """Whether so many did as the scenario asks for; `also`: None counts those that were not judged as well."""
+    return sum(row["succeeded"] in (True, also) for row in rows) >= about["success_rate"] * len(rows)
 
 
 def all_the_same(rows):
     """Whether chance had no part in the seeds, so that a rate over them says nothing."""
-    outcomes = [{key: value for key, value in row.items() if key != "seed" and key not in BY_CLOCK} for row in rows]
+    outcomes = [{key: value for key, value in row.items() if key != "seed" and not metric_about(key).get("by_clock")} for row in rows]
     return len(rows) > 1 and all(outcome == outcomes[0] and "crashed" not in outcome for outcome in outcomes)
 
 
 def failure(row):
-    missed = [criterion for criterion in row.get("criteria", []) if not criterion["passed"]]
+    missed = [criterion for criterion in row.get("criteria", []) if criterion["passed"] is False]
     values = ["" if "equals" in one else f"{pretty(one['metric'], one['value'])}, " for one in missed]
     return "; ".join([row["reason"], *(f"{one['metric']} {value}must be {asked(one)}" for one, value in zip(missed, values))])
 
@@ -90,19 +90,28 @@ def times(count):
     return "once" if count == 1 else f"{count} times"
 
 
-def seeds_table(about, seeds):
+def metrics_table(about, seeds, everything):
+    """Median and worst of those that matter: the first, and what is compared with something."""
+    judged = {criterion["metric"] for row in seeds["runs"] for criterion in row.get("criteria", [])} | about["paper"].keys()
+    shown = {metric: summary for metric, summary in seeds["metrics"].items() if everything or is_first(metric) or metric in judged}
+    rows = [[metric, pretty(metric, summary["median"]), pretty(metric, summary["worst"]), arrow(metric), about["paper"].get(metric, "")]
+            for metric, summary in shown.items()]  # fmt: skip
+    return [["", "median", "worst", "", "paper"], *rows], len(seeds["metrics"]) - len(shown)
+
+
+def seeds_table(about, seeds, everything=False):
     """A line for each run that did not succeed, the rates, median and worst of the metrics, and how often notable events happened."""
     sensors = ", foot force sensors" if about["foot_force_sensor"] else ""
     described = f": {about['description']}" if about["description"] else ""
     title = f"{about['scenario']}, robot {about['robot']}, stack {about['stack']}, estimation {about['estimation']}{sensors}{described}\n"
-    failures = [[f"seed {row['seed']}", failure(row)] for row in seeds["runs"] if not row["succeeded"]]
+    failures = [[f"seed {row['seed']}", failure(row)] for row in seeds["runs"] if row["succeeded"] is False]
     rates = [[name, rate_text(rate)] for name, rate in seeds["rates"].items()]
-    metrics = [[metric, pretty(metric, summary["median"]), pretty(metric, summary["worst"]), about["paper"].get(metric, ""), REMARKS.get(metric, "")]
-               for metric, summary in seeds["metrics"].items()]  # fmt: skip
+    metrics, left_out = metrics_table(about, seeds, everything)
+    more = f"; --all shows the other {left_out}" if left_out else ""
     runs = len(seeds["runs"])
     events = [[one["event"], f"in {one['runs']} of {runs} runs", f"{times(one['count'])} in all"] for one in seeds["events"]]
-    tables = [failures, rates, [["", "median", "worst", "paper", ""], *metrics], events]
-    return title + "".join("\n" + aligned(table) for table in tables if table)
+    tables = [aligned(failures), aligned(rates), f"{aligned(metrics)}{KEY}{more}\n", aligned(events)]
+    return title + "".join("\n" + table for table in tables if table)
 
 
 def seeds_line(about, seeds):
@@ -119,6 +128,7 @@ def parser():
     made.add_argument("--set", action="append", default=[])
     for name in ("--record", "--report", "--video"):
         made.add_argument(name, default="")
+    made.add_argument("--all", action="store_true")
     made.add_argument("--no-pictures", action="store_true")
     made.add_argument("--json", action="store_true")
     return made
@@ -158,7 +168,7 @@ def run_seeds(program, about, arguments, outputs):
     tasks = [Task((about["scenario"], seed), [str(program.path), *words(arguments, seed, names), "--json"]) for seed, names in outputs.items()]
 
     def lines_of(_, seed, row):
-        return [f"seed {seed}: {'succeeded' if row['succeeded'] else 'did not succeed'}, {row['reason']}"]
+        return [f"seed {seed}: {VERDICTS[row['succeeded']]}, {row['reason']}"]
 
     rows = run_rows(about["scenario"], tasks, arguments.jobs, lines_of)
     return [rows[task.id] for task in tasks if task.id in rows]
@@ -183,12 +193,14 @@ def seeds(typed):
         print("surefoot: warning: all runs are the same: the scenario draws nothing at random, so rates and their intervals mean nothing", file=sys.stderr)
     if rows:
         found = seeds_json(about, rows) | ({"interrupted": True} if is_cut else {})
-        text = json.dumps(found, ensure_ascii=False, separators=(",", ":")) + "\n" if arguments.json else seeds_table(about, found)
+        text = json.dumps(found, ensure_ascii=False, separators=(",", ":")) + "\n" if arguments.json else seeds_table(about, found, arguments.all)
         print(printable(text), end="", flush=True)
     if is_cut:
         return interrupted(outputs, len(rows))
     if enough_succeeded(about, rows):
         return PASSED
+    if enough_succeeded(about, rows, also=None):
+        return NOT_JUDGED
     return SAFETY_STOP if any(row.get("safety_stop") for row in rows) else FAILED
 
 

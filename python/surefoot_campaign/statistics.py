@@ -21,7 +21,7 @@ class Rate:
         return wilson_interval(self.successes, self.trials)
 
     def as_json(self):
-        return {"successes": self.successes, "trials": self.trials, "rate": self.rate, "interval": list(self.interval)}
+        return {"successes": self.successes, "trials": self.trials, "rate": self.rate if self.trials else None, "interval": list(self.interval)}
 
 
 def wilson_interval(successes, trials):
@@ -37,7 +37,8 @@ def wilson_interval(successes, trials):
 
 
 def rate_of(records):
-    return Rate(sum(record.succeeded for record in records), len(records))
+    """Of those that were judged."""
+    return Rate(sum(record.succeeded for record in records), sum(record.row["outcome"] != "not_judged" for record in records))
 
 
 def is_number(value):

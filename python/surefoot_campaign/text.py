@@ -3,7 +3,7 @@
 import html
 import re
 
-from surefoot_campaign.units import unit_of_metric
+from surefoot_campaign.metrics import unit_of
 
 CONTROL = re.compile("[\x00-\x09\x0b-\x1f\x7f-\x9f]")
 
@@ -35,8 +35,8 @@ def rounded(value):
 
 
 def with_unit(metric, value):
-    unit, scale = unit_of_metric(metric)
-    return f"{rounded(scale * value)} {unit}".rstrip()
+    unit, scale = unit_of(metric)
+    return f"{rounded(scale * value)}{'' if unit.startswith('°') else ' '}{unit}".rstrip()
 
 
 def pretty(metric, value):
@@ -45,16 +45,19 @@ def pretty(metric, value):
         return "–"
     if isinstance(value, bool):
         return "yes" if value else "no"
-    if isinstance(value, str) or (isinstance(value, int) and not unit_of_metric(metric)[0]):
+    if isinstance(value, dict):
+        median, p99, most = (value.get(member) for member in ("median", "p99", "max"))
+        return "–" if median is None else f"median {with_unit(metric, median)}" + (f", 99 % {with_unit(metric, p99)}, max {with_unit(metric, most)}" if p99 else "")
+    if isinstance(value, str) or (isinstance(value, int) and not unit_of(metric)[0]):
         return str(value)
     return with_unit(metric, value)
 
 
 def asked(criterion):
-    """What a criterion asks for, and whether it holds: "≤ 0.5 mm ✓"."""
+    """What a criterion asks for, and whether it holds: "≤ 0.5 mm ✓", "≤ 0.5 mm, not judged"."""
     limits = [f"{sign} {with_unit(criterion['metric'], criterion[key])}" for sign, key in (("≥", "min"), ("≤", "max")) if key in criterion]
     wanted = pretty("", criterion["equals"]) if "equals" in criterion else ", ".join(limits)
-    return f"{wanted} {'✓' if criterion['passed'] else '✗'}"
+    return wanted + {True: " ✓", False: " ✗"}.get(criterion["passed"], ", not judged")
 
 
 def asked_of(run, metric):

@@ -1,7 +1,7 @@
-"""Units of metrics and of the parameters whose last word leaves no doubt; a spec can name others."""
+"""Units of the parameters whose last word leaves no doubt; a spec can name others."""
 
-METRIC_ENDINGS = {"_mps": "m/s", "_rad": "rad", "_nm": "N·m", "_us": "µs", "_s": "s", "_m": "m"}
-IN_METRES = ["distance_m", "base_height_end_m", "limb_extension_max_m"]  # lengths of the robot's size; others are read in mm
+from surefoot_campaign.metrics import unit_of
+
 LAST_WORDS = {
     "m": ["height", "edge", "tread", "apex", "half_length", "max_step", "reach_max", "feet_beyond_x", "walk_on"],
     "s": ["duration", "swing_duration", "same_side_duration", "switch_duration", "start_duration", "ramp_up", "ramp_down",
@@ -12,22 +12,9 @@ LAST_WORDS = {
 PATHS = {"initial.x": "m", "initial.y": "m", "initial.z": "m"}
 
 
-def ending_of(stem):
-    return next((ending for ending in METRIC_ENDINGS if stem.endswith(ending)), "")
-
-
 def metric_label(name):
-    """`com_error_max_m` as "com_error_max [m]"."""
-    stem, *member = name.split(".")
-    ending = ending_of(stem)
-    return label(".".join([stem.removesuffix(ending), *member]), METRIC_ENDINGS.get(ending, ""))
-
-
-def unit_of_metric(name):
-    """The unit that people read a metric in, and its scale. Both are fixed, so that runs compare."""
-    stem = name.split(".")[0]
-    unit = METRIC_ENDINGS.get(ending_of(stem), "")
-    return ("mm", 1e3) if unit == "m" and stem not in IN_METRES else (unit, 1.0)
+    """`com_error_max_m` as "com_error_max_m [mm]", as it is drawn."""
+    return label(name, unit_of(name)[0])
 
 
 def unit_of_parameter(name, spec):

@@ -3,7 +3,7 @@
 import pathlib
 
 from surefoot_campaign.results import missed
-from surefoot_campaign.text import in_words
+from surefoot_campaign.text import in_words, pretty
 
 COUNT = 10
 
@@ -13,7 +13,7 @@ def severity(record):
     result = record.row["result"] or {}
     if record.succeeded:
         return 2
-    broke = record.row["outcome"] != "failed" or result.get("fell") or result.get("safety_stop")
+    broke = record.row["outcome"] not in ("failed", "not_judged") or result.get("fell") or result.get("safety_stop")
     return 0 if broke else 1
 
 
@@ -48,7 +48,7 @@ def in_one_line(plan, entry):
     text = f"{in_words(entry['outcome'])}: {entry['reason']}"
     if entry["missed"]:
         text += f"; missed: {', '.join(entry['missed'])}"
-    return text if entry[judge] is None else f"{text}; {judge} {entry[judge]:.4g}"
+    return text if entry[judge] is None else f"{text}; {judge} {pretty(judge, entry[judge])}"
 
 
 def worst_text(plan, records, program):

@@ -19,7 +19,7 @@ from surefoot_log.overlays import COM, METRES_PER_NEWTON, POLYGON, PUSH, colour_
 from surefoot_log.table import check_topics
 from surefoot_log.urdf_visuals import file_of, visuals_on_bodies
 
-WORLD = "world"
+WORLD, CONTROLLERS_WORLD = "S", "W"
 DETAIL = 0.008  # m
 SCENE_EVERY = 10  # ticks
 PLAIN = (0.6, 0.62, 0.65, 1.0)
@@ -76,6 +76,15 @@ def transforms(model, data, time):
                        "child_frame_id": model.body(body).name, "translation": shapes.vector(R_WP.T @ (data.xpos[body] - data.xpos[parent])),
                        "rotation": shapes.quaternion(quaternion)})  # fmt: skip
     return result
+
+
+def worlds(frame, time):
+    """Where the controller's world lies in the simulator's, in which the scene is."""
+    if frame.R_WS is None:
+        return []
+    R_SW = frame.R_WS.T
+    return [{"timestamp": shapes.moment(time), "parent_frame_id": WORLD, "child_frame_id": CONTROLLERS_WORLD,
+             "translation": shapes.vector(-R_SW @ frame.p_WS), "rotation": shapes.quaternion(shapes.wxyz_of(R_SW))}]  # fmt: skip
 
 
 def mesh_triangles(visual, X_BV, packages, cache):
@@ -191,7 +200,7 @@ class Scene:
             self._begin(frame, time)
         self._data.qpos[: len(frame.qpos)] = frame.qpos
         mujoco.mj_kinematics(self._model, self._data)
-        self._file.write("/tf", "foxglove.FrameTransforms", schemas.FRAME_TRANSFORMS, time, {"transforms": transforms(self._model, self._data, time)})
+        self._file.write("/tf", "foxglove.FrameTransforms", schemas.FRAME_TRANSFORMS, time, {"transforms": transforms(self._model, self._data, time) + worlds(frame, time)})
         self._file.update_scene("/scene/forces", time, scene_entities(frame, self._foot_radius, self._data.xipos))
 
 

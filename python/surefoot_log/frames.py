@@ -6,12 +6,13 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from surefoot_log.log_file import event_text, stop_reason
+from surefoot_log.worlds import rotated
 
 LEGS = ("LF", "RF", "LH", "RH")
 ALL_LEGS = ("LF", "RF", "LM", "RM", "LH", "RH")  # of a robot with six
 CARRIES = ("stance", "unloading")
 BETWEEN = "; "  # of two events at one tick
-TOPICS = {"/truth", "/plan", "/state", "/hierarchy", "/command"}
+TOPICS = {"/truth", "/alignment", "/plan", "/state", "/hierarchy", "/command"}
 ROUNDING = 1e-6  # in any unit; for logs that don't say from which residual on a level gives way
 OPTIMAL, ITERATION_CAP, INVALID_INPUT = 0, 1, 2  # of /hierarchy.status
 LOADED = 20.0  # N: least force on a foot that carries
@@ -51,6 +52,8 @@ class Frame:
     p_SCom: np.ndarray | None = None
     p_SF: dict = field(default_factory=dict)
     forces: list = field(default_factory=list)  # of each touching foot a Touch
+    R_WS: np.ndarray | None = None  # S lies so in the controller's world, by the feet that stand
+    p_WS: np.ndarray | None = None
     pushes: list = field(default_factory=list)  # (number of the body in the physics, force [N], torque about its centre of mass [N·m])
     phases: dict = field(default_factory=dict)
     event: str = ""
@@ -147,6 +150,10 @@ def frame_of(tick, header, event):
     frame.gave_way = gave_way(decoded.get("/hierarchy", {}), header)
     if truth is not None:
         add_truth(frame, truth)
+    feet = decoded.get("/alignment", {}).get("feet")
+    if feet is not None and None not in feet["q_WS"]:
+        frame.p_WS = np.array(feet["p_WS"])
+        frame.R_WS = np.stack([rotated(np.array(feet["q_WS"]), axis) for axis in np.eye(3)], axis=-1)
     return frame
 
 

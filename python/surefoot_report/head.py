@@ -1,7 +1,6 @@
 """The beginning of the page: what was run, how it came out, and how to run it again."""
 
 from surefoot_campaign.text import escape
-from surefoot_report.numbers import name_of
 from surefoot_report.page import Cell, table
 from surefoot_report.words import counted, decimal
 
@@ -48,13 +47,15 @@ def from_outside(run):
 
 
 def criteria_badge(outcome):
-    missed, count = [name_of(one.metric) for one in outcome.criteria if one.passed is False], len(outcome.criteria)
+    missed, count = [one.metric for one in outcome.criteria if one.passed is False], len(outcome.criteria)
     if missed:
         return badge("bad", f"✗ {len(missed)} of {count} {'criterion' if count == 1 else 'criteria'} missed: {'; '.join(missed)}")
+    if not outcome.judged:
+        return badge("soft", "not judged: the run is shorter than its criteria need")
     if not outcome.succeeded:
         return badge("bad", "✗ the run did not succeed")
     if count < 2:
-        return badge("good", f"✓ the criterion holds: {name_of(outcome.criteria[0].metric)}") if count else badge("soft", "no criteria to judge by")
+        return badge("good", f"✓ the criterion holds: {outcome.criteria[0].metric}") if count else badge("soft", "no criteria to judge by")
     return badge("good", "✓ both criteria hold" if count == 2 else f"✓ all {count} criteria hold")
 
 

@@ -29,6 +29,7 @@ class Requirement:
 @dataclass
 class Outcome:
     known: bool = False  # the log has a summary that can be read; else nothing is judged
+    judged: bool = False  # the run was as long as its criteria need
     succeeded: bool = False
     reason: str = ""
     goal: str = ""  # what the scenario is for, in words
@@ -72,6 +73,7 @@ def read_summary(outcome, summary):
     criteria = [Requirement(one["metric"], one.get("min"), one.get("max"), one.get("equals"), one.get("passed") if judged else None)
                 for one in found["criteria"]]  # fmt: skip
     outcome.known, outcome.criteria, outcome.reason, outcome.metrics = True, criteria, metrics.get("reason", ""), flattened(metrics)
+    outcome.judged = metrics.get("succeeded") is not None
     outcome.succeeded, outcome.goal_reached = metrics.get("succeeded") is True, metrics.get("goal_reached") is True
 
 

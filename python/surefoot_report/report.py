@@ -30,7 +30,8 @@ MOTION = [("com_tracking", motion_figures.com_figure, captions.com), ("terrain_a
 FORCES = [("torques", motion_figures.torque_figure, captions.TORQUES), ("forces", motion_figures.force_figure, captions.FORCES)]
 LEVELS = [("residuals", hierarchy_figures.residual_figure, captions.residuals), ("active_limits", hierarchy_figures.active_rows_figure, captions.ACTIVE)]
 TIMES = [("tick_times", hierarchy_figures.timing_figure, captions.timing)]
-FILES = [f"{name}.{form}" for name, *_ in MOTION + FORCES + LEVELS + TIMES for form in ("svg", "pdf")]
+STRIP = "strip.jpg"
+FILES = [STRIP, *(f"{name}.{form}" for name, *_ in MOTION + FORCES + LEVELS + TIMES for form in ("svg", "pdf"))]
 NONE_ACTED = '<p class="soft">No inequality acted but where a foot was lifted or set down.</p>\n'
 
 
@@ -126,7 +127,10 @@ def write_report(log, folder, with_pictures=True, is_locked=False, is_there=lamb
 def add_pictures(report, folder, log, scratch):
     """If the page with pictures can't be written, it stays without and says why."""
     try:
-        write_page(folder, report.page(make_pictures(log, scratch)))
+        pictures = make_pictures(log, scratch)
+        write_page(folder, report.page(pictures))
+        if pictures.folder:
+            shutil.copyfile(pictures.folder / STRIP, folder / "figures" / STRIP)
     except (InputError, KeyboardInterrupt) as error:
         write_page(folder, report.page(Pictures(why_none=str(error) or "they were interrupted")))
         if isinstance(error, KeyboardInterrupt):

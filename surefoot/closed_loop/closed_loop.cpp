@@ -178,7 +178,7 @@ class ClosedLoop {
     if (!recorder_) return;
     recorder_->record(controller_.record());
     recorder_->record(timing);
-    truth_log_->record(plant_.truth());
+    truth_log_->record(plant_.truth(), controller_.record());
   }
 
   std::optional<Ending> check_end(const JointCommand& command) {
@@ -224,9 +224,14 @@ class ClosedLoop {
     if (result.safety_stop && !is_cut) {
       result.metrics.reason = safety_reason(evaluator_.fall());
     }
-    result.criteria = evaluation::evaluate(scenario_.criteria, result.metrics);
-    result.metrics.succeeded =
-        evaluation::all_passed(result.criteria) && !result.safety_stop && !is_cut;
+    const bool is_short =
+        ending == Ending::finished && result.metrics.duration_s < scenario_.judged_after - 1e-9;
+    result.criteria = evaluation::evaluate(
+        scenario_.criteria, result.metrics,
+        is_cut || is_short ? evaluation::Extent::part : evaluation::Extent::whole);
+    result.metrics.succeeded = evaluation::all_passed(result.criteria);
+    if (is_cut && result.metrics.succeeded.value_or(false)) result.metrics.succeeded.reset();
+    if (result.safety_stop) result.metrics.succeeded = false;
     result.events = events_.counts();
     result.troubles = troubles_.counts();
     result.torques_hash = torques_.value();

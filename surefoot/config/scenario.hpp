@@ -53,6 +53,8 @@ struct Scenario {
   std::vector<std::string> assignments;  ///< "path.to.key=value", as requested
   std::uint64_t seed = 0;
   double duration = 20.0;  ///< longest [s]
+  /// The criteria need this much of a run that nothing ends; NaN: any run is judged [s].
+  double judged_after = std::numeric_limits<double>::quiet_NaN();
   estimation::Estimation estimation = estimation::Estimation::sensors;
   estimation::LegInertialOptions estimator;  ///< of `estimation: sensors`
   model::RobotDescription robot;

@@ -37,8 +37,8 @@ namespace fs = std::filesystem;
 constexpr std::size_t kMaxFiles = 4;
 
 /// Keys that hold for a file's own experiment only, not for one based on it.
-constexpr std::array<std::string_view, 4> kOfOneFile{"description", "criteria", "success_rate",
-                                                     "paper"};
+constexpr std::array<std::string_view, 5> kOfOneFile{"description", "criteria", "judged_after",
+                                                     "success_rate", "paper"};
 
 /// The files that a scenario was read from: its own, then its bases, and its gait.
 struct Files {
@@ -115,6 +115,16 @@ void drop_paper_of_another(ConfigNode& tree, const std::vector<std::string>& ass
   });
   if (is_another)
     std::erase_if(tree.members, [](const auto& member) { return member.first == "paper"; });
+}
+
+/// Criteria are about a run as long as the files have it, also where assignments make it shorter.
+void keep_judged_duration(ConfigNode& tree, const std::vector<std::string>& assignments) {
+  const ConfigNode* duration = tree.find("duration");
+  if (duration == nullptr || tree.find("judged_after") != nullptr) return;
+  const bool is_changed = std::ranges::any_of(assignments, [](const std::string& assignment) {
+    return assigned_path(assignment) == "duration";
+  });
+  if (is_changed) tree.members.emplace_back("judged_after", ConfigNode(*duration));
 }
 
 std::vector<std::string> assigned_paths(const ScenarioRequest& request) {
@@ -401,6 +411,7 @@ Scenario load_scenario(const ScenarioRequest& request) {
   Files files;
   ConfigNode tree = read_with_base(file, robot, request.assignments, files);
   drop_paper_of_another(tree, request.assignments);
+  keep_judged_duration(tree, request.assignments);
   check_taken_ranges(tree, file.parent_path(), request.assignments);
   for (const std::string& assignment : request.assignments) {
     if (assigned_path(assignment) == kScaled)

@@ -20,7 +20,7 @@ std::string number_of(const evaluation::CriterionResult& missed) {
 std::string why(const closed_loop::RunResult& result) {
   std::string missed;
   for (const evaluation::CriterionResult& each : result.criteria) {
-    if (each.passed) continue;
+    if (each.passed.value_or(true)) continue;
     missed += (missed.empty() ? "; missed: " : ", ") + each.criterion.metric + number_of(each);
   }
   return result.metrics.reason + missed;
@@ -36,7 +36,7 @@ Trial run(const std::string& name, const GuessedFile& robot, const TrialOptions&
       loop.progress = [&](double time) { options.progress(name, time, scenario.duration); };
     const closed_loop::RunResult result = closed_loop::run_closed_loop(scenario, loop);
     if (result.ending == closed_loop::Ending::interrupted) throw Error("interrupted: no results");
-    return {name, result.metrics.succeeded, why(result)};
+    return {name, result.metrics.succeeded.value_or(false), why(result)};
   } catch (const Error& error) {
     if (options.interrupted && options.interrupted()) throw;
     return {name, false, robot.without_path(error.what())};

@@ -57,7 +57,7 @@ class Evaluator {
   /// "fell at 3.2025 s: …"; empty without a fall.
   [[nodiscard]] const std::string& fall() const { return fall_; }
 
-  /// Leaves `succeeded` false: it depends on the criteria.
+  /// Leaves `succeeded` empty: it depends on the criteria.
   [[nodiscard]] Metrics metrics(const RunEnd& end) const;
 
  private:

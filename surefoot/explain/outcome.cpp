@@ -18,6 +18,7 @@ Outcome outcome_of(const json& summary) {
   Outcome outcome;
   outcome.known = true;
   outcome.reason = metrics.value("reason", "");
+  outcome.judged = metrics.contains("succeeded") && !metrics.at("succeeded").is_null();
   outcome.succeeded = is_true(metrics, "succeeded");
   outcome.interrupted = outcome.reason == "interrupted" || outcome.reason == "begun again";
   for (const json& criterion : summary.at("criteria")) {

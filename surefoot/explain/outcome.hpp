@@ -8,6 +8,7 @@ namespace surefoot::explain {
 struct Outcome {
   bool known = false;        ///< the summary could be read; else all else is unset
   bool interrupted = false;  ///< from outside, or restarted; not judged
+  bool judged = false;       ///< it succeeded or did not; else it was too short
   bool succeeded = false;
   std::string reason;                      ///< why it ended
   std::size_t num_criteria = 0, held = 0;  ///< criteria, and how many hold

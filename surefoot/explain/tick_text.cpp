@@ -128,12 +128,12 @@ std::string command(const TickExplanation& explanation) {
 
 std::string facts(const TickExplanation& explanation) {
   const TickRecord& tick = explanation.tick;
-  Table table{{"base", pose(tick.state.p_WB, tick.state.q_WB)},
+  Table table{{"base in W", pose(tick.state.p_WB, tick.state.q_WB)},
               {"moves by", velocity(tick.state.v_WB, tick.state.w_WB_B)}};
   const std::string load = carried(tick.model.load);
   if (!load.empty()) table.push_back({"weighs", load});
   if (explanation.truth)
-    table.push_back({"in truth", pose(explanation.truth->p_SB, explanation.truth->q_SB)});
+    table.push_back({"truth in S", pose(explanation.truth->p_SB, explanation.truth->q_SB)});
   if (explanation.estimate)
     table.push_back(
         {"is off by", formatted("%.1f cm, %.1f° in heading, counted from the first tick",
@@ -151,7 +151,7 @@ std::string facts(const TickExplanation& explanation) {
   table.push_back({"command", command(explanation)});
   std::string out;
   for (const std::vector<std::string>& row : table)
-    out += row[0] + std::string(10 - row[0].size(), ' ') + row[1] + "\n";
+    out += row[0] + std::string(12 - row[0].size(), ' ') + row[1] + "\n";
   return out;
 }
 

@@ -1,9 +1,12 @@
 #include "cli/results_json.hpp"
 #include "cli/results_table.hpp"
 #include "surefoot/base/text_table.hpp"
+#include "surefoot/evaluation/metric_table.hpp"
 #include "tests/support/messages.hpp"
 
 #include <gtest/gtest.h>
+
+#include <algorithm>
 
 namespace surefoot::cli {
 namespace {
@@ -58,6 +61,8 @@ TEST(Pretty, says_units_after_the_metrics_name) {
   EXPECT_EQ(pretty("torque_max_nm", 40), "40 N·m");
   EXPECT_EQ(pretty("speed_mps", 0.08), "0.08 m/s");
   EXPECT_EQ(pretty("duration_s", 24), "24 s");
+  EXPECT_EQ(pretty("touchdown_latency_p95_s", 0.012), "12 ms");
+  EXPECT_EQ(pretty("max_tilt_rad", 0.1), "5.73°");
   EXPECT_EQ(pretty("steps_taken", 30), "30");
   EXPECT_EQ(pretty("fell", false), "no");
   EXPECT_EQ(pretty("com_error_max_m", nullptr), "–");
@@ -140,6 +145,7 @@ TEST(RunTable, shows_a_metric_beside_its_limit_and_the_papers_figure) {
   closed_loop::RunResult result;
   result.metrics.com_error_max_m = 0.0006;
   result.criteria = {{{"com_error_max_m", {}, 0.0005, {}}, 0.0006, false}};
+  result.metrics.succeeded = false;
   const std::string table = run_table(scenario, run_json(scenario, result));
   EXPECT_TRUE(holds(table, "; missed: com_error_max_m\n"));
   std::string line = table.substr(table.find("com_error_max_m   "));
@@ -147,6 +153,44 @@ TEST(RunTable, shows_a_metric_beside_its_limit_and_the_papers_figure) {
   EXPECT_TRUE(holds(line, "0.6 mm"));
   EXPECT_TRUE(holds(line, "≤ 0.5 mm ✗"));
   EXPECT_TRUE(holds(line, "≤ 3.4 mm"));
+}
+
+TEST(RunTable, of_a_run_too_short_for_its_criteria_says_not_judged) {
+  Scenario scenario;
+  scenario.judged_after = 30.0;
+  closed_loop::RunResult result;
+  result.metrics.reason = "ran to its end";
+  result.metrics.duration_s = 2.0;
+  result.criteria = {{{"com_error_max_m", {}, 0.0005, {}}, 0.0001, std::nullopt}};
+  const Json run = run_json(scenario, result);
+  EXPECT_TRUE(run.at("succeeded").is_null());
+  EXPECT_TRUE(run.at("criteria")[0].at("passed").is_null());
+  const std::string table = run_table(scenario, run);
+  EXPECT_TRUE(
+      holds(table, "not judged: ran to its end after 2 of the 30 s that its criteria need\n"));
+  EXPECT_TRUE(holds(table, "≤ 0.5 mm, not judged"));
+  EXPECT_FALSE(holds(table, "did not succeed"));
+}
+
+std::size_t num_metrics(const std::string& table) {
+  const auto is_told = [&](const evaluation::Metric& metric) {
+    return holds(table, "\n" + std::string(metric.name) + " ");
+  };
+  return static_cast<std::size_t>(std::ranges::count_if(evaluation::metric_table(), is_told));
+}
+
+TEST(RunTable, shows_the_ten_that_matter_and_the_compared_ones_or_all) {
+  Scenario scenario;
+  scenario.paper = {{"penetration_max_m", "none"}};
+  closed_loop::RunResult result;
+  EXPECT_EQ(num_metrics(run_table({}, run_json({}, result))), 10u);
+  result.criteria = {{{"edge_landings", {}, 3.0, {}}, 0.0, true},
+                     {{"solve_us.p99", {}, 3.0, {}}, 0.0, true}};
+  const Json run = run_json(scenario, result);
+  EXPECT_EQ(num_metrics(run_table(scenario, run)), 13u);
+  const std::size_t all = evaluation::metric_table().size() - 4;  // in the title
+  EXPECT_EQ(num_metrics(run_table(scenario, run, true)), all);
+  EXPECT_TRUE(holds(run_table(scenario, run), "--all shows the other " + std::to_string(all - 13)));
 }
 
 }  // namespace

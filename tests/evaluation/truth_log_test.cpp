@@ -21,7 +21,7 @@ TEST(TruthLog, TheTruthStandsOnAChannelOfItsOwnBitByBit) {
     test::SyntheticRun run;
     for (int i = 0; i < 500; ++i) {
       run.step();
-      log.record(run.truth);
+      log.record(run.truth, run.tick);
       recorder.record(run.tick);
       truths.push_back(run.truth);
     }

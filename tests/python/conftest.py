@@ -55,8 +55,8 @@ def record(path, *arguments, scenario="walk_flat_ideal", duration=2):
     command = [PROGRAM, "run", str(SOURCE / "scenarios" / f"{scenario}.yaml"), "--set", f"duration={duration}",
                "--record", str(path), "--json", *arguments]
     run = subprocess.run(command, capture_output=True, text=True)
-    # 1: the criteria of the whole walk do not hold after so short a time.
-    assert run.returncode in (0, 1), run.stderr
+    # 4: so short a run is not judged by the criteria of the whole walk.
+    assert run.returncode in (0, 1, 4), run.stderr
     return path
 
 

@@ -9,10 +9,11 @@ from operator import attrgetter
 from mcap.data_stream import ReadDataStream
 from mcap.opcode import Opcode
 from mcap.reader import make_reader
-from mcap.records import Channel
+from mcap.records import Channel, Chunk
 from mcap.writer import Writer
 
 from log_file import attachment, summary_of
+from surefoot_log.log_file import messages_of
 
 MAGIC = b"\x89MCAP0\r\n"
 HEAD = struct.Struct("<BQ")
@@ -74,6 +75,14 @@ def tick_chunks(log):
     """The chunks that hold ticks, in their order: those before the time goes back."""
     chunks = sorted(summary_of(log).chunk_indexes, key=attrgetter("chunk_start_offset"))
     return [chunk for i, chunk in enumerate(chunks) if all(chunk.message_start_time >= other.message_start_time for other in chunks[:i])]
+
+
+def first_topic(log, chunk):
+    """Of a chunk's messages, which may begin within a tick."""
+    channels = {channel.id: channel.topic for channel in summary_of(log).channels.values()}
+    with open(log, "rb") as file:
+        file.seek(chunk.chunk_start_offset + HEAD.size)
+        return next(messages_of(Chunk.read(ReadDataStream(file)), channels)).topic
 
 
 def timings_chunk(log):

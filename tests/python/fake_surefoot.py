@@ -14,9 +14,9 @@ import time
 
 KEYS = ["height", "mass", "mode", "gait", "broken_seed", "noted"]
 METRICS = {
-    "com_error_max_m": {"worst": "greatest", "by_clock": False},
-    "speed_mps": {"worst": "least", "by_clock": False},
-    "tick_us.median": {"worst": "greatest", "by_clock": True},
+    "com_error_max_m": {"worst": "greatest", "by_clock": False, "unit": "mm", "scale": 1000, "better": "smaller", "first": True, "help": "COM"},
+    "speed_mps": {"worst": "least", "by_clock": False, "unit": "m/s", "scale": 1, "better": "larger", "first": True, "help": "speed"},
+    "tick_us.median": {"worst": "greatest", "by_clock": True, "unit": "µs", "scale": 1, "better": "smaller", "first": True, "help": "time"},
 }
 
 
@@ -25,6 +25,8 @@ def refuse(message):
 
 
 def main(words):
+    if words[:2] == ["list", "metrics"]:
+        return print(json.dumps({name.removesuffix(".median"): about for name, about in METRICS.items()})) or 0
     if words[0] != "run":
         refuse(f'unknown command "{words[0]}"')
     scenario, words = words[1], [part for word in words[2:] for part in (word.split("=", 1) if word.startswith("--") else [word])]

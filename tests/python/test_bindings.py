@@ -165,7 +165,7 @@ def test_arrays_have_the_shapes_that_their_help_says(scenario):
                 shape = str(value.shape).replace("12", "number of joints").replace("(4", "(number of legs")
                 assert f"shape {shape}" in help_text or f"shape {value.shape}" in help_text  # (4,): a quaternion
                 assert value.dtype == np.float64
-                is_quaternion = name == "q_WB"
+                is_quaternion = name in ("q_WB", "q_SB")
                 assert value.flags.writeable != is_quaternion
 
 

@@ -315,7 +315,7 @@ def test_units_stand_where_they_are_known(tmp_path):
     labels = [label(name, unit_of_parameter(name, spec)) for name in spec.parameters()]
     assert labels == ["disturbances.payload.mass [kg]", "terrain.friction", "a [bar]"]
     assert [metric_label(name) for name in ["com_error_max_m", "tick_us.p99", "speed_mps", "steps_taken"]] == [
-        "com_error_max [m]", "tick.p99 [µs]", "speed [m/s]", "steps_taken"
+        "com_error_max_m [mm]", "tick_us.p99 [µs]", "speed_mps [m/s]", "steps_taken"
     ]  # fmt: skip
 
 
@@ -403,7 +403,7 @@ def test_a_fall_leaves_the_other_medians_readable(tmp_path):
     assert curves(tmp_path, walks)[1].get_yscale() == "linear"
     assert curves(tmp_path, walks[:-1] + zero + falls)[1].get_yscale() == "linear"
     _, lower = curves(tmp_path, walks + falls)
-    assert lower.get_ylabel() == "com_error_max [m]"
+    assert lower.get_ylabel() == "com_error_max_m [mm]"
     lowest, highest = (lower.transData.transform((1, error))[1] for error in (0.003, 0.008))
     assert highest - lowest > 0.1 * lower.bbox.height
 

@@ -117,16 +117,39 @@ def test_exit_code_says_whether_the_criteria_hold_by_one_rule_for_one_run_and_se
         assert "✗" in (told := surefoot("run", file).stdout) and "missed: distance_m" in told
 
 
+def test_a_run_shorter_than_its_criteria_need_is_not_judged_unless_it_misses_one_for_good(scenario):
+    run = of_json("run", "walk_flat", *SHORT, status=4)
+    assert run["succeeded"] is None and {one["passed"] for one in run["criteria"]} == {None} and run["judged_after_s"] > 10
+    told = answer("run", "walk_flat", *SHORT, status=4)
+    assert "\nnot judged: ran to its end after " in told and "did not succeed" not in told
+    file = scenario("duration: 5\ncriteria: {torque_max_nm: {max: 1}}\n")
+    assert of_json("run", file, "--set", "duration=0.1", status=1)["succeeded"] is False, "torques only grow"
+    file = scenario("duration: 5\njudged_after: 0.1\ncriteria: {torque_max_nm: {max: 1000}}\n")
+    assert of_json("run", file, "--set", "duration=0.1")["succeeded"]
+
+
+def test_what_a_metric_is_stands_in_one_table():
+    listed = of_json("list", "metrics")
+    run = of_json("run", "walk_flat", *SHORT, status=4)
+    assert listed.keys() <= run.keys() and all(one["help"] for one in listed.values())
+    assert [listed[name]["better"] for name in ("com_error_max_m", "speed_mps", "duration_s")] == ["smaller", "larger", "none"]
+    assert (listed["com_error_max_m"]["unit"], listed["com_error_max_m"]["scale"]) == ("mm", 1000)
+    few, everything = answer("run", "walk_flat", *SHORT, status=4), answer("run", "walk_flat", *SHORT, "--all", status=4)
+    assert "penetration_max_m" in everything and "penetration_max_m" not in few and "--all shows the other" in few
+    line = re.search("^com_error_max_m.*$", answer("list", "metrics"), re.M)[0]
+    assert " mm " in line and " ↓ " in line
+
+
 def test_several_seeds_give_one_object_with_runs_and_rates_and_each_the_results_that_it_gives_alone():
     result = surefoot("run", "step_down", "--seeds", 3, "--jobs", 2, "--json", *SHORT)
-    assert result.returncode == 1
+    assert result.returncode == 4
     seeds = json.loads(result.stdout)
     assert [run["seed"] for run in seeds["runs"]] == [1, 2, 3]
     assert len({run["drawn"]["initial.x"] for run in seeds["runs"]}) == 3
-    for rate in ["succeeded", "fell"]:
-        assert (seeds["rates"][rate]["successes"], seeds["rates"][rate]["trials"]) == (0, 3)
-        # Wilson's interval of 0 out of 3.
-        assert seeds["rates"][rate]["interval"] == [pytest.approx(0, abs=1e-12), pytest.approx(0.5615, abs=1e-3)]
+    assert seeds["rates"]["succeeded"]["trials"] == 0, "none was judged"
+    assert (seeds["rates"]["fell"]["successes"], seeds["rates"]["fell"]["trials"]) == (0, 3)
+    # Wilson's interval of 0 out of 3.
+    assert seeds["rates"]["fell"]["interval"] == [pytest.approx(0, abs=1e-12), pytest.approx(0.5615, abs=1e-3)]
     assert "worst" in seeds["metrics"]["com_error_calibrating_max_m"]
     alone = run_result("step_down", "--seed", 2, *SHORT)
     for name in ["com_error_calibrating_max_m", "torque_max_nm", "drawn"]:
@@ -258,7 +281,7 @@ def test_what_a_run_writes_is_not_written_by_another(option, more, log, begun, t
 def test_commands_on_a_log_point_to_one_that_was_cut_off_beside_it(tmp_path):
     log, partial = tmp_path / "run.mcap", tmp_path / "run.mcap.partial"
     answer_of_run = surefoot("run", "walk_flat", *SHORT, "--record", log)
-    assert answer_of_run.returncode in (0, 1) and log.exists()
+    assert answer_of_run.returncode == 4 and log.exists()
     calls = [["info", log], ["explain", log, "--at", 0.05], ["replay", log, "--verify"], ["dump", log, "--to", 0.005]]
     partial.write_bytes(log.read_bytes())
     for call in calls:

@@ -4,7 +4,7 @@ import re
 import subprocess
 
 from program import PROGRAM, SHORT, run_result
-from surefoot_campaign.demo import Row, measured
+from surefoot_campaign.demo import Row, headline, measured
 from surefoot_campaign.demo_page import demo_page
 from surefoot_campaign.experiments import EXPERIMENTS
 from surefoot_campaign.program import Program
@@ -31,11 +31,27 @@ def test_what_is_measured_stands_beside_what_is_asked():
     assert measured(walk, {"crashed": True, "reason": "killed by SIGSEGV"}) == "killed by SIGSEGV"
 
 
-def test_the_page_names_links_and_escapes():
-    page = demo_page([Row("step <1>", "a & b", "≤ 1 mm", "3 of 4", "14 cm", "✓", "step/index.html")], "all of it")
-    for part in ('<a href="step/index.html">step &lt;1&gt;</a>', "a &amp; b", "3 of 4", '<span class="ok">✓</span>', "<p>all of it</p>"):
+def test_the_headline_is_the_first_metric_in_words_where_it_is_one():
+    step, push = ([one for one in EXPERIMENTS if one.name == name][0] for name in ("step_down", "push"))
+    assert [headline(step, {"goal_reached": reached})[0] for reached in (True, False)] == ["goal reached", "goal not reached"]
+    assert headline(push, {"reason": "fell"}) == ("fell", "")
+    assert headline(EXPERIMENTS[0], {"com_error_max_m": 0.0004}) == ("0.4 mm", "com_error_max_m")
+
+
+def of_page(**more):
+    row = {"name": "step <1>", "description": "a & b", "headline": "0.4 mm", "headline_metric": "com_error_max_m", "headline_paper": "≤ 3.4 mm",
+           "measured": "much", "seeds": "3 of 4", "paper": "", "verdict": "✓", "report": "step/index.html", "picture": "step/strip.jpg"}  # fmt: skip
+    return demo_page([Row(**(row | more))], "all of it")
+
+
+def test_the_page_shows_picture_headline_and_paper_and_escapes():
+    page = of_page()
+    for part in ('<a href="step/index.html">step &lt;1&gt;</a>', "a &amp; b", "3 of 4", "✓ as it must be", '<p class="soft">all of it</p>',
+                 'src="step/strip.jpg"', "0.4 mm <small>com_error_max_m</small>", "paper: ≤ 3.4 mm", "1 as they must be; 0 show"):  # fmt: skip
         assert part in page
-    assert "http" not in page
+    assert "http" not in page and "<img" not in of_page(picture="")
+    assert '<article class="bad">' in of_page(verdict="✗") and "0 as they must be, 1 not" in of_page(verdict="✗")
+    assert '<article class="found">' in of_page(verdict="as found")
 
 
 def test_it_says_how_long_it_will_take_before_anything_has_run(tmp_path):

@@ -4,6 +4,7 @@ import io
 import json
 import math
 import re
+import struct
 import subprocess
 import sys
 
@@ -17,7 +18,7 @@ from mcap.records import Channel, Message
 from mcap.stream_reader import StreamReader
 from program import ROOT
 
-TOPICS = {"/readings", "/user", "/state", "/plan", "/model", "/hierarchy", "/command", "/health", "/truth", "/timings"}
+TOPICS = {"/readings", "/user", "/state", "/plan", "/model", "/hierarchy", "/command", "/health", "/truth", "/alignment", "/timings"}
 
 
 def stream_messages(data):
@@ -29,7 +30,7 @@ def stream_messages(data):
                 topics[item.id] = item.topic
             elif isinstance(item, Message):
                 found.append((topics[item.channel_id], item.log_time, item.data))
-    except (McapError, EOFError):
+    except (McapError, EOFError, struct.error):
         pass  # cut off: what came before counts
     return found
 

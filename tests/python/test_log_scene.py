@@ -103,13 +103,13 @@ def test_what_messages_say_of_their_time_is_their_time(scene):
 def test_every_frame_hangs_on_the_world(scene):
     parents = {transform["child_frame_id"]: transform["parent_frame_id"] for transform in scene[0]["/tf"][0][1]["transforms"]}
     used = {part["frame_id"] for topic in scene[0] if topic.startswith("/scene/") for _, message in scene[0][topic] for part in message["entities"]}
-    assert used - {"world"} <= parents.keys()
+    assert used - {"S"} <= parents.keys()
     for frame in parents:
         chain = [frame]
         while chain[-1] in parents:
             chain.append(parents[chain[-1]])
             assert len(chain) <= len(parents) + 1
-        assert chain[-1] == "world"
+        assert chain[-1] == "S"
 
 
 def test_what_vanishes_is_replaced_by_nothing(scene):
@@ -133,12 +133,19 @@ def test_the_frames_lead_to_where_the_feet_are_in_truth(log, scene):
     truths = {round(1e9 * truth["time"]): truth for truth in messages(log, "/truth")}
     for time, message in scene[0]["/tf"][::10]:
         of = {transform["child_frame_id"]: transform for transform in message["transforms"]}
-        X = {"world": np.eye(4)}
+        X = {"S": np.eye(4)}
         for name in of:  # parents stand before their children
             X[name] = X[of[name]["parent_frame_id"]] @ matrix(of[name])
         for leg in ("LF", "RH"):
             centre = (X[f"{leg}_FOOT"] @ [0.0, 0.0, 0.02325, 1.0])[:3]
             assert centre == pytest.approx(truths[time]["p_SF"][leg], abs=1e-6)
+
+
+def test_what_the_controller_plans_has_a_frame_of_its_own_in_the_scene(log, scene):
+    models, truths = ({round(1e9 * one["time"]): one for one in messages(log, topic)} for topic in ("/state", "/truth"))
+    for time, message in scene[0]["/tf"][::10]:
+        X_SW = matrix(next(one for one in message["transforms"] if one["child_frame_id"] == "W"))
+        assert (X_SW @ [*models[time]["p_WB"], 1.0])[:3] == pytest.approx(truths[time]["p_SB"], abs=5e-3)
 
 
 def test_arrows_stand_on_the_feet_and_are_as_long_as_their_force(log, scene):

@@ -50,7 +50,7 @@ def with_summary(log, folder, reason, criteria=({"metric": "fell", "equals": Fal
 
 
 def test_a_page_shows_all_figures_and_numbers_of_a_run(page):
-    for text in ("<h1>step_down</h1>", "anymal_b", "seed 0", "COM tracking error, largest", "(a) COM, lateral", "(c) COM tracking error in the plane",
+    for text in ("<h1>step_down</h1>", "anymal_b", "seed 0", "com_error_max_m", "(a) COM, lateral", "(c) COM tracking error in the plane",
                  "(a) orientation error", "(b) height error", "LF hip–foot distance", "RH hip–foot distance", "limits 0.18 m (outside) and 0.535 m",
                  "x [m]", "torque [N·m]", "7  limb extension limits", "(a) tilt", "(c) position, drift", "(b) from the side", "ground at −0.14 m",
                  "touchdown", "time per tick [µs]", "period 2500 µs", "calibrates itself on the spot (0 to 9.5 s)", "amber: the limb limits act",
@@ -189,7 +189,7 @@ def test_how_a_run_ended_stands_above_with_its_goal_and_what_went_wrong(log, tmp
     assert "✓ the criterion holds: fell" in page and "✗ goal not reached</div>" in page and "beyond x = 0.42 m" in page
     assert "not reached, as the criteria expect" in ended("ran to its end", equals=False, passed=True)
     missed = ended("ran to its end", equals=True, passed=False)
-    assert "✗ 1 of 1 criterion missed: goal reached</div>" in missed and "goal not reached" not in missed
+    assert "✗ 1 of 1 criterion missed: goal_reached</div>" in missed and "goal not reached" not in missed
     for reason in ("interrupted", "begun again"):
         cut_off = ended(reason)
         assert f'class="warning">The run was {reason} at 2 s' in cut_off and "(not judged)" in cut_off

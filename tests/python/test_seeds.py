@@ -84,10 +84,11 @@ def test_the_table_tells_why_runs_failed_and_what_the_metrics_come_to_also_one_t
         "safety_stop   0 of 2 (95 %: 0 … 66 %)",
         "crashed       1 of 2 (95 %: 9 … 91 %)",
         "",
-        "                  median    worst     paper",
-        "com_error_max_m   0.6 mm    0.6 mm    ≤ 3.4 mm",
-        "speed_mps         0.2 m/s   0.2 m/s",
-        "tick_us.p99       –         –",
+        "                  median    worst         paper",
+        "com_error_max_m   0.6 mm    0.6 mm    ↓   ≤ 3.4 mm",
+        "speed_mps         0.2 m/s   0.2 m/s   ↑",
+        "tick_us.p99       –         –         ↓",
+        "↓ smaller is better, ↑ larger; `surefoot list metrics` says what each is",
     ]
     assert asked_of(rows[0], "speed_mps") == "≥ 0.1 m/s, ≤ 0.3 m/s ✓" and asked_of(rows[0], "distance_m") == ""
     assert seeds_line(about, seeds_json(about, rows)) == "succeeded 0 of 2 (95 %: 0 … 66 %), fell 1"
@@ -95,7 +96,8 @@ def test_the_table_tells_why_runs_failed_and_what_the_metrics_come_to_also_one_t
 
 PRETTY = [("com_error_max_m", 0.00012, "0.12 mm"), ("distance_m", 1.85, "1.85 m"), ("torque_max_nm", 40, "40 N·m"), ("speed_mps", 0.08, "0.08 m/s"),
           ("duration_s", 24, "24 s"), ("steps_taken", 30, "30"), ("fell", False, "no"), ("com_error_max_m", None, "–"), ("reason", "fell", "fell"),
-          ("com_lateral_sway_m", 0.139, "139 mm"), ("com_lateral_sway_m", 0.0317, "31.7 mm"), ("distance_m", 0.0317, "0.0317 m")]  # fmt: skip
+          ("com_lateral_sway_m", 0.139, "139 mm"), ("com_lateral_sway_m", 0.0317, "31.7 mm"), ("distance_m", 0.0317, "0.0317 m"), ("max_tilt_rad", 0.1, "5.73°"),
+          ("tick_us", {"median": 40.0, "p99": 60.0, "max": 90.0}, "median 40 µs, 99 % 60 µs, max 90 µs")]  # fmt: skip
 
 
 @pytest.mark.parametrize("metric, value, text", PRETTY)
@@ -121,6 +123,14 @@ def test_a_run_that_crashes_is_a_row_and_the_others_go_on():
     assert [run["seed"] for run in found["runs"]] == [1, 2, 3]
     assert found["runs"][1] == {"seed": 2, "succeeded": False, "crashed": True, "reason": "killed by SIGSEGV"}
     assert done.returncode == 1 and "seed 2: did not succeed, killed by SIGSEGV" in done.stderr.splitlines()
+
+
+def test_runs_that_were_not_judged_are_in_no_rate_and_leave_the_verdict_open():
+    rows = [row(), row(succeeded=None), row(succeeded=None)]
+    found = seeds_json(ABOUT, rows)
+    assert (found["rates"]["succeeded"]["successes"], found["rates"]["succeeded"]["trials"]) == (1, 1)
+    assert "seed" not in seeds_table(ABOUT, found)
+    assert not enough_succeeded(ABOUT, rows) and enough_succeeded(ABOUT, rows, also=None) and not enough_succeeded(ABOUT, [*rows, row(False)], also=None)
 
 
 def test_notes_of_the_scenario_are_told_once_and_complaints_of_a_run_each_time():

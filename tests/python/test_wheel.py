@@ -77,7 +77,7 @@ def surefoot(site, tmp_path_factory):
 
 @pytest.fixture(scope="module")
 def log(surefoot):
-    surefoot("run", "walk_flat_ideal", "--set", "duration=2", "--record", "run.mcap", status=1)  # too short for its criteria
+    surefoot("run", "walk_flat_ideal", "--set", "duration=2", "--record", "run.mcap", status=4)  # too short for its criteria
     return "run.mcap"
 
 
@@ -118,7 +118,7 @@ def test_programs_of_the_log_work(surefoot, log):
 
 
 def test_many_runs_work(surefoot):
-    surefoot("run", "walk_flat_ideal", "--seeds", 2, "--jobs", 2, "--set", "duration=0.2", status=1)
+    surefoot("run", "walk_flat_ideal", "--seeds", 2, "--jobs", 2, "--set", "duration=0.2", status=4)
     (surefoot.folder / "short.yaml").write_text("scenario: walk_flat_ideal\nseeds: [1]\nset: {duration: 0.2}\n")
     surefoot("campaign", "short.yaml", "--no-plots")
     assert (surefoot.folder / "results/short/rows.jsonl").exists()

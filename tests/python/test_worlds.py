@@ -1,0 +1,84 @@
+"""The controller's world and the simulator's: they don't mix, and what aligns them is there."""
+
+import json
+
+import numpy as np
+import pytest
+import surefoot
+from conftest import record
+from damaged_logs import of_version, rewritten
+from log_file import attachment
+from surefoot_log.worlds import WorldError
+
+ELSEWHERE = ["initial.x=3", "initial.yaw=2"]  # where the robot begins in S; in W it begins at the origin
+SET = [word for assignment in ELSEWHERE for word in ("--set", assignment)]
+
+
+@pytest.fixture(scope="module")
+def file(tmp_path_factory):
+    return record(tmp_path_factory.mktemp("worlds") / "run.mcap", "--set", "planner.calibration.duration=0", *SET, scenario="walk_flat", duration=3)
+
+
+@pytest.fixture(scope="module")
+def run(file):
+    return surefoot.read(file)
+
+
+def test_numbers_of_both_worlds_do_not_mix(run):
+    for expression in (lambda: run["truth.p_SCom"][:, :2] - run["plan.com.p"], lambda: run["state.p_WB.x"] + run["truth.p_SB.x"],
+                       lambda: np.hypot(run["truth.p_SB.x"], run["state.p_WB.x"]), lambda: np.subtract(run["state.p_WB"], run["truth.p_SB"])):  # fmt: skip
+        with pytest.raises(WorldError, match="in W, the controller's world, the other in S.*aligned_error"):
+            expression()
+    here = run["state.p_WB"]
+    here -= here[0]
+    assert here.world == "W" and (2 * run["model.p_WCom"] - run["state.p_WB"]).world == "W"
+    assert np.asarray(run["truth.p_SB"]).shape == run["truth.p_SB"].shape and not hasattr(run["command.torque.LF_KFE"], "world")
+    assert np.asarray(here).mean() == here.mean()
+
+
+def test_the_aligned_error_of_the_plan_is_that_of_the_metric(run, file):
+    metrics = json.loads(attachment(file, "summary.json"))["metrics"]
+    error = np.linalg.norm(run.aligned_error("com"), axis=1)
+    assert error.max() == pytest.approx(metrics["com_error_max_m"], rel=1e-9)
+    assert np.sqrt(np.mean(error**2)) == pytest.approx(metrics["com_error_rms_m"], rel=1e-9)
+    assert np.abs(np.asarray(run["truth.p_SCom"])[:, :2] - np.asarray(run["plan.com.p"])).max() > 2, "unaligned they are metres apart"
+    assert np.linalg.norm(run.aligned_error("base"), axis=1)[-1] == pytest.approx(metrics["position_drift_m"], rel=1e-9)
+    assert abs(run.aligned_error("heading")[-1]) == pytest.approx(metrics["heading_drift_rad"], rel=1e-9)
+    with pytest.raises(KeyError, match="there is no aligned error con; did you mean"):
+        run.aligned_error("con")
+
+
+def test_the_transform_takes_the_truth_to_where_the_plan_is(run):
+    error = run.in_W("truth.p_SCom")[:, :2] - run["plan.com.p"]
+    np.testing.assert_allclose(np.asarray(error), run.aligned_error("com"), atol=1e-12)
+    X, p = run.X_WS("start"), np.asarray(run["truth.p_SB"])
+    there = np.einsum("nij,nj->ni", X[:, :3, :3], p) + X[:, :3, 3]
+    np.testing.assert_allclose(np.asarray(run["state.p_WB"]) - there, run.aligned_error("base"), atol=1e-9)
+    np.testing.assert_allclose(np.linalg.norm(run.in_W("truth.v_SCom"), axis=1), np.linalg.norm(np.asarray(run["truth.v_SCom"]), axis=1))
+    for wrong in ("state.p_WB", "truth.p_SB.x", "truth.torque"):
+        with pytest.raises(KeyError, match="is no vector in S"):
+            run.in_W(wrong)
+
+
+def test_a_loop_of_ones_own_has_the_numbers_of_the_log(run):
+    scenario = surefoot.load_scenario("walk_flat", set=["planner.calibration.duration=0", *ELSEWHERE])
+    plant, aligner = surefoot.Plant(scenario), surefoot.Aligner()
+    controller = surefoot.Controller(scenario, plant)
+    for tick in range(300):
+        command = controller.step(plant.read(), scenario.user(plant.time))
+        found = aligner.update(plant, controller)
+        assert np.array_equal(found.com_error, run.aligned_error("com")[tick], equal_nan=True)
+        plant.write(command)
+    assert np.array_equal(found.feet.p_WS, np.asarray(run["alignment.feet.p_WS"])[tick])
+
+
+def test_a_log_without_the_alignment_says_so(file, tmp_path):
+    old = rewritten(file, tmp_path / "old.mcap", lambda channel, _, data: None if channel.topic == "/alignment" else data)
+    with pytest.raises(KeyError, match="has no /alignment: .* logs have it from 3.0 on; record the run anew"):
+        surefoot.read(old).aligned_error("com")
+
+
+def test_an_old_log_in_which_both_worlds_were_called_W_keeps_them_apart_too(file, tmp_path):
+    old = surefoot.read(of_version(file, tmp_path, "2.13"))
+    with pytest.raises(WorldError):
+        old["truth.p_SB"] - old["state.p_WB"]
