@@ -61,16 +61,19 @@ inline void bind_signals(nb::module_& module) {
       .def(
           "__init__",
           [](UserCommand* self, bool walk, const std::vector<double>& velocity, double yaw_rate,
-             double height, bool calibrate, const ReachCommand& reach) {
+             double height, bool calibrate, const ReachCommand& reach,
+             const std::vector<double>& shift) {
             UserCommand command{walk, Vec2::Zero(), yaw_rate, height, calibrate, reach};
             assign(command.velocity, velocity, "velocity", true);
+            assign(command.shift, shift, "shift", true);
             check_finite(yaw_rate, "yaw_rate");
             check_finite(height, "height");
             new (self) UserCommand(command);
           },
           nb::arg("walk") = false, nb::arg("velocity") = std::vector<double>(2),
           nb::arg("yaw_rate") = 0.0, nb::arg("height") = 0.0, nb::arg("calibrate") = false,
-          nb::arg("reach").sig("ReachCommand()") = ReachCommand());
+          nb::arg("reach").sig("ReachCommand()") = ReachCommand(),
+          nb::arg("shift") = std::vector<double>(2));
 
   signal<JointCommand>(module, "JointCommand", "Torques for the actuators at one tick.")
       .def(

@@ -9,7 +9,7 @@ from surefoot_log.log_file import event_text, stop_reason
 from surefoot_log.worlds import rotated
 
 LEGS = ("LF", "RF", "LH", "RH")
-ALL_LEGS = ("LF", "RF", "LM", "RM", "LH", "RH")  # of a robot with six
+ALL_LEGS = ("LF", "RF", "LM", "RM", "LH", "RH", "L", "R")  # of robots with six and with two
 CARRIES = ("stance", "unloading")
 BETWEEN = "; "  # of two events at one tick
 TOPICS = {"/truth", "/alignment", "/plan", "/state", "/hierarchy", "/command"}

@@ -113,11 +113,14 @@ class ClosedLoop {
   }
 
   evaluation::EvaluatorOptions evaluator_options() const {
-    return {.control_period = scenario_.controller.period,
-            .mass = model_.mass(),
-            .scale = scenario_.robot.scale,
-            .terrain_height = [this](double x, double y) { return plant_.terrain_height(x, y); },
-            .hip_in_base = [this](Leg leg, const Vec3& q) { return model_.hip_in_base(leg, q); }};
+    evaluation::EvaluatorOptions options{
+        .control_period = scenario_.controller.period,
+        .mass = model_.mass(),
+        .scale = scenario_.robot.scale,
+        .terrain_height = [this](double x, double y) { return plant_.terrain_height(x, y); },
+        .hip_in_base = [this](Leg leg, const Vec3& q) { return model_.hip_in_base(leg, q); }};
+    if (!scenario_.robot.can_walk()) options.hip_in_base = nullptr;
+    return options;
   }
 
   void begin_steering(RunSteering& steering) {

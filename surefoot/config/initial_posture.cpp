@@ -39,6 +39,7 @@ bool can_bend(const model::RobotDescription& robot, Leg leg, double knee) {
 
 gaits::KneeConfiguration knees_that_fit(const model::RobotDescription& robot,
                                         gaits::KneeConfiguration wanted) {
+  if (!robot.can_walk()) return wanted;
   const auto fit = [&](gaits::KneeConfiguration knees) {
     return std::ranges::all_of(robot.legs.legs(), [&](Leg leg) {
       return can_bend(robot, leg, knee_side(robot, leg, knees).z());
@@ -97,6 +98,7 @@ std::string other_knees(const model::RobotModel& model, gaits::StanceOptions sta
 }  // namespace
 
 JointVector stance_posture(const model::RobotModel& model, const gaits::StanceOptions& stance) {
+  if (!model.description().can_walk()) return model.description().q_nominal;
   const JointVector q = posture_of(model, stance);
   const model::RobotDescription& robot = model.description();
   const Eigen::Index i = outside_limits(robot, q);

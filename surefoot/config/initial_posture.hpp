@@ -31,7 +31,7 @@ inline constexpr double kSideBend = 0.5;
 
 /// Joint angles of the nominal stance: level torso, feet at ±half_length and ±half_width, the base
 /// `height` above the centres of the foot spheres. Throws Error if a leg can't reach, or only with
-/// a joint outside the robot's limits.
+/// a joint outside the robot's limits. The nominal posture of a robot that only stands.
 [[nodiscard]] JointVector stance_posture(const model::RobotModel& model,
                                          const gaits::StanceOptions& stance);
 

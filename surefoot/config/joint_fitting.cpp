@@ -73,6 +73,7 @@ void fit_leg(ConfigNode& scenario, const model::RobotDescription& robot, Leg leg
 }  // namespace
 
 void fit_joints(ConfigNode& scenario, const model::RobotDescription& robot) {
+  if (!robot.can_walk()) return;
   if (ConfigNode* planner = scenario.find("planner")) {
     ConfigNode* stance = planner->find("stance");
     ConfigNode* knees = stance == nullptr ? nullptr : stance->find("knees");

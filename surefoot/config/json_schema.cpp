@@ -295,9 +295,12 @@ Json file_of(const std::string& kind) {
     std::string description;
     return map_of(gait_fields(planner, description), false);
   }
-  RobotInFile robot;
-  set_num_legs(robot, kMaxLegs);
-  if (kind == "robot") return map_of(fields(robot), true);
+  if (kind == "robot") {
+    RobotInFile walker, biped;
+    set_num_legs(walker, kMaxLegs);
+    set_num_legs(biped, 2);
+    return {{"anyOf", {map_of(fields(walker), true), map_of(fields(biped), true)}}};
+  }
   Scenario scenario;
   return map_of(scenario_fields(scenario, kMaxLegs), false);
 }

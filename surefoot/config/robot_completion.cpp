@@ -25,17 +25,28 @@ const model::ArmDescription* arm_of(const model::RobotDescription& robot, Eigen:
   return nullptr;
 }
 
+/// Of one of its joints.
+Leg leg_of(const model::RobotDescription& robot, Eigen::Index joint) {
+  for (const Leg leg : robot.legs.legs()) {
+    const auto [first, count] = robot.leg_joints(leg);
+    if (joint < first + count) return leg;
+  }
+  return Leg{0};
+}
+
 /// As in messages: "leg LF", "arm \"kinova\"".
 std::string limb_of(const model::RobotDescription& robot, Eigen::Index joint) {
   const model::ArmDescription* arm = arm_of(robot, joint);
   if (arm != nullptr) return "arm \"" + arm->name + "\"";
-  return "leg " + std::string(leg_name(static_cast<Leg>(joint / kJointsPerLeg), robot.num_legs()));
+  return "leg " + std::string(leg_name(leg_of(robot, joint), robot.num_legs()));
 }
 
 /// Key of a joint's limits.
 std::string key_of(const model::RobotDescription& robot, Eigen::Index joint) {
   const model::ArmDescription* arm = arm_of(robot, joint);
-  return arm == nullptr ? "limits" : "arms." + arm->name;
+  if (arm != nullptr) return "arms." + arm->name;
+  if (robot.can_walk()) return "limits";
+  return "legs." + std::string(leg_name(leg_of(robot, joint), robot.num_legs()));
 }
 
 /// Is a leg's posture within the limits? `bad` gets the index of the first joint that is not.
@@ -107,21 +118,26 @@ void choose_posture(const Section& top, const model::RobotModel& model,
            "0.8 to 2 rad under the hips");
 }
 
+/// Joints that a file gives by HAA, HFE and KFE; those behind them have lists.
+int num_walking_joints(const model::RobotDescription& robot) {
+  return robot.can_walk() ? robot.num_leg_joints() : 0;
+}
+
 /// A limit of each joint: from the file, of its leg or of all, else from the URDF.
 class JointNumbers {
  public:
   JointNumbers(const Section& top, const model::Urdf& urdf, const RobotInFile& given)
       : top_(top), urdf_(urdf), given_(given) {}
 
-  /// `arms`: of their joints, one after the other.
+  /// `lists`: of the joints of arms, and of a biped's legs, one after the other.
   [[nodiscard]] JointVector of(const char* key, LegJoints LimitsInFile::* limit,
                                double model::UrdfJoint::* described, bool is_positive,
-                               const std::vector<double>& arms = {}) const {
+                               const std::vector<double>& lists) const {
     JointVector numbers(given_.robot.num_joints());
     const std::vector<std::string> names = given_.robot.joint_names();
     for (Eigen::Index joint = 0; joint < numbers.size(); ++joint) {
       numbers[joint] =
-          joint < given_.robot.num_leg_joints() ? of_leg(joint, limit) : of_arm(joint, arms);
+          joint < num_walking_joints(given_.robot) ? of_leg(joint, limit) : of_list(joint, lists);
       if (!std::isnan(numbers[joint])) continue;
       const model::UrdfJoint& from = *std::ranges::find(
           urdf_.joints, names[static_cast<std::size_t>(joint)], &model::UrdfJoint::name);
@@ -143,9 +159,9 @@ class JointNumbers {
     const double own = (given_.legs[leg].limits.*limit)[i];
     return std::isnan(own) ? (given_.limits.*limit)[i] : own;
   }
-  [[nodiscard]] double of_arm(Eigen::Index joint, const std::vector<double>& arms) const {
-    const auto i = static_cast<std::size_t>(joint - given_.robot.num_leg_joints());
-    return i < arms.size() ? arms[i] : kNaN;
+  [[nodiscard]] double of_list(Eigen::Index joint, const std::vector<double>& lists) const {
+    const auto i = static_cast<std::size_t>(joint - num_walking_joints(given_.robot));
+    return i < lists.size() ? lists[i] : kNaN;
   }
 
   const Section& top_;
@@ -153,16 +169,54 @@ class JointNumbers {
   const RobotInFile& given_;
 };
 
-/// Numbers of all joints of arms; NaN: not given.
-std::vector<double> of_arms(const RobotInFile& given, const model::RobotDescription& robot,
-                            std::vector<double> ArmInFile::* numbers) {
+/// Numbers of all joints with lists; NaN: not given.
+std::vector<double> listed(const RobotInFile& given, const model::RobotDescription& robot,
+                           std::vector<double> JointLists::* numbers) {
   std::vector<double> all;
-  for (std::size_t i = 0; i < robot.arms.size(); ++i) {
-    std::vector<double> of_arm = given.arms[i].*numbers;
-    of_arm.resize(robot.arms[i].joints.size(), kNaN);
-    all.insert(all.end(), of_arm.begin(), of_arm.end());
-  }
+  const auto add = [&](std::vector<double> of_limb, std::size_t num_joints) {
+    of_limb.resize(num_joints, kNaN);
+    all.insert(all.end(), of_limb.begin(), of_limb.end());
+  };
+  for (std::size_t i = 0; !robot.can_walk() && i < robot.legs.size(); ++i)
+    add(given.legs[i].lists.*numbers, robot.legs[i].joints.size());
+  for (std::size_t i = 0; i < robot.arms.size(); ++i)
+    add(given.arms[i].lists.*numbers, robot.arms[i].joints.size());
   return all;
+}
+
+/// A list is empty, or has a number for each joint of its limb.
+void check_lists(const Section& top, const std::string& key, const JointLists& given,
+                 std::size_t num_joints, const char* limb) {
+  for (const auto& [what, numbers] : {std::pair{".posture", &given.posture},
+                                      {".torque", &given.torque},
+                                      {".velocity", &given.velocity},
+                                      {".position_min", &given.position_min},
+                                      {".position_max", &given.position_max}}) {
+    const bool is_limit = numbers == &given.torque || numbers == &given.velocity;
+    if (is_limit && std::ranges::any_of(*numbers, [](double limit) { return limit <= 0.0; }))
+      top.fail(key + what, "must have numbers above 0 only");
+    if (numbers->empty() || numbers->size() == num_joints) continue;
+    top.fail(key + what, "has " + std::to_string(numbers->size()) + " numbers, but the " + limb +
+                             " has " + std::to_string(num_joints) + " joints");
+  }
+}
+
+/// Joints between the base and a foot.
+std::vector<const model::UrdfJoint*> chain_to(const model::Urdf& urdf, const std::string& base,
+                                              const std::string& foot) {
+  std::vector<const model::UrdfJoint*> chain;
+  for (std::string link = foot; link != base && link != urdf.root;) {
+    const auto joint = std::ranges::find(urdf.joints, link, &model::UrdfJoint::child);
+    if (joint->type != "fixed") chain.insert(chain.begin(), &*joint);
+    link = joint->parent;
+  }
+  return chain;
+}
+
+/// The link behind a joint; empty: there is no such joint.
+std::string moved_by(const model::Urdf& urdf, const std::string& name) {
+  const auto joint = std::ranges::find(urdf.joints, name, &model::UrdfJoint::name);
+  return joint == urdf.joints.end() ? std::string() : joint->child;
 }
 
 JointVector or_else(const LegJoints& given, const JointVector& others, int num_leg_joints) {
@@ -206,29 +260,41 @@ std::vector<std::string> free_chain(const Section& top, const model::Urdf& urdf,
 
 void complete_leg(const Section& top, const model::Urdf& urdf, const std::string& base,
                   const std::string& key, model::LegDescription& leg) {
-  std::vector<const model::UrdfJoint*> chain;
-  for (std::string link = leg.foot_frame; link != base && link != urdf.root;) {
-    const auto joint = std::ranges::find(urdf.joints, link, &model::UrdfJoint::child);
-    if (joint->type != "fixed") chain.insert(chain.begin(), &*joint);
-    link = joint->parent;
-  }
+  const std::vector<const model::UrdfJoint*> chain = chain_to(urdf, base, leg.foot_frame);
   if (leg.joints.front().empty()) {
     std::string names;
     for (const model::UrdfJoint* joint : chain) names += " " + joint->name;
     if (chain.size() != leg.joints.size()) {
       top.fail(key, "between the base and \"" + leg.foot_frame + "\" there are " +
-                        std::to_string(chain.size()) + " joints that move:" +
-                        (names.empty() ? " none" : names) + "; a leg has three, HAA, HFE and KFE");
+                        std::to_string(chain.size()) +
+                        " joints that move:" + (names.empty() ? " none" : names) +
+                        "; a leg has three, HAA, HFE and KFE, and the legs "
+                        "of a robot with two and flat feet any number");
     }
     for (std::size_t i = 0; i < chain.size(); ++i) leg.joints[i] = chain[i]->name;
   }
-  const auto moved_by = [&](const std::string& name) {
-    const auto joint = std::ranges::find(urdf.joints, name, &model::UrdfJoint::name);
-    return joint == urdf.joints.end() ? std::string() : joint->child;
-  };
-  if (leg.thigh_link.empty()) leg.thigh_link = moved_by(leg.joints[1]);
+  if (leg.thigh_link.empty()) leg.thigh_link = moved_by(urdf, leg.joints[1]);
   if (leg.hip_frame.empty()) leg.hip_frame = leg.thigh_link;
-  if (leg.shank_link.empty()) leg.shank_link = moved_by(leg.joints[2]);
+  if (leg.shank_link.empty()) leg.shank_link = moved_by(urdf, leg.joints[2]);
+}
+
+void complete_standing_leg(const Section& top, const model::Urdf& urdf, const std::string& base,
+                           const std::string& key, const LegInFile& given,
+                           model::LegDescription& leg) {
+  if (given.joints.empty()) {
+    leg.joints.clear();
+    for (const model::UrdfJoint* joint : chain_to(urdf, base, leg.foot_frame))
+      leg.joints.push_back(joint->name);
+  }
+  if (leg.joints.empty())
+    top.fail(key + ".foot", "no joint moves between the base and \"" + leg.foot_frame + "\"");
+  if (leg.joints.size() > kMaxLegJoints)
+    top.fail(key, "the leg has " + std::to_string(leg.joints.size()) +
+                      " joints; valid are at most " + std::to_string(kMaxLegJoints));
+  if (leg.hip_frame.empty()) leg.hip_frame = moved_by(urdf, leg.joints.front());
+  if (leg.hip_frame.empty()) leg.hip_frame = base;  // the joint's name is found to be wrong later
+  leg.thigh_link.clear();
+  check_lists(top, key, given.lists, leg.joints.size(), "leg");
 }
 
 void complete_arm(const Section& top, const model::Urdf& urdf, const ArmInFile& given,
@@ -238,18 +304,7 @@ void complete_arm(const Section& top, const model::Urdf& urdf, const ArmInFile& 
   if (std::ranges::find(robot.arms, arm.name, &model::ArmDescription::name) != robot.arms.end())
     top.fail("arms", "two arms have the name \"" + arm.name + "\"");
   if (arm.joints.empty()) arm.joints = free_chain(top, urdf, arm, robot);
-  for (const auto& [what, numbers] : {std::pair{".posture", &given.posture},
-                                      {".torque", &given.torque},
-                                      {".velocity", &given.velocity},
-                                      {".position_min", &given.position_min},
-                                      {".position_max", &given.position_max}}) {
-    const bool is_limit = numbers == &given.torque || numbers == &given.velocity;
-    if (is_limit && std::ranges::any_of(*numbers, [](double limit) { return limit <= 0.0; }))
-      top.fail(key + what, "must have numbers above 0 only");
-    if (numbers->empty() || numbers->size() == arm.joints.size()) continue;
-    top.fail(key + what, "has " + std::to_string(numbers->size()) + " numbers, but the arm has " +
-                             std::to_string(arm.joints.size()) + " joints");
-  }
+  check_lists(top, key, given.lists, arm.joints.size(), "arm");
   robot.arms.push_back(std::move(arm));
   if (robot.num_joints() > kMaxJoints)
     top.fail(key, "with it the robot has " + std::to_string(robot.num_joints()) +
@@ -262,13 +317,13 @@ void complete_limits(const Section& top, const model::Urdf& urdf, const RobotInF
   using model::UrdfJoint;
   using Limits = LimitsInFile;
   robot.torque_limit = numbers.of("torque", &Limits::torque, &UrdfJoint::effort, true,
-                                  of_arms(given, robot, &ArmInFile::torque));
+                                  listed(given, robot, &JointLists::torque));
   robot.velocity_limit = numbers.of("velocity", &Limits::velocity, &UrdfJoint::velocity, true,
-                                    of_arms(given, robot, &ArmInFile::velocity));
+                                    listed(given, robot, &JointLists::velocity));
   robot.q_min = numbers.of("position_min", &Limits::position_min, &UrdfJoint::lower, false,
-                           of_arms(given, robot, &ArmInFile::position_min));
+                           listed(given, robot, &JointLists::position_min));
   robot.q_max = numbers.of("position_max", &Limits::position_max, &UrdfJoint::upper, false,
-                           of_arms(given, robot, &ArmInFile::position_max));
+                           listed(given, robot, &JointLists::position_max));
   for (Eigen::Index i = 0; i < robot.num_joints(); ++i) {
     if (robot.q_min[i] < robot.q_max[i]) continue;
     top.fail(key_of(robot, i) + ".position_max",
@@ -277,12 +332,13 @@ void complete_limits(const Section& top, const model::Urdf& urdf, const RobotInF
                        robot.joint_names()[static_cast<std::size_t>(i)].c_str(), robot.q_min[i],
                        robot.q_max[i]));
   }
-  robot.stall_torque = or_else(given.stall_torque, robot.torque_limit, robot.num_leg_joints());
-  robot.no_load_speed = or_else(given.no_load_speed, robot.velocity_limit, robot.num_leg_joints());
-  const std::vector<double> posture = of_arms(given, robot, &ArmInFile::posture);
+  const int first = num_walking_joints(robot);
+  robot.stall_torque = or_else(given.stall_torque, robot.torque_limit, first);
+  robot.no_load_speed = or_else(given.no_load_speed, robot.velocity_limit, first);
+  const std::vector<double> posture = listed(given, robot, &JointLists::posture);
   robot.q_nominal = JointVector::Zero(robot.num_joints());
-  for (Eigen::Index i = robot.num_leg_joints(); i < robot.num_joints(); ++i) {
-    const double wanted = posture[static_cast<std::size_t>(i - robot.num_leg_joints())];
+  for (Eigen::Index i = first; i < robot.num_joints(); ++i) {
+    const double wanted = posture[static_cast<std::size_t>(i - first)];
     const double q = std::clamp(std::isnan(wanted) ? 0.0 : wanted, robot.q_min[i], robot.q_max[i]);
     robot.q_nominal[i] = q;
     if (std::isnan(wanted) || wanted == q) continue;

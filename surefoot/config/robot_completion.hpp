@@ -15,6 +15,11 @@ namespace surefoot::config {
 void complete_leg(const Section& top, const model::Urdf& urdf, const std::string& base,
                   const std::string& key, model::LegDescription& leg);
 
+/// Joints of one of two legs, any number of them.
+void complete_standing_leg(const Section& top, const model::Urdf& urdf, const std::string& base,
+                           const std::string& key, const LegInFile& given,
+                           model::LegDescription& leg);
+
 /// Joints of an arm: those between its tip and the base, or a joint of an arm before it.
 void complete_arm(const Section& top, const model::Urdf& urdf, const ArmInFile& given,
                   model::RobotDescription& robot);

@@ -83,31 +83,62 @@ Group leg_fields(model::LegDescription& leg, LegInFile& o) {
       {"posture", posture(o.nominal, "of this leg; without it as of all legs"), "of this leg"}};
 }
 
-Group all_legs(RobotInFile& o) {
-  Group legs;
-  for (const Leg leg : o.legs.legs()) {
-    const std::string name(leg_name(leg, o.robot.num_legs()));
-    Field field{name, leg_fields(o.robot.legs[index(leg)], o.legs[index(leg)]), ""};
-    field.is_required = !name.ends_with("M");
-    legs.fields.push_back(std::move(field));
-  }
-  return legs;
-}
-
-}  // namespace
-
-Group fields(ArmInFile& o) {
+Group lists(JointLists& o) {
   return {
-      text("name", o.names.name, "of the arm; tasks know its tip by it"),
-      text("tip", o.names.tip_frame, "frame at its end, for frame_position and frame_orientation"),
-      {"joints", Names{&o.names.joints, 0, "is not a list of joints, from the base to the tip"},
-       "without it those between the base, or an arm before it, and the tip"},
       {"posture", &o.posture, kAnyNumber, "rad",
        "of each joint; without it 0, or the nearest angle that its limits allow"},
       {"torque", &o.torque, kPositive, "N·m", "limit of each joint; without it the URDF's"},
       {"velocity", &o.velocity, kPositive, "rad/s", "limit of each joint; without it the URDF's"},
       {"position_min", &o.position_min, kAnyNumber, "rad", "of each joint; without it the URDF's"},
       {"position_max", &o.position_max, kAnyNumber, "rad", "of each joint; without it the URDF's"}};
+}
+
+/// Of one of two legs.
+Group standing_leg_fields(model::LegDescription& leg, LegInFile& o) {
+  return Group{{"joints", Names{&o.joints, 0, "is not a list of joints, from the base to the foot"},
+                "without it those between base and foot"},
+               {"hip", &leg.hip_frame, "frame; without it the link that the first joint moves"},
+               text("foot", leg.foot_frame, "frame of the sole: x forward, z up")}
+      .and_also(lists(o.lists));
+}
+
+Group all_legs(RobotInFile& o) {
+  Group legs;
+  for (const Leg leg : o.legs.legs()) {
+    const std::string name(leg_name(leg, o.robot.num_legs()));
+    model::LegDescription& names = o.robot.legs[index(leg)];
+    LegInFile& given = o.legs[index(leg)];
+    Field field{name,
+                o.robot.can_walk() ? leg_fields(names, given) : standing_leg_fields(names, given),
+                ""};
+    field.is_required = !name.ends_with("M");
+    legs.fields.push_back(std::move(field));
+  }
+  return legs;
+}
+
+/// Spheres of a walker, soles of a robot that only stands.
+Group foot(model::RobotDescription& robot) {
+  const Field center{"center", Numbers{robot.foot_center.data(), simulation::axis_elements()},
+                     kAnyNumber, "m", "of the sphere or the sole in the foot frame"};
+  if (robot.can_walk())
+    return {Field{"radius", &robot.foot_radius, kPositive, "m", "of the sphere"}.required(),
+            center};
+  return {Field{"size", Numbers{robot.sole.data(), {"x", "y"}}, kPositive, "m",
+                "length and width of the sole"}
+              .required(),
+          center};
+}
+
+}  // namespace
+
+Group fields(ArmInFile& o) {
+  return Group{
+      text("name", o.names.name, "of the arm; tasks know its tip by it"),
+      text("tip", o.names.tip_frame, "frame at its end, for frame_position and frame_orientation"),
+      {"joints", Names{&o.names.joints, 0, "is not a list of joints, from the base to the tip"},
+       "without it those between the base, or an arm before it, and the tip"}}
+      .and_also(lists(o.lists));
 }
 
 void set_num_legs(RobotInFile& robot, int num_legs) {
@@ -117,18 +148,13 @@ void set_num_legs(RobotInFile& robot, int num_legs) {
 
 Group fields(RobotInFile& o) {
   model::RobotDescription& robot = o.robot;
-  return {
+  Group group{
       text("name", robot.name, "of the robot"),
       {"urdf", &robot.urdf_path, "package:// name, or a file as seen from here"},
       {"mjcf", &o.mjcf, "instead of urdf: likewise, of a robot described for MuJoCo"},
       {"base", &robot.base_link, "link; without it the root"},
       Field{"legs", all_legs(o), "names of the URDF"}.required(),
-      Field{"foot",
-            Group{Field{"radius", &robot.foot_radius, kPositive, "m", "of the sphere"}.required(),
-                  {"center", Numbers{robot.foot_center.data(), simulation::axis_elements()},
-                   kAnyNumber, "m", "of the sphere in the foot frame"}},
-            "sphere of each foot"}
-          .required(),
+      Field{"foot", foot(robot), "what each foot stands on"}.required(),
       {"limits", limits_of_all(o.limits),
        "of the joints; one number for all, or HAA, HFE and KFE of each leg"},
       {"drives", drives(o), "of the joints, as limits"},
@@ -147,6 +173,11 @@ Group fields(RobotInFile& o) {
               "of joint hold"},
              {"damping", &robot.damping_kd, kNotNegative, "N·m·s/rad", "of damping mode"}},
        "of the safety ladder"}};
+  if (!robot.can_walk())
+    std::erase_if(group.fields, [](const Field& field) {
+      return field.key == "limits" || field.key == "drives" || field.key == "posture";
+    });
+  return group;
 }
 
 }  // namespace surefoot::config

@@ -16,17 +16,23 @@ struct LimitsInFile {
   LegJoints torque, velocity, position_min, position_max;
 };
 
+/// A number for each joint of a limb, or none.
+struct JointLists {
+  std::vector<double> posture, torque, velocity, position_min, position_max;
+};
+
 /// What a robot file says of one leg alone; NaN: as of all legs.
 struct LegInFile {
   std::vector<std::string> joints;
   LimitsInFile limits;
   LegJoints nominal;
+  JointLists lists;  ///< instead of limits and nominal, of one of two legs
 };
 
-/// An arm as a file gives it: a number for each of its joints, or none.
+/// An arm as a file gives it.
 struct ArmInFile {
   model::ArmDescription names;  ///< without joints: those between base, or arm before it, and tip
-  std::vector<double> posture, torque, velocity, position_min, position_max;
+  JointLists lists;
 };
 
 /// All keys of an arm.
@@ -44,7 +50,7 @@ struct RobotInFile {
 
 void set_num_legs(RobotInFile& robot, int num_legs);
 
-/// All keys of a robot file; LM and RM are not required.
+/// All keys of a robot file, by its number of legs; LM and RM are not required.
 [[nodiscard]] Group fields(RobotInFile& o);
 
 }  // namespace surefoot::config

@@ -8,11 +8,13 @@
 #include "surefoot/config/field_reader.hpp"
 #include "surefoot/config/nearest_name.hpp"
 #include "surefoot/config/robot_completion.hpp"
+#include "surefoot/control/standing_torque.hpp"
 #include "surefoot/model/proportions.hpp"
 #include "surefoot/model/robot_model.hpp"
 #include "surefoot/model/urdf.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <iomanip>
 #include <map>
 #include <sstream>
@@ -59,6 +61,7 @@ class NameCheck {
   void leg(const std::string& key, const model::LegDescription& leg) {
     joints(key, leg.joints, "a leg");
     frame(key + ".hip", leg.hip_frame);
+    if (leg.thigh_link.empty()) return;  // of a robot that only stands
     frame(key + ".thigh", leg.thigh_link);
     frame(key + ".shank", leg.shank_link);
     frame(key + ".foot", leg.foot_frame);
@@ -118,18 +121,48 @@ int num_legs_of(const ConfigNode& tree) {
   if (legs == nullptr || legs->kind != ConfigNode::Kind::map) return kNumLegs;
   std::vector<std::string_view> given;
   for (const auto& member : legs->members) given.push_back(member.first);
-  for (const int num_legs : {kNumLegs, kMaxLegs}) {
+  for (const int num_legs : {2, kNumLegs, kMaxLegs}) {
     if (std::ranges::is_permutation(given, leg_names(num_legs))) return num_legs;
   }
   fail_at(*legs, "legs",
           "has " + (given.empty() ? "no keys" : listed(given)) + "; valid are " +
-              listed(leg_names(kNumLegs)) + ", or of six legs " + listed(leg_names(kMaxLegs)));
+              listed(leg_names(kNumLegs)) + ", of six legs " + listed(leg_names(kMaxLegs)) +
+              ", or of two with flat feet " + listed(leg_names(2)));
+}
+
+/// In the nominal posture, with a level torso, soles lie flat at one height, the left one to the
+/// left.
+void check_soles(const ConfigNode& legs, model::RobotModel& model) {
+  constexpr double kMaxLean = 0.02;  // [rad]
+  constexpr double kMaxStep = 0.01;  // [m]
+  const model::Dynamics& dynamics =
+      model.update(control::level_at_rest(model.description().q_nominal), Vec3::UnitZ());
+  for (const Leg leg : dynamics.contact.legs()) {
+    const Vec3& p_BF = dynamics.contact[index(leg)].p;
+    const std::string name(leg_name(leg, dynamics.num_legs()));
+    const auto fail = [&](const std::string& what) {
+      fail_at(*legs.find(name), "legs." + name, "in the nominal posture " + what);
+    };
+    if (is_left(leg) != (p_BF.y() > 0.0))
+      fail(formatted("its foot is at y = %.3g m from the base; L belongs to the left, y > 0",
+                     p_BF.y()));
+    const double lean = std::acos(std::clamp(dynamics.shank[index(leg)].R(2, 2), -1.0, 1.0));
+    if (lean > kMaxLean)
+      fail(formatted("its sole leans by %.3g rad; valid is up to %.3g, so that it stands flat",
+                     lean, kMaxLean));
+    if (std::abs(p_BF.z() - dynamics.contact[0].p.z()) > kMaxStep)
+      fail("its sole is not as high as that of L");
+  }
 }
 
 /// In the nominal posture each foot is in its own quadrant, or between those of its side's front
 /// and hind leg; else legs may be exchanged.
-void check_places(const ConfigNode& legs, const model::RobotModel& model) {
+void check_places(const ConfigNode& legs, model::RobotModel& model) {
   const model::RobotDescription& robot = model.description();
+  if (!robot.can_walk()) {
+    check_soles(legs, model);
+    return;
+  }
   PerLeg<Vec3> feet(robot.num_legs(), Vec3::Zero());
   for (const Leg leg : feet.legs())
     feet[index(leg)] = model.foot_in_base(leg, robot.q_nominal.segment<3>(first_joint(leg)));
@@ -165,8 +198,8 @@ void complete_robot(const Section& top, const char* key, const ConfigNode& legs,
       top.fail("legs", error.what());
     }
   };
-  complete_posture(top, given, model_of(), robot);
-  const model::RobotModel model = model_of();
+  if (robot.can_walk()) complete_posture(top, given, model_of(), robot);
+  model::RobotModel model = model_of();
   check_places(legs, model);
   robot.scale = model::scale_of(model::proportions_of(model));
   complete_gains(robot);
@@ -196,9 +229,14 @@ model::RobotDescription load_robot(const std::string& name_or_path,
   for (const Leg leg : robot.legs.legs()) {
     const std::string key = "legs." + std::string(leg_name(leg, robot.num_legs()));
     model::LegDescription& description = robot.legs[index(leg)];
-    std::ranges::copy(given.legs[index(leg)].joints, description.joints.begin());
+    if (const auto& joints = given.legs[index(leg)].joints; !joints.empty())
+      description.joints = joints;
     names.frame(key + ".foot", description.foot_frame);
-    complete_leg(top, urdf, robot.base_link, key, description);
+    if (robot.can_walk()) {
+      complete_leg(top, urdf, robot.base_link, key, description);
+    } else {
+      complete_standing_leg(top, urdf, robot.base_link, key, given.legs[index(leg)], description);
+    }
     names.leg(key, description);
   }
   for (const ArmInFile& arm : given.arms) {

@@ -270,7 +270,9 @@ Group fields(TimedCommand& o) {
           {"yaw_rate", &o.user.yaw_rate, kAnyNumber, "rad/s", "to the left"},
           {"height", &o.user.height, kHeight, "m", "over the stance's height"},
           {"calibrate", &o.user.calibrate, "stand, begin the estimate anew, calibrate, go on"},
-          {"reach", fields(o.user.reach), "the tip of an arm follows this"}};
+          {"reach", fields(o.user.reach), "the tip of an arm follows this"},
+          {"shift", Numbers{o.user.shift.data(), {"x", "y"}}, kAnyNumber, "m",
+           "of the centre of mass of flat feet, forward and to the left"}};
 }
 
 Group scenario_fields(Scenario& scenario, int num_legs) {

@@ -187,8 +187,9 @@ void read_paper(Section& section, std::vector<PaperFigure>& paper) {
   }
 }
 
+/// Of the options: what is of each leg means nothing to a robot that only stands.
 int num_legs_of(const model::RobotDescription* robot) {
-  return robot == nullptr ? kNumLegs : robot->num_legs();
+  return robot == nullptr || !robot->can_walk() ? kNumLegs : robot->num_legs();
 }
 
 /// `robot`: gives size and drives of the defaults; null: ANYmal B's.
@@ -321,6 +322,27 @@ JointVector read_posture(const ConfigNode& tree, const model::RobotModel& model,
   }
 }
 
+/// What a robot with flat feet can't do. Its legs have no names in a scenario, and its plan is for
+/// two.
+void fit_to_standing(const ConfigNode& tree, Scenario& scenario) {
+  if (scenario.robot.can_walk()) return;
+  const std::string only = scenario.robot.name + " has flat feet and only stands";
+  for (const TimedCommand& command : scenario.commands) {
+    if (command.user.walk)
+      fail_at(*tree.find("user"), "user",
+              formatted("at %g s, walk: %s; valid is false, with height and shift", command.time,
+                        only.c_str()));
+    if (command.user.calibrate)
+      fail_at(
+          *tree.find("user"), "user",
+          formatted("at %g s, calibrate: %s, and is not calibrated", command.time, only.c_str()));
+  }
+  if (scenario.plant.initial.is_given)
+    fail_at(*tree.find("initial")->find("joints"), "initial.joints",
+            only + "; it begins in the posture of its file");
+  gaits::set_num_legs(scenario.controller.planner, scenario.robot.num_legs());
+}
+
 /// Fills the joints that the scenario does not give with the stance.
 void complete_posture(const ConfigNode& tree, const model::RobotModel& model, Scenario& scenario) {
   simulation::InitialState& initial = scenario.plant.initial;
@@ -448,6 +470,7 @@ Scenario load_scenario(const ScenarioRequest& request) {
   scenario.plant.seed = request.seed;
   check_pushes(tree, scenario);
   check_arms(tree, scenario);
+  fit_to_standing(tree, scenario);
   scenario.notes = scenario_notes(tree, scenario);
   model::RobotModel model(scenario.robot);
   check_reach(tree, model, scenario.controller.stack);

@@ -44,6 +44,7 @@ double clamp_finite(double value, double limit) {
 UserCommand limited(const UserCommand& user) {
   UserCommand result = user;
   for (double& v : result.velocity) v = clamp_finite(v, UserCommand::kFastest);
+  for (double& d : result.shift) d = clamp_finite(d, UserCommand::kMostHeight);
   result.yaw_rate = clamp_finite(user.yaw_rate, UserCommand::kFastest);
   result.height = clamp_finite(user.height, UserCommand::kMostHeight);
   return result;
@@ -207,7 +208,9 @@ const estimation::ReadingGuard& Controller::Implementation::sense() noexcept {
                    !before.has_stopped;
   if (has_begun_anew) restart();
   if (memory.footing.restarts() && !before.has_stopped) restart_standing();
-  if (!memory.estimation.has_begun()) memory.footing.look_at_start(model, guard.repaired().q);
+  const bool can_lie = model.description().can_walk();
+  if (can_lie && !memory.estimation.has_begun())
+    memory.footing.look_at_start(model, guard.repaired().q);
   return guard;
 }
 
@@ -265,7 +268,9 @@ bool Controller::Implementation::estimate(const estimation::ReadingGuard& seen) 
   return is_known;
 }
 
+// One that can't get up is never told to: it falls, or damps.
 bool Controller::Implementation::is_on_its_feet() noexcept {
+  if (!model.description().can_walk()) return true;
   const bool stood = memory.footing.stands();
   const PlanEvent event = memory.footing.update(model, record.state, memory.estimation.lift());
   record.plan.events = {};
@@ -278,6 +283,10 @@ bool Controller::Implementation::is_on_its_feet() noexcept {
 const model::Dynamics& Controller::Implementation::calibrate(
     const estimation::ReadingGuard& seen) noexcept {
   const RobotState& state = record.state;
+  if (!model.description().can_walk()) {
+    ended(Stage::model);
+    return model.dynamics();
+  }
   memory.calibration.update(state, model.dynamics(), seen.repaired().gyro, memory.last,
                             planner->is_undisturbed(state));
   planner->tell_calibration_known(memory.calibration.is_known());

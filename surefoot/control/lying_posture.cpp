@@ -14,6 +14,7 @@ constexpr double kFoldedKnee = 2.4;
 JointVector lying_posture(const model::RobotModel& model, double height) {
   const model::RobotDescription& robot = model.description();
   JointVector result = robot.q_nominal;
+  if (!robot.can_walk()) return result;
   for (const Leg leg : robot.legs.legs()) {
     const Vec3 nominal = robot.q_nominal.segment<3>(first_joint(leg));
     const Vec3 hip = model.hip_in_base(leg, nominal);

@@ -86,10 +86,12 @@ Safety::Safety(const SafetyOptions& options, const model::RobotDescription& robo
     stiffness_[i] = std::min(1.0, torque_limit_[i] / strongest);
   }
   stands_now_ = stands_ = PerLeg<bool>(robot.num_legs(), true);
+  legs_.resize(robot.num_legs());
+  for (const Leg leg : legs_.legs()) legs_[index(leg)] = robot.leg_joints(leg);
 }
 
 void Safety::soften_arms(const JointVector& inertia) {
-  for (Eigen::Index i = kNumLegJoints; i < stiffness_.size(); ++i)
+  for (Eigen::Index i = num_leg_joints_; i < stiffness_.size(); ++i)
     stiffness_[i] = std::min(stiffness_[i], kFastestArm * inertia[i] / hold_kd_);
 }
 
@@ -213,7 +215,8 @@ bool Safety::can_sit(const RobotState& state) const {
   int lame_legs = 0;
   for (const Leg leg : stands_.legs()) {
     bool is_lame = false;
-    for (int i = first_joint(leg); i < first_joint(leg) + kJointsPerLeg; ++i) {
+    const auto [first, count] = legs_[index(leg)];
+    for (int i = first; i < first + count; ++i) {
       const bool lame = lame_[static_cast<std::size_t>(i)];
       is_lame = is_lame || lame;
       if (!lame && !(std::abs(state.q[i]) <= kMaxAngle)) return false;  // also if NaN
@@ -267,8 +270,9 @@ JointVector Safety::pull(const RobotState& state, const JointVector& q, const Jo
   JointVector kp = hold_kp_ * stiffness_, kd = hold_kd_ * stiffness_;
   for (const Leg leg : stands_.legs()) {
     const double soft = stands_[index(leg)] ? softness : 1.0;
-    kp.segment<3>(first_joint(leg)).setConstant(hold_kp_ * (1.0 - soft * (1.0 - kSoftSpring)));
-    kd.segment<3>(first_joint(leg)).setConstant(hold_kd_ * (1.0 - soft * (1.0 - kSoftDamping)));
+    const auto [first, count] = legs_[index(leg)];
+    kp.segment(first, count) *= 1.0 - soft * (1.0 - kSoftSpring);
+    kd.segment(first, count) *= 1.0 - soft * (1.0 - kSoftDamping);
   }
   // Separate terms: if q is unknown the damping still works, and vice versa.
   return spring * finite_or_zero(kp.cwiseProduct(q - state.q)) +

@@ -135,6 +135,7 @@ class Safety {
   JointVector stiffness_;  // of each joint, as a share of a leg's
   Scale scale_;            // of the robot
   int num_leg_joints_;
+  PerLeg<JointRange> legs_;
   double period_;
   int first_free_level_;
   JointVector lying_q_;

@@ -45,6 +45,7 @@ double StackReach::greatest(std::string_view task, std::string_view number) cons
 }
 
 StackReach reach_of(const model::RobotModel& model) {
+  if (!model.description().can_walk()) return {};
   StackReach reach{.leg = 0.0, .base = 0.0};
   for (const Leg leg : model.description().legs.legs()) {
     const double length = leg_length(model, leg);

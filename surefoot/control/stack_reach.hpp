@@ -33,6 +33,7 @@ struct StackReach {
   [[nodiscard]] double greatest(std::string_view task, std::string_view number) const;
 };
 
+/// Unlimited for a robot that only stands.
 [[nodiscard]] StackReach reach_of(const model::RobotModel& model);
 
 /// Throws BeyondReachError if a number, given or by default, exceeds the robot's reach; the message

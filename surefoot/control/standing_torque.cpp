@@ -25,6 +25,36 @@ PerLeg<double> bearing_forces(const model::Dynamics& dynamics) {
   return result;
 }
 
+/// The same of flat feet: forces at the corners of the soles, given as a force and a moment each.
+JointVector flat_footed_torque(const model::Dynamics& dynamics) {
+  constexpr int kMaxCorners = 4 * kMaxLegs;
+  const int num_joints = dynamics.num_joints();
+  Eigen::Matrix<double, 3, Eigen::Dynamic, Eigen::ColMajor, 3, kMaxCorners> balance(
+      3, 4 * dynamics.num_legs());
+  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, kMaxCorners, kMaxJoints>
+      rows(balance.cols(), num_joints);
+  Eigen::Index corner = 0;
+  for (const Leg leg : dynamics.contact.legs()) {
+    const model::PointKinematics& contact = dynamics.contact[index(leg)];
+    const model::RotationKinematics& foot = dynamics.shank[index(leg)];
+    for (const double x : {-1.0, 1.0}) {
+      for (const double y : {-1.0, 1.0}) {
+        const Vec3 lever = foot.R * Vec3(x * dynamics.sole.x(), y * dynamics.sole.y(), 0.0);
+        const Vec3 arm = contact.p + lever - dynamics.com.p;
+        balance.col(corner) << 1.0, arm.x(), arm.y();
+        const Vec3 moment = lever.cross(Vec3::UnitZ());
+        rows.row(corner++) =
+            contact.J.row(2).tail(num_joints) + moment.transpose() * foot.J.rightCols(num_joints);
+      }
+    }
+  }
+  const Vec3 weight(dynamics.mass * kGravity, 0.0, 0.0);
+  const Mat3 gram = balance * balance.transpose();
+  const Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, kMaxCorners, 1> forces =
+      (balance.transpose() * gram.ldlt().solve(weight)).cwiseMax(0.0);
+  return dynamics.h.tail(num_joints) - rows.transpose() * (weight.x() / forces.sum() * forces);
+}
+
 }  // namespace
 
 RobotState level_at_rest(const JointVector& q) {
@@ -40,6 +70,7 @@ RobotState level_at_rest(const JointVector& q) {
 
 JointVector standing_torque(model::RobotModel& model, const JointVector& q) noexcept {
   const model::Dynamics& dynamics = model.update(level_at_rest(q), Vec3::UnitZ());
+  if (dynamics.has_flat_feet()) return flat_footed_torque(dynamics);
   const PerLeg<double> force = dynamics.num_legs() == kNumLegs ? bearing_forces<kNumLegs>(dynamics)
                                                                : bearing_forces<kMaxLegs>(dynamics);
   JointVector torque = dynamics.h.tail(q.size());

@@ -85,7 +85,8 @@ bool StateEstimation::estimate_motion(const estimation::ReadingGuard& seen, cons
     return false;
   }
   if (!ask_estimator(seen, last, mode)) return false;
-  const bool is_at_rest = mode.stands && !mode.has_begun && !mode.has_stopped;
+  const bool is_at_rest =
+      model_->description().can_walk() && mode.stands && !mode.has_begun && !mode.has_stopped;
   const bool fits = !is_at_rest || fits_at_rest(seen, health);
   forget_lost_joints(seen, health);
   const bool plausible = is_plausible(state_) && !(std::abs(state_.time - time_) > kMaxGap);
@@ -150,6 +151,7 @@ void StateEstimation::estimate_forces(const estimation::ReadingGuard& seen,
                                       const RobotMode& mode, SensorHealth& health) noexcept {
   const PerLeg<bool> stands = last.plan.standing();
   contact_force_.update(dynamics, stands, last.terrain_normal_W, seen.repaired(), state_);
+  if (dynamics.has_flat_feet()) return;  // what follows knows only legs of three joints
   lift_.update(kGravity * dynamics.mass, state_.foot_force, seen.repaired().accelerometer);
   if (!mode.stands) return;
   slip_.update(dynamics, stands, last.terrain_normal_W, state_);

@@ -2,6 +2,7 @@
 
 #include "surefoot/base/fields.hpp"
 #include "surefoot/model/leg_jacobian.hpp"
+#include "surefoot/model/limb_dynamics.hpp"
 
 #include <Eigen/Cholesky>
 
@@ -85,6 +86,10 @@ void ContactForceEstimator::update(const model::Dynamics& dynamics, const PerLeg
                                    const Vec3& terrain_normal_W, const SensorReading& reading,
                                    RobotState& state) noexcept {
   update_base_acceleration(dynamics);
+  if (dynamics.has_flat_feet()) {
+    update_flat_feet(dynamics, stands, state);
+    return;
+  }
   const JointVector& torque = torques_.ago(-torque_lag_);
   // Torques say little of the light bodies of arms: these are expected to move on.
   JointVector free = JointVector::Zero(torque.size()), constrained = free;
@@ -113,6 +118,28 @@ void ContactForceEstimator::update(const model::Dynamics& dynamics, const PerLeg
     const double believed = foot_sensors_[k].force(reading.foot_force[k], by_joints);
     force += (believed - by_joints) * terrain_normal_W;
   }
+}
+
+/// As `update`, with six rows a foot and without tare and foot sensors.
+void ContactForceEstimator::update_flat_feet(const model::Dynamics& dynamics,
+                                             const PerLeg<bool>& stands, RobotState& state) {
+  const JointVector& torque = torques_.ago(-torque_lag_);
+  JointVector free = JointVector::Zero(torque.size()), constrained = free;
+  for (const Leg leg : stands.legs()) {
+    const model::LimbDynamics limb(dynamics, leg);
+    const auto [first, count] = dynamics.leg_joints[index(leg)];
+    free.segment(first, count) = limb.free_acceleration(torque, base_acceleration_);
+    constrained.segment(first, count) = stands[index(leg)]
+                                            ? limb.stance_acceleration(base_acceleration_)
+                                            : limb.free_acceleration(torque, base_acceleration_);
+  }
+  force_observer_.expect(free);
+  velocity_observer_.expect(constrained);
+  if (begins_) force_observer_.balance();
+  begins_ = false;
+  for (const Leg leg : stands.legs())
+    state.foot_force[index(leg)] =
+        model::LimbDynamics(dynamics, leg).wrench(force_observer_.disturbance()).head<3>();
 }
 
 void ContactForceEstimator::update_base_acceleration(const model::Dynamics& dynamics) {

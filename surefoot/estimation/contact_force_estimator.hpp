@@ -40,7 +40,8 @@ struct JointDelays {
 /// It takes the same a for swing legs; for stance legs the a that keeps the foot in place,
 /// J_k a + J_kb u̇_b + J̇ u = 0, as the ground takes up the torques. u̇_b is the base's acceleration,
 /// the low-passed difference of the estimated velocities. J_k is the 3×3 block of the contact
-/// Jacobian of leg k, inverted with a damping that matters only near the straight leg. Forces in W,
+/// Jacobian of leg k, inverted with a damping that matters only near the straight leg. Of a flat
+/// foot it has six rows (`LimbDynamics`), so that its moment is no force. Forces in W,
 /// of the ground on the foot [N]. Does not allocate.
 class ContactForceEstimator {
  public:
@@ -74,6 +75,8 @@ class ContactForceEstimator {
   /// In whole ticks, limited to the recent ones.
   [[nodiscard]] int ticks_in(double delay) const;
   void set_delays(const JointDelays& delays);
+  void update_flat_feet(const model::Dynamics& dynamics, const PerLeg<bool>& stands,
+                        RobotState& state);
   void update_base_acceleration(const model::Dynamics& dynamics);
   /// Accelerations of a leg's joints, in the air under the measured torques and with a fixed foot.
   [[nodiscard]] Vec3 free_acceleration(const model::Dynamics& dynamics, Leg leg,

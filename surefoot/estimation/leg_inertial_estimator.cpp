@@ -4,6 +4,8 @@
 #include "surefoot/math/rotation.hpp"
 #include "surefoot/model/body_tree.hpp"
 
+#include <Eigen/Cholesky>
+
 #include <algorithm>
 #include <cmath>
 
@@ -26,9 +28,11 @@ LegInertialEstimator::LegInertialEstimator(const model::RobotDescription& robot,
       errors_(no_errors(robot.num_legs())),
       filter_(options.filter, robot.num_legs()),
       feet_(robot.num_legs(), Foot{}),
-      standing_start_(period, robot.scale) {
+      standing_start_(period, robot.num_leg_joints(), robot.scale) {
   const model::BodyTree tree = model::make_body_tree(robot, model::read_urdf(robot));
-  described_.resize(robot.num_legs());
+  described_.resize(static_cast<int>(tree.legs.size()));
+  for (const Leg leg : tree.soles.legs())
+    limbs_.push_back(model::limb_chain(tree, leg, robot.leg_joints(leg)));
   for (const Leg leg : described_.legs()) described_[index(leg)] = tree.legs[index(leg)].chain;
   chains_ = described_;
   state_.size_legs(robot.num_legs());
@@ -83,6 +87,13 @@ bool LegInertialEstimator::stands(const SensorReading& reading,
   PerLeg<Vec3> p_BC, v_BC;
   for (PerLeg<Vec3>* vectors : {&p_BC, &v_BC}) vectors->resize(static_cast<int>(feet_.size()));
   for (const Leg leg : feet_.legs()) {
+    if (!limbs_.empty()) {
+      const model::LimbChain& limb = limbs_[index(leg)];
+      const model::LimbChain::Pose pose = limb.foot_in_base(reading.q);
+      p_BC[index(leg)] = pose.p;
+      v_BC[index(leg)] = pose.J * joint_velocity.segment(limb.joints.first, limb.joints.count);
+      continue;
+    }
     const Vec3 q = angles(reading.q, leg);
     model::LegChain chain = chains_[index(leg)];
     chain.foot -= chain.shank_in_base(q).transpose() * (foot_radius_ * Vec3::UnitZ());
@@ -190,15 +201,28 @@ void LegInertialEstimator::take_over(const KinematicErrors& errors, const JointV
 void LegInertialEstimator::update_kinematics(const SensorReading& reading) {
   for (const Leg leg : feet_.legs()) {
     Foot& foot = feet_[index(leg)];
-    const model::LegChain& chain = chains_[index(leg)];
-    const Vec3 q = angles(reading.q, leg);
     const Mat3 R_WK_before = R_WB_before_ * foot.R_BK;
-    foot.p_BF = chain.foot_in_base(q, &foot.J);
-    foot.R_BK = chain.shank_in_base(q);
+    place(leg, reading.q, foot);
     const Mat3 R_WK = filter_.R_WB() * foot.R_BK;
     const Vec3 turn = log_rotation(Quat(Mat3(R_WK * R_WK_before.transpose())));
     foot.roll = turn.cross(foot_radius_ * Vec3::UnitZ());
   }
+}
+
+void LegInertialEstimator::place(Leg leg, const JointVector& q, Foot& foot) const {
+  if (limbs_.empty()) {
+    const model::LegChain& chain = chains_[index(leg)];
+    const Vec3 q_leg = angles(q, leg);
+    foot.p_BF = chain.foot_in_base(q_leg, &foot.J);
+    foot.R_BK = chain.shank_in_base(q_leg);
+    return;
+  }
+  constexpr double kLeast = 1e-6;  // of J Jᵀ, for legs that are straight [m²]
+  const model::LimbChain::Pose pose = limbs_[index(leg)].foot_in_base(q);
+  const Mat3 squared = pose.J * pose.J.transpose() + kLeast * Mat3::Identity();
+  foot.p_BF = pose.p;
+  foot.J = squared.llt().matrixL();
+  foot.R_BK = pose.R;
 }
 
 void LegInertialEstimator::update_foot(Leg leg, const FootContact& contact, double dt) {

@@ -5,6 +5,7 @@
 #include "surefoot/estimation/state_estimator.hpp"
 #include "surefoot/model/description.hpp"
 #include "surefoot/model/leg_chain.hpp"
+#include "surefoot/model/limb_chain.hpp"
 
 namespace surefoot {
 struct Group;
@@ -58,7 +59,7 @@ class LegInertialEstimator final : public StateEstimator {
  private:
   struct Foot {
     Vec3 p_BF = Vec3::Zero();
-    Mat3 J = Mat3::Zero();         // ∂p_BF/∂q of its leg [m]
+    Mat3 J = Mat3::Zero();         // ∂p_BF/∂q of its leg, or a square root of J Jᵀ [m]
     Mat3 R_BK = Mat3::Identity();  // shank
     Vec3 roll = Vec3::Zero();      // of the sphere since the last tick, in W [m]
     Vec3 shift = Vec3::Zero();     // of its estimate, from a corrected leg length, in W [m]
@@ -79,6 +80,8 @@ class LegInertialEstimator final : public StateEstimator {
   void add_turn_uncertainty();
   void take_over(const KinematicErrors& errors, const JointVector& q);
   void update_kinematics(const SensorReading& reading);
+  /// Position, Jacobian and axes of a foot in B.
+  void place(Leg leg, const JointVector& q, Foot& foot) const;
   void update_foot(Leg leg, const FootContact& contact, double dt);
   [[nodiscard]] double walk(const Foot& foot, const FootContact& contact) const;
   void write_joints(const SensorReading& reading, const TickContext& context);
@@ -89,6 +92,7 @@ class LegInertialEstimator final : public StateEstimator {
   double period_;
   double foot_radius_;
   PerLeg<model::LegChain> described_, chains_;  // of the URDF, and as estimated
+  std::vector<model::LimbChain> limbs_;         // instead, of a robot that only stands
   KinematicErrors errors_;
   InvariantFilter filter_;
   PerLeg<Foot> feet_;

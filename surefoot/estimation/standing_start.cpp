@@ -22,10 +22,10 @@ bool StandingStart::stands(const SensorReading& reading, const JointVector& join
                            const PerLeg<Vec3>& p_BC, const PerLeg<Vec3>& v_BC) noexcept {
   const bool is_complete =
       reading.q.allFinite() && reading.gyro.allFinite() && reading.accelerometer.allFinite();
-  const bool is_slow = is_complete && reading.gyro.norm() < kMaxTurn &&
-                       joint_velocity.head(kJointsPerLeg * std::ssize(p_BC)).cwiseAbs().maxCoeff() <
-                           scale_.rate() * kMaxJointSpeed &&
-                       std::abs(reading.accelerometer.norm() - kGravity) < kMaxAcceleration;
+  const bool is_slow =
+      is_complete && reading.gyro.norm() < kMaxTurn &&
+      joint_velocity.head(num_leg_joints_).cwiseAbs().maxCoeff() < scale_.rate() * kMaxJointSpeed &&
+      std::abs(reading.accelerometer.norm() - kGravity) < kMaxAcceleration;
   const bool has_gap = reading.time - time_ > 1.5 * period_;
   time_ = reading.time;
   has_waited_ = has_waited_ || !is_slow || has_gap;

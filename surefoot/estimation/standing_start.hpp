@@ -23,8 +23,9 @@ class StandingStart {
     double doubt = 1.0;                  ///< factor of the uncertainty against a robot at rest
   };
 
-  /// `period` of the control loop [s], `scale` of the robot.
-  explicit StandingStart(double period, const Scale& scale = {}) : period_(period), scale_(scale) {}
+  /// `period` of the control loop [s]; joints of the legs and `scale` of the robot.
+  explicit StandingStart(double period, int num_leg_joints = kNumLegJoints, const Scale& scale = {})
+      : period_(period), num_leg_joints_(num_leg_joints), scale_(scale) {}
 
   /// One tick before the start: does the robot stand? `p_BC` and `v_BC` as in `base_motion`. False
   /// while numbers are missing, or legs and gyroscope disagree, as with a foot in the air.
@@ -44,6 +45,7 @@ class StandingStart {
   };
 
   double period_;
+  int num_leg_joints_;
   Scale scale_;
   double time_ = kNaN;
   bool has_waited_ = false;

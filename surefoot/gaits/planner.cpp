@@ -12,6 +12,7 @@ namespace surefoot::gaits {
 
 Planner::Planner(const PlannerOptions& options, double period, const Scale& scale)
     : body_(options, period, scale),
+      flat_stand_(options.force, period, scale),
       crawl_(options),
       rhythmic_(options.rhythm, scale),
       limits_(options, period, scale),
@@ -39,6 +40,10 @@ void Planner::set_friction(double friction) {
 const MotionPlan& Planner::update(const UserCommand& command, const RobotState& state,
                                   const model::Dynamics& dynamics,
                                   const HierarchyOutcome& last) noexcept {
+  if (dynamics.has_flat_feet()) {
+    flat_stand_.update(command, state, dynamics, plan_);
+    return plan_;
+  }
   body_.events = {};
   if (!initialised_) calibration_.expect_switch(command.calibrate);  // a calibration begins anyway
   if (!initialised_ || restarts_) initialise(state, dynamics);

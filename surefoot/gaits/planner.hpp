@@ -8,12 +8,14 @@
 #include "surefoot/gaits/parts/friction_frame.hpp"
 #include "surefoot/gaits/parts/torso_reference.hpp"
 #include "surefoot/gaits/rhythm/rhythmic_gait.hpp"
+#include "surefoot/gaits/stand/flat_stand.hpp"
 #include "surefoot/gaits/stand/stand.hpp"
 
 namespace surefoot::gaits {
 
 /// Plans the motion: selects the gait, stand, crawl or one by a clock, and does what all gaits
-/// need: command limits, heading, torso along the plane through the footholds, calibration. Plans
+/// need: command limits, heading, torso along the plane through the footholds, calibration. A robot
+/// with flat feet stands (`FlatStand`), whatever the command. Plans
 /// relative to the footholds, independent of the world's origin.
 class Planner {
  public:
@@ -68,6 +70,7 @@ class Planner {
 
   Body body_;
   Stand stand_;
+  FlatStand flat_stand_;
   Crawl crawl_;
   RhythmicGait rhythmic_;
   bool walks_ = false;  // the stand is not active

@@ -36,11 +36,11 @@ T member(const json& object, const char* name) {
 
 double number_member(const json& object, const char* name) { return member(object, name, number); }
 
-/// The names are those of four or six legs; logs of four don't name them.
+/// The names are those of two, four or six legs; logs of four don't name them.
 int parse_num_legs(const json& robot) {
   if (!robot.contains("legs")) return kNumLegs;
   const auto names = member<std::vector<std::string>>(robot, "legs");
-  for (const int num_legs : {kNumLegs, kMaxLegs})
+  for (const int num_legs : {2, kNumLegs, kMaxLegs})
     if (std::ranges::equal(names, leg_names(num_legs))) return num_legs;
   throw BadMember{"robot.legs"};
 }

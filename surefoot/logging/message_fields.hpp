@@ -138,6 +138,9 @@ void fields(Archive& field, T& user) {
   field("height", user.height, "offset to the nominal torso height [m]");
   field("calibrate", user.calibrate, "begin the estimate anew, once all feet stand");
   field("reach", user.reach, "of an arm; since 2.13");
+  field(
+      "shift", user.shift,
+      "of the centre of mass of flat feet, from their middle, forward and lateral; since 3.1 [m]");
 }
 
 template <typename Archive, Is<ReachCommand> T>

@@ -54,13 +54,10 @@ std::map<std::string, int> described_joints(const RobotDescription& description,
       throw Error("joint \"" + name + "\" is named for two places of the robot");
     }
   };
-  for (const Leg leg : description.legs.legs()) {
-    const auto& joints = description.legs[index(leg)].joints;
-    for (int j = 0; j < kJointsPerLeg; ++j) {
-      add(joints[static_cast<std::size_t>(j)], body_of(leg, j), "a leg");
-    }
+  int body = 1;
+  for (const LegDescription& leg : description.legs) {
+    for (const std::string& name : leg.joints) add(name, body++, "a leg");
   }
-  int body = 1 + description.num_leg_joints();
   for (const ArmDescription& arm : description.arms) {
     for (const std::string& name : arm.joints) add(name, body++, "an arm");
   }
@@ -73,10 +70,13 @@ class Builder {
   Builder(const RobotDescription& description, const Urdf& urdf)
       : urdf_(urdf),
         bodies_(described_joints(description, urdf)),
-        first_arm_body_(1 + description.num_leg_joints()) {
-    tree_.legs.resize(description.num_legs());
-    tree_.arm_bodies.resize(
-        static_cast<std::size_t>(description.num_joints() - description.num_leg_joints()));
+        first_arm_body_(1 + description.num_leg_joints()),
+        first_limb_body_(description.can_walk() ? first_arm_body_ : 1) {
+    tree_.legs.resize(description.can_walk() ? description.num_legs() : 0);
+    tree_.limb_bodies.resize(
+        static_cast<std::size_t>(1 + description.num_joints() - first_limb_body_));
+    tree_.hips.resize(0);
+    tree_.soles.resize(0);
     add_link(urdf.root, Placement());
     check_inertia(*urdf.find_link(urdf.root), tree_.base);
   }
@@ -117,8 +117,8 @@ class Builder {
       return;
     }
     const int body = described->second;
-    body >= first_arm_body_ ? connect_arm(joint, body, {parent.body, R, p})
-                            : connect_leg(joint, body, {parent.body, R, p});
+    body >= first_limb_body_ ? connect_limb(joint, body, {parent.body, R, p})
+                             : connect_leg(joint, body, {parent.body, R, p});
     add_link(joint.child, {body, Mat3::Identity(), Vec3::Zero()});
     check_inertia(*urdf_.find_link(joint.child), inertia_of(body));
   }
@@ -131,13 +131,15 @@ class Builder {
     leg_of(body).chain.hinges[static_cast<std::size_t>(place)] = {parent.R, parent.p, joint.axis};
   }
 
-  /// On the base, or behind a joint of an arm that comes earlier.
-  void connect_arm(const UrdfJoint& joint, int body, const Placement& parent) {
-    if (parent.body >= body || (parent.body != kBaseBody && parent.body < first_arm_body_)) {
+  /// An arm is on the base, or behind a joint of an arm that comes earlier. Legs: see `add_sole`.
+  void connect_limb(const UrdfJoint& joint, int body, const Placement& parent) {
+    const bool is_arm = body >= first_arm_body_;
+    if (is_arm &&
+        (parent.body >= body || (parent.body != kBaseBody && parent.body < first_arm_body_))) {
       throw Error("joint \"" + joint.name +
                   "\" of an arm is neither on the base nor behind a joint named before it");
     }
-    arm_body(body) = {parent.body, {parent.R, parent.p, joint.axis}, Inertia()};
+    limb_body(body) = {parent.body, {parent.R, parent.p, joint.axis}, Inertia()};
   }
 
   /// `inertia`: of the link and all that is fixed to it.
@@ -157,8 +159,8 @@ class Builder {
                     "\" moves, but with all that is fixed to it " + what);
   }
 
-  ArmBody& arm_body(int body) {
-    return tree_.arm_bodies[static_cast<std::size_t>(body - first_arm_body_)];
+  LimbBody& limb_body(int body) {
+    return tree_.limb_bodies[static_cast<std::size_t>(body - first_limb_body_)];
   }
 
   LegTree& leg_of(int body) {
@@ -167,13 +169,13 @@ class Builder {
 
   Inertia& inertia_of(int body) {
     if (body == kBaseBody) return tree_.base;
-    if (body >= first_arm_body_) return arm_body(body).inertia;
+    if (body >= first_limb_body_) return limb_body(body).inertia;
     return leg_of(body).inertias[static_cast<std::size_t>((body - 1) % kJointsPerLeg)];
   }
 
   const Urdf& urdf_;
   const std::map<std::string, int> bodies_;
-  const int first_arm_body_;
+  const int first_arm_body_, first_limb_body_;
   std::map<std::string, Placement> placements_;
   BodyTree tree_;
 };
@@ -188,6 +190,31 @@ const Placement& require(const Builder& builder, const std::string& link, Leg le
                 std::string(leg_name(leg, num_legs)));
   }
   return placement;
+}
+
+/// The leg is one chain from the base to the link of its foot.
+void add_sole(const RobotDescription& description, Leg leg, Builder& builder) {
+  const LegDescription& names = description.legs[index(leg)];
+  const JointRange joints = description.leg_joints(leg);
+  BodyTree& tree = builder.tree();
+  BodyFrame sole = builder.placement(names.foot_frame);
+  const int first = joints.first + 1, last = joints.first + joints.count;
+  bool is_chain = sole.body == last;
+  for (int body = first; body <= last; ++body) {
+    const int parent = tree.limb_bodies[static_cast<std::size_t>(body - 1)].parent;
+    is_chain = is_chain && parent == (body == first ? kBaseBody : body - 1);
+  }
+  if (!is_chain) {
+    throw Error("the joints of leg " + std::string(leg_name(leg, description.num_legs())) +
+                " are not a chain from the base to the link that \"" + names.foot_frame +
+                "\" is on");
+  }
+  sole.p += sole.R * description.foot_center;
+  const auto num_legs = static_cast<int>(index(leg)) + 1;
+  tree.soles.resize(num_legs);
+  tree.hips.resize(num_legs);
+  tree.soles[index(leg)] = sole;
+  tree.hips[index(leg)] = builder.placement(names.hip_frame);
 }
 
 void add_points(const RobotDescription& description, Leg leg, Builder& builder) {
@@ -211,7 +238,9 @@ BodyTree make_body_tree(const RobotDescription& description, const Urdf& urdf) {
     throw Error("the base \"" + description.base_link + "\" must be the root of the URDF, \"" +
                 urdf.root + "\"");
   }
-  for (const Leg leg : description.legs.legs()) add_points(description, leg, builder);
+  for (const Leg leg : description.legs.legs())
+    description.can_walk() ? add_points(description, leg, builder)
+                           : add_sole(description, leg, builder);
   for (const ArmDescription& arm : description.arms) {
     builder.tree().arm_tips.push_back(builder.placement(arm.tip_frame));
   }

@@ -13,8 +13,8 @@ struct LegTree {
   Mat3 R_shank = Mat3::Identity();              ///< shank link's axes in the KFE child's frame
 };
 
-/// A body behind a joint of an arm.
-struct ArmBody {
+/// A body behind a joint of an arm, or of a leg without `LegChain`.
+struct LimbBody {
   int parent = 0;  ///< 0: the base; 1 + j: the body behind joint j of a JointVector
   Hinge hinge;     ///< in the parent's frame
   Inertia inertia;
@@ -22,7 +22,7 @@ struct ArmBody {
 
 /// A frame that is fixed to a body.
 struct BodyFrame {
-  int body = 0;  ///< as `ArmBody::parent`
+  int body = 0;  ///< as `LimbBody::parent`
   Mat3 R = Mat3::Identity();
   Vec3 p = Vec3::Zero();  ///< [m]
 };
@@ -30,14 +30,16 @@ struct BodyFrame {
 /// A legged robot as rigid bodies in our order of legs, arms and joints; frames are those of the
 /// URDF.
 struct BodyTree {
-  Inertia base;  ///< in B
-  PerLeg<LegTree> legs;
-  std::vector<ArmBody> arm_bodies;  ///< in the order of their joints
-  std::vector<BodyFrame> arm_tips;  ///< by arm
+  Inertia base;                       ///< in B
+  PerLeg<LegTree> legs;               ///< of a walker, else empty
+  std::vector<LimbBody> limb_bodies;  ///< behind all other joints, in their order
+  std::vector<BodyFrame> arm_tips;    ///< by arm
+  PerLeg<BodyFrame> hips, soles;      ///< of a robot that only stands, else empty
 };
 
 /// Finds the description's parts in a URDF. Throws UnknownNameError (listing the valid names) for
-/// an unknown name; Error unless the parts connect as base – HAA – HFE – KFE – shank – foot;
+/// an unknown name; Error unless a walker's parts connect as base – HAA – HFE – KFE – shank – foot,
+/// and the joints of another's leg as one chain;
 /// FileError with the URDF's line if a joint missing in the description can move, a described joint
 /// mimics another, or a moving body has an impossible inertia.
 [[nodiscard]] BodyTree make_body_tree(const RobotDescription& description, const Urdf& urdf);

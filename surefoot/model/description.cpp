@@ -4,6 +4,21 @@
 
 namespace surefoot::model {
 
+JointRange RobotDescription::leg_joints(Leg leg) const {
+  JointRange range;
+  for (std::size_t k = 0; k <= index(leg); ++k) {
+    range.first += range.count;
+    range.count = static_cast<int>(legs[k].joints.size());
+  }
+  return range;
+}
+
+int RobotDescription::num_leg_joints() const {
+  std::size_t count = 0;
+  for (const LegDescription& leg : legs) count += leg.joints.size();
+  return static_cast<int>(count);
+}
+
 int RobotDescription::num_joints() const {
   auto count = static_cast<std::size_t>(num_leg_joints());
   for (const ArmDescription& arm : arms) count += arm.joints.size();

@@ -10,11 +10,12 @@ namespace surefoot::model {
 
 /// Names of one leg's parts in the URDF.
 struct LegDescription {
-  std::array<std::string, kJointsPerLeg> joints;  ///< HAA, HFE, KFE
-  std::string hip_frame;                          ///< on the HFE axis: the hip H of Eq. (35)
-  std::string thigh_link;
-  std::string shank_link;  ///< link that carries the foot sphere
-  std::string foot_frame;  ///< frame of the sphere's centre
+  /// From the base to the foot: HAA, HFE, KFE of a walker.
+  std::vector<std::string> joints = std::vector<std::string>(kJointsPerLeg);
+  std::string hip_frame;   ///< on the HFE axis: the hip H of Eq. (35)
+  std::string thigh_link;  ///< empty: no walker
+  std::string shank_link;  ///< link that carries the foot
+  std::string foot_frame;  ///< frame of the foot's centre
 };
 
 /// A limb that stands on nothing: an arm, a neck, a tail.
@@ -34,8 +35,9 @@ struct RobotDescription {
   PerLeg<LegDescription> legs;
   std::vector<ArmDescription> arms;  ///< their joints follow the legs' in every JointVector
   Scale scale;  ///< multiplies every constant and default that has a length, a mass or a time
-  double foot_radius = 0.0;         ///< [m]
-  Vec3 foot_center = Vec3::Zero();  ///< centre of the foot sphere in the foot frame [m]
+  double foot_radius = 0.0;         ///< of spheres [m]
+  Vec3 foot_center = Vec3::Zero();  ///< centre of sphere or sole in the foot frame [m]
+  Vec2 sole = Vec2::Zero();         ///< length and width of flat feet, along their x and y [m]
   JointVector torque_limit = JointVector::Zero(kNumLegJoints);    ///< |τ| ≤ limit [N·m]
   JointVector velocity_limit = JointVector::Zero(kNumLegJoints);  ///< [rad/s]
   /// Torque–speed line of the drives: at rest [N·m], and where no torque is left [rad/s].
@@ -47,8 +49,12 @@ struct RobotDescription {
   JointVector q_nominal = JointVector::Zero(kNumLegJoints);
 
   [[nodiscard]] int num_legs() const { return static_cast<int>(legs.size()); }
+  /// Four or six legs of three joints, with spheres as feet. Others have two legs with flat feet
+  /// and any number of joints: they stand.
+  [[nodiscard]] bool can_walk() const { return num_legs() >= kNumLegs; }
+  [[nodiscard]] JointRange leg_joints(Leg leg) const;
   /// Joints of the legs; those of the arms follow.
-  [[nodiscard]] int num_leg_joints() const { return kJointsPerLeg * num_legs(); }
+  [[nodiscard]] int num_leg_joints() const;
   /// n_τ
   [[nodiscard]] int num_joints() const;
   /// Of the URDF, in the order of a JointVector.

@@ -13,6 +13,7 @@ Dynamics::Dynamics(int num_joints, std::size_t num_arms, int num_legs)
   for (PerLeg<PointKinematics>* points : {&hip, &foot, &contact}) points->resize(num_legs);
   shank.resize(num_legs);
   links.resize(num_legs);
+  leg_joints.resize(num_legs);
   for (const Leg leg : foot.legs()) {
     const std::size_t k = index(leg);
     hip[k].J = foot[k].J = contact[k].J = shank[k].J = none;

@@ -11,13 +11,14 @@ using Jacobian3 = Eigen::Matrix<double, 3, Eigen::Dynamic, Eigen::ColMajor, 3, k
 using MassMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor,
                                  kMaxVelocities, kMaxVelocities>;
 
-/// J u of three rows. The columns that every robot has, of the base and four legs, have a fixed
+/// J u of three rows. The columns that every walker has, of the base and four legs, have a fixed
 /// size, which is faster.
 template <typename Rows, typename Velocity>
 [[nodiscard]] Vec3 product(const Rows& J, const Velocity& u) {
   constexpr int kLeast = 6 + kNumLegJoints;
-  Vec3 result = J.template leftCols<kLeast>() * u.template head<kLeast>();
   const Eigen::Index more = u.size() - kLeast;
+  if (more < 0) return J * u;
+  Vec3 result = J.template leftCols<kLeast>() * u.template head<kLeast>();
   if (more > 0) result += J.rightCols(more) * u.tail(more);
   return result;
 }
@@ -73,16 +74,22 @@ struct Dynamics {
   double mass = 0.0;                 ///< [kg]
   Scale scale;                       ///< of the robot as described
   PerLeg<PointKinematics> hip;       ///< hip H, on the HFE axis
-  PerLeg<PointKinematics> foot;      ///< centre of the foot sphere F
-  PerLeg<RotationKinematics> shank;  ///< the body that carries the foot sphere
+  PerLeg<PointKinematics> foot;      ///< centre of the foot sphere F, or of the sole
+  PerLeg<RotationKinematics> shank;  ///< the body that carries the foot
   /// Lowest point of the foot sphere along the terrain normal n: p_F − r n. When rolling without
   /// slip its material velocity is zero and J u̇ + Jdot_u = 0, with Jdot_u lacking the centripetal
-  /// part ω × (ω × (−r n)), as the centre of a rolling sphere does not fall.
+  /// part ω × (ω × (−r n)), as the centre of a rolling sphere does not fall. Of a flat foot: the
+  /// centre of its sole.
   PerLeg<PointKinematics> contact;
-  PerLeg<LegLinks> links;
+  PerLeg<LegLinks> links;           ///< of a walker
+  Vec2 sole = Vec2::Zero();         ///< half length and half width of flat feet; zero: spheres
+  PerLeg<JointRange> leg_joints{};  ///< of each leg
   std::vector<FrameKinematics> arm_tips;  ///< by arm
 
   [[nodiscard]] int num_legs() const { return static_cast<int>(foot.size()); }
+  [[nodiscard]] bool has_flat_feet() const { return sole.x() > 0.0; }
+  /// Rows of a contact's Jacobian: a flat foot also bears moments.
+  [[nodiscard]] int contact_rows() const { return has_flat_feet() ? 6 : 3; }
   [[nodiscard]] int num_joints() const { return static_cast<int>(q.size()); }      ///< n_τ
   [[nodiscard]] int num_velocities() const { return static_cast<int>(u.size()); }  ///< n_u
 };

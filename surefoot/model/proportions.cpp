@@ -36,6 +36,30 @@ double ratio(double length, double reference) {
   return std::abs(result - 1.0) < kRounding ? 1.0 : result;
 }
 
+/// Legs and hips in the nominal posture, which a biped's legs nearly stretch in. The rectangle of
+/// four feet keeps ANYmal B's shape.
+Proportions standing_proportions(RobotModel& model) {
+  RobotState state;
+  state.p_WB.setZero();
+  state.q_WB.setIdentity();
+  state.v_WB.setZero();
+  state.w_WB_B.setZero();
+  state.q = model.description().q_nominal;
+  state.qd.setZero(state.q.size());
+  const Dynamics& dynamics = model.update(state, Vec3::UnitZ());
+  Proportions result;
+  result.num_legs = dynamics.num_legs();
+  for (const Leg leg : dynamics.foot.legs()) {
+    const Vec3& hip = dynamics.hip[index(leg)].p;
+    result.leg += (hip - dynamics.foot[index(leg)].p).norm() / result.num_legs;
+    result.hip_height += hip.z() / result.num_legs;
+  }
+  result.mass = model.mass();
+  result.half_length = result.leg / kReference.leg * kReference.half_length;
+  result.half_width = result.leg / kReference.leg * kReference.half_width;
+  return result;
+}
+
 }  // namespace
 
 double longest(double from, double to, const std::function<double(double q_knee)>& length) {
@@ -46,7 +70,8 @@ double longest(double from, double to, const std::function<double(double q_knee)
   return result;
 }
 
-Proportions proportions_of(const RobotModel& model) {
+Proportions proportions_of(RobotModel& model) {
+  if (!model.description().can_walk()) return standing_proportions(model);
   Proportions result;
   result.num_legs = model.description().num_legs();
   result.leg = kInfinity;
@@ -69,6 +94,7 @@ Scale scale_of(const Proportions& robot) {
   scale.half_width = ratio(robot.half_width, kReference.half_width);
   const double hip_height = robot.hip_height - scale.length * kReference.hip_height;
   scale.hip_height = std::abs(hip_height) < kRounding ? 0.0 : hip_height;
+  if (robot.num_legs < kNumLegs) return scale;
   const int pairs = robot.num_legs / 2;  // hips stand closer, and a cycle has more swings
   const double gap = scale.half_length / (pairs - 1);
   scale.stride = std::min(1.0, gap / scale.length) * (2.0 / pairs);

@@ -23,7 +23,7 @@ struct Proportions {
 [[nodiscard]] double longest(double from, double to,
                              const std::function<double(double q_knee)>& length);
 
-[[nodiscard]] Proportions proportions_of(const RobotModel& model);
+[[nodiscard]] Proportions proportions_of(RobotModel& model);
 
 /// Against ANYmal B, for which all is 1. A length or mass that differs by rounding alone counts as
 /// the same.

@@ -56,11 +56,11 @@ pinocchio::Model make_pinocchio_model(const BodyTree& tree) {
       model.appendBodyToJoint(parent, to_pinocchio(parts.inertias[j]), SE3::Identity());
     }
   }
-  for (const ArmBody& body : tree.arm_bodies) {
+  for (const LimbBody& body : tree.limb_bodies) {
     const Hinge& hinge = body.hinge;
     const pinocchio::JointIndex joint = model.addJoint(
         kBaseJoint + static_cast<pinocchio::JointIndex>(body.parent), revolute(hinge.axis),
-        SE3(hinge.R, hinge.p), "arm_" + std::to_string(model.njoints));
+        SE3(hinge.R, hinge.p), "limb_" + std::to_string(model.njoints));
     model.appendBodyToJoint(joint, to_pinocchio(body.inertia), SE3::Identity());
   }
   return model;
@@ -80,6 +80,9 @@ struct RobotModel::Implementation {
         zero(Eigen::VectorXd::Zero(model.nv)),
         dynamics(description.num_joints(), tree.arm_tips.size(), description.num_legs()) {
     dynamics.scale = description.scale;
+    dynamics.sole = 0.5 * description.sole;
+    for (const Leg leg : dynamics.leg_joints.legs())
+      dynamics.leg_joints[index(leg)] = description.leg_joints(leg);
     // These blocks stay constant; update() writes the others.
     dynamics.base.J.leftCols<3>().setIdentity();
     for (const Leg leg : tree.legs.legs()) {
@@ -88,8 +91,10 @@ struct RobotModel::Implementation {
       }
     }
     for (FrameKinematics& tip : dynamics.arm_tips) tip.point.J.leftCols<3>().setIdentity();
-    chains.resize(description.num_legs());
-    set_leg_lengths(no_errors(description.num_legs()));
+    between.point.J = dynamics.base.J;
+    between.rotation.J.setZero(3, model.nv);
+    chains.resize(static_cast<int>(tree.legs.size()));
+    set_leg_lengths(no_errors(static_cast<int>(tree.legs.size())));
     bare_base = model.inertias[kBaseJoint];
     // The rest posture's crba gives the mass.
     q[6] = 1.0;
@@ -242,6 +247,20 @@ struct RobotModel::Implementation {
     }
   }
 
+  /// Of a leg without closed forms, with a flat foot.
+  void update_sole(Leg leg) {
+    const std::size_t k = index(leg);
+    update_tip(tree.hips[k], between);
+    dynamics.hip[k] = between.point;
+    between.point.J.rightCols(model.nv - 6).setZero();
+    between.rotation.J.rightCols(model.nv - 6).setZero();
+    update_tip(tree.soles[k], between);
+    dynamics.foot[k] = dynamics.contact[k] = between.point;
+    dynamics.shank[k] = between.rotation;
+    between.point.J.rightCols(model.nv - 6).setZero();
+    between.rotation.J.rightCols(model.nv - 6).setZero();
+  }
+
   void update_leg(Leg leg, const Vec3& normal) {
     const LegChain& chain = chains[index(leg)];
     update_point(leg, chain.hip_hinge, chain.hip, dynamics.hip[index(leg)]);
@@ -262,6 +281,7 @@ struct RobotModel::Implementation {
   Eigen::VectorXd u;
   const Eigen::VectorXd zero;
   Dynamics dynamics;
+  FrameKinematics between;  // of `update_sole`, with the columns of joints 0 between two frames
 };
 
 RobotModel::RobotModel(RobotDescription description) {
@@ -278,6 +298,7 @@ const Dynamics& RobotModel::update(const RobotState& state, const Vec3& terrain_
   implementation_->update_dynamics();
   for (const Leg leg : implementation_->chains.legs())
     implementation_->update_leg(leg, terrain_normal_W);
+  for (const Leg leg : implementation_->tree.soles.legs()) implementation_->update_sole(leg);
   implementation_->update_tips();
   return implementation_->dynamics;
 }

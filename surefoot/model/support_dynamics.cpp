@@ -6,7 +6,7 @@ void SupportDynamics::update(const Dynamics& dynamics, const MotionPlan& plan) n
   stack_jacobians(dynamics, plan);
   const int n_u = dynamics.num_velocities(), n_tau = dynamics.num_joints();
   M_Q_u_.resize(n_u, n_u);
-  Lambda_.resize(3 * dynamics.num_legs(), n_u + n_tau);
+  Lambda_.resize(rows_ * dynamics.num_legs(), n_u + n_tau);
   if (num_contacts_ == 0) {
     rank_ = 0;
     Q_.setIdentity(n_u, n_u);
@@ -19,7 +19,7 @@ void SupportDynamics::update(const Dynamics& dynamics, const MotionPlan& plan) n
   Q_ = qr_.householderQ();
   M_Q_u_.leftCols(n_u - rank_).noalias() = dynamics.M * Q_u();
   invert();
-  const int n = 3 * num_contacts_;
+  const int n = num_forces();
   Lambda_.topLeftCorner(n, n_u).noalias() = inverse_ * dynamics.M;
   Lambda_.topRightCorner(n, n_tau) = -inverse_.rightCols(n_tau);
   lambda_0_.head(n).noalias() = inverse_ * dynamics.h;
@@ -28,6 +28,12 @@ void SupportDynamics::update(const Dynamics& dynamics, const MotionPlan& plan) n
 Vec3 SupportDynamics::force(Leg leg, const Eigen::Ref<const Eigen::VectorXd>& x) const noexcept {
   if (!in_contact(leg)) return Vec3::Zero();
   const int row = first_force(leg);
+  return Lambda_.middleRows<3>(row) * x + lambda_0_.segment<3>(row);
+}
+
+Vec3 SupportDynamics::moment(Leg leg, const Eigen::Ref<const Eigen::VectorXd>& x) const noexcept {
+  if (rows_ == 3 || !in_contact(leg)) return Vec3::Zero();
+  const int row = first_force(leg) + 3;
   return Lambda_.middleRows<3>(row) * x + lambda_0_.segment<3>(row);
 }
 
@@ -47,13 +53,17 @@ GeneralizedVector SupportDynamics::shortest_motion(
 
 void SupportDynamics::stack_jacobians(const Dynamics& dynamics, const MotionPlan& plan) {
   num_contacts_ = 0;
-  J_s_transposed_.resize(dynamics.num_velocities(), 3 * plan.num_contacts());
+  rows_ = dynamics.contact_rows();
+  J_s_transposed_.resize(dynamics.num_velocities(), rows_ * plan.num_contacts());
   first_force_.resize(dynamics.num_legs());
   for (const Leg leg : first_force_.legs()) {
     first_force_[index(leg)] = -1;
     if (!plan.contact(leg)) continue;
-    first_force_[index(leg)] = 3 * num_contacts_;
-    J_s_transposed_.middleCols<3>(3 * num_contacts_) = dynamics.contact[index(leg)].J.transpose();
+    const int first = rows_ * num_contacts_;
+    first_force_[index(leg)] = first;
+    J_s_transposed_.middleCols<3>(first) = dynamics.contact[index(leg)].J.transpose();
+    if (rows_ == 6)
+      J_s_transposed_.middleCols<3>(first + 3) = dynamics.shank[index(leg)].J.transpose();
     ++num_contacts_;
   }
 }
@@ -61,7 +71,7 @@ void SupportDynamics::stack_jacobians(const Dynamics& dynamics, const MotionPlan
 /// At full rank (J_sᵀ)⁺ = Π R⁻¹ Q_cᵀ. Otherwise the r remaining rows of R are wide, and R_rᵀ = Z L
 /// gives the least-norm solution Π Z L⁻ᵀ Q_cᵀ.
 void SupportDynamics::invert() {
-  const int n = 3 * num_contacts_;
+  const int n = num_forces();
   Inverse solution = Inverse::Zero(n, Q_.rows());
   auto solved = solution.topRows(rank_);
   solved = Q_.leftCols(rank_).transpose();

@@ -15,7 +15,8 @@ namespace surefoot::model {
 ///     λ itself:    λ = (J_sᵀ)⁺ (M u̇ + h − Sᵀτ) = Λ x + λ₀,   x = (u̇, τ)
 ///
 /// J_s stacks the contact Jacobians of the legs in contact, in their order; λ are their
-/// forces on the robot in W [N]. J_sᵀ loses rank when legs are straight or feet coincide: pivots
+/// forces on the robot in W [N], each followed by its moment about the sole's centre if feet are
+/// flat [N·m]. J_sᵀ loses rank when legs are straight or feet coincide: pivots
 /// below `kRankTolerance` times the largest count as zero, Q_u keeps all directions without contact
 /// force, and λ has least norm. Computed once a tick; does not allocate.
 class SupportDynamics {
@@ -33,7 +34,9 @@ class SupportDynamics {
   void update(const Dynamics& dynamics, const MotionPlan& plan) noexcept;
 
   [[nodiscard]] int num_contacts() const { return num_contacts_; }
-  [[nodiscard]] int rank() const { return rank_; }  ///< of J_s; 3 n_c at full rank
+  /// Rows of J_s: 3 or, with flat feet, 6 a contact.
+  [[nodiscard]] int num_forces() const { return rows_ * num_contacts_; }
+  [[nodiscard]] int rank() const { return rank_; }  ///< of J_s; `num_forces` at full rank
   [[nodiscard]] bool in_contact(Leg leg) const { return first_force_[index(leg)] >= 0; }
   /// Row of the leg's force in Λ and λ₀; −1 without contact.
   [[nodiscard]] int first_force(Leg leg) const { return first_force_[index(leg)]; }
@@ -47,11 +50,13 @@ class SupportDynamics {
   /// The shortest u̇ with J_s u̇ = a, with `a` in the order of λ. Needs full rank.
   [[nodiscard]] GeneralizedVector shortest_motion(
       const Eigen::Ref<const Eigen::VectorXd>& a) const noexcept;
-  [[nodiscard]] auto Lambda() const { return Lambda_.topRows(3 * num_contacts_); }
-  [[nodiscard]] auto lambda_0() const { return lambda_0_.head(3 * num_contacts_); }
+  [[nodiscard]] auto Lambda() const { return Lambda_.topRows(num_forces()); }
+  [[nodiscard]] auto lambda_0() const { return lambda_0_.head(num_forces()); }
 
   /// Contact force of a leg at x in W [N]; zero without contact.
   [[nodiscard]] Vec3 force(Leg leg, const Eigen::Ref<const Eigen::VectorXd>& x) const noexcept;
+  /// Its moment about the centre of the sole in W [N·m]; zero without contact, and of a sphere.
+  [[nodiscard]] Vec3 moment(Leg leg, const Eigen::Ref<const Eigen::VectorXd>& x) const noexcept;
 
  private:
   using Stacked = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor,
@@ -62,7 +67,7 @@ class SupportDynamics {
   void stack_jacobians(const Dynamics& dynamics, const MotionPlan& plan);
   void invert();
 
-  int num_contacts_ = 0;
+  int num_contacts_ = 0, rows_ = 3;
   int rank_ = 0;
   PerLeg<int> first_force_ = per_leg(-1);
   Stacked J_s_transposed_;

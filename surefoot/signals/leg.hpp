@@ -22,7 +22,8 @@ inline constexpr int kNumLegs = 4;       ///< of a quadruped
 inline constexpr int kMaxLegs = 6;       ///< of a robot
 inline constexpr int kJointsPerLeg = 3;  ///< HAA, HFE, KFE
 inline constexpr int kNumLegJoints = kNumLegs * kJointsPerLeg;
-inline constexpr int kMaxJoints = 32;  ///< of a robot, legs and arms together
+inline constexpr int kMaxLegJoints = 8;  ///< of a leg
+inline constexpr int kMaxJoints = 32;    ///< of a robot, legs and arms together
 inline constexpr int kMaxVelocities = 6 + kMaxJoints;
 
 inline constexpr std::array<Leg, kNumLegs> kLegs{Leg::LF, Leg::RF, Leg::LH, Leg::RH};
@@ -32,6 +33,7 @@ inline constexpr std::array<Leg, kMaxLegs> kAllLegs{Leg{0}, Leg{1}, Leg{2}, Leg{
   return std::span(kAllLegs).first(static_cast<std::size_t>(num_legs));
 }
 inline constexpr std::array<std::string_view, kNumLegs> kLegNames{"LF", "RF", "LH", "RH"};
+inline constexpr std::array<std::string_view, 2> kBipedLegNames{"L", "R"};
 inline constexpr std::array<std::string_view, kMaxLegs> kHexapodLegNames{"LF", "RF", "LM",
                                                                          "RM", "LH", "RH"};
 inline constexpr std::array<std::string_view, kJointsPerLeg> kJointNames{"HAA", "HFE", "KFE"};
@@ -86,8 +88,14 @@ class PerLeg {
   int count_ = kNumLegs;
 };
 
-/// Joint-space vector of n_τ numbers, fixed when the robot is loaded: joint j of leg k stands at
-/// 3 k + j, and the joints of arms follow. Never allocates.
+/// Joints of a limb in a JointVector.
+struct JointRange {
+  int first = 0, count = 0;
+};
+
+/// Joint-space vector of n_τ numbers, fixed when the robot is loaded: joints of the legs, one leg
+/// after the other, then those of arms. Where legs have three, joint j of leg k stands at 3 k + j.
+/// Never allocates.
 using JointVector = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, kMaxJoints, 1>;
 /// The same of the legs alone.
 using LegJointVector =
@@ -97,9 +105,10 @@ using GeneralizedVector =
     Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, kMaxVelocities, 1>;
 
 [[nodiscard]] constexpr std::size_t index(Leg leg) { return static_cast<std::size_t>(leg); }
-/// The names of a robot's legs, in files, messages and logs; a robot has four or six.
+/// The names of a robot's legs, in files, messages and logs; a robot has two, four or six.
 [[nodiscard]] constexpr std::span<const std::string_view> leg_names(int num_legs) {
   if (num_legs == kNumLegs) return kLegNames;
+  if (num_legs == 2) return kBipedLegNames;
   return std::span(kHexapodLegNames).first(static_cast<std::size_t>(num_legs));
 }
 [[nodiscard]] constexpr std::string_view leg_name(Leg leg, int num_legs) {
@@ -121,7 +130,7 @@ using GeneralizedVector =
   return std::string(leg_name(static_cast<Leg>(joint / kJointsPerLeg), num_legs)) + "_" +
          std::string(kJointNames[static_cast<std::size_t>(joint % kJointsPerLeg)]);
 }
-/// First joint of a leg in a JointVector.
+/// First joint of a leg in a JointVector, where legs have three.
 [[nodiscard]] constexpr int first_joint(Leg leg) { return kJointsPerLeg * static_cast<int>(leg); }
 
 }  // namespace surefoot

@@ -27,6 +27,8 @@ struct UserCommand {
   /// A change to true: stand, restart the estimate, calibrate on the spot, then continue.
   bool calibrate = false;
   ReachCommand reach{};
+  /// Of flat feet that stand: the centre of mass from the middle of the feet [m].
+  Vec2 shift{0.0, 0.0};
 };
 
 }  // namespace surefoot

@@ -33,6 +33,7 @@ void shift_center_of_mass(mjsBody& body, const Vec3& offset) {
 /// Mass scale of the link behind this joint.
 double link_scale(mjsElement& joint, const model::RobotDescription& description,
                   const DisturbanceOptions& options) {
+  if (!description.can_walk()) return options.leg_mass_scale;
   for (std::size_t leg = 0; leg < description.legs.size(); ++leg) {
     for (std::size_t j = 0; j < kJointsPerLeg; ++j) {
       if (description.legs[leg].joints[j] != name_of(&joint)) continue;

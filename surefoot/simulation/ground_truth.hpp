@@ -33,7 +33,7 @@ struct GroundTruth {
       JointVector::Zero(kNumLegJoints);  ///< applied at the joints, after the actuator model [N·m]
   Vec3 p_SCom = Vec3::Zero();            ///< of all moving parts, with payload
   Vec3 v_SCom = Vec3::Zero();
-  PerLeg<Vec3> p_SF = per_leg<Vec3>(Vec3::Zero());  ///< sphere centres
+  PerLeg<Vec3> p_SF = per_leg<Vec3>(Vec3::Zero());  ///< of spheres or soles, the centres
   PerLeg<Vec3> v_SF = per_leg<Vec3>(Vec3::Zero());
   std::vector<Vec3> p_ST;  ///< tips of arms
   PerLeg<TrueContact> feet;

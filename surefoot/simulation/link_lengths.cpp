@@ -55,6 +55,7 @@ void lengthen(mjsBody& link, mjsBody& end, const Vec3& point, double offset) {
 
 void change_link_lengths(mjSpec& spec, const model::RobotDescription& description,
                          const DisturbanceOptions& options) {
+  if (!description.can_walk()) return;
   for (const Leg leg : description.legs.legs()) {
     const model::LegDescription& names = description.legs[index(leg)];
     mjsBody& thigh = find_body(spec, names.thigh_link, "thigh link");

@@ -27,7 +27,7 @@ class ModelComparison {
       : robot_(robot),
         physics_(physics),
         data_(mj_makeData(&physics)),
-        num_leg_joints_(static_cast<std::size_t>(robot.num_leg_joints())),
+        num_leg_joints_(static_cast<std::size_t>(robot.can_walk() ? robot.num_leg_joints() : 0)),
         tree_(model::make_body_tree(robot, model::read_urdf(robot))),
         model_(robot) {
     state_.v_WB = state_.w_WB_B = Vec3::Zero();
@@ -59,7 +59,7 @@ class ModelComparison {
   }
 
   [[nodiscard]] const model::Inertia& inertia_behind(std::size_t joint) const {
-    if (joint >= num_leg_joints_) return tree_.arm_bodies[joint - num_leg_joints_].inertia;
+    if (joint >= num_leg_joints_) return tree_.limb_bodies[joint - num_leg_joints_].inertia;
     return tree_.legs[joint / kJointsPerLeg].inertias[joint % kJointsPerLeg];
   }
 
@@ -121,10 +121,10 @@ class ModelComparison {
       const bool is_first = i % kJointsPerLeg == 0;
       const std::size_t parent =
           is_leg ? (is_first ? 0 : i)
-                 : static_cast<std::size_t>(tree_.arm_bodies[i - num_leg_joints_].parent);
+                 : static_cast<std::size_t>(tree_.limb_bodies[i - num_leg_joints_].parent);
       const model::Hinge& hinge =
           is_leg ? tree_.legs[i / kJointsPerLeg].chain.hinges[i % kJointsPerLeg]
-                 : tree_.arm_bodies[i - num_leg_joints_].hinge;
+                 : tree_.limb_bodies[i - num_leg_joints_].hinge;
       places.push_back(compare_joint(i, places[parent], hinge));
     }
     for (const Leg leg : robot_.legs.legs()) {

@@ -28,6 +28,7 @@ namespace surefoot::simulation {
 namespace {
 
 constexpr int kFullPrecision = 17;
+constexpr std::size_t kNearLinks = 4;   // joints between links of a leg whose shapes overlap
 constexpr double kSameSphere = 1e-4;    // sphere of the URDF and of the description agree [m]
 constexpr double kNearbySphere = 5e-3;  // sphere of the URDF counts as the foot's [m]
 
@@ -109,6 +110,32 @@ mjsGeom& foot_sphere(mjSpec& spec, const model::RobotDescription& description, L
   return new_sphere(foot, description);
 }
 
+constexpr double kSoleThickness = 0.01;  // of a box below which nothing else touches [m]
+
+/// A flat foot: a massless box whose lower face is the sole, instead of the shapes of the link.
+mjsGeom& new_sole(mjSpec& spec, const model::RobotDescription& description, Leg leg,
+                  std::vector<std::string>& notes) {
+  const model::LegDescription& names = description.legs[index(leg)];
+  mjsBody& foot = find_body(spec, names.foot_frame, "foot frame");
+  int left_out = 0;
+  for (mjsBody* body : subtree(moved_by(spec, names.joints.back()))) {
+    while (mjsElement* shape = mjs_firstChild(body, mjOBJ_GEOM, 0)) {
+      mjs_delete(&spec, shape);
+      ++left_out;
+    }
+  }
+  notes.push_back(text("a massless sole was added to \"", names.foot_frame, "\"",
+                       left_out == 0 ? "" : text(", instead of ", left_out, " shapes there")));
+  mjsGeom* sole = mjs_addGeom(&foot, nullptr);
+  sole->type = mjGEOM_BOX;
+  for (int i = 0; i < 2; ++i) sole->size[i] = 0.5 * description.sole[i];
+  sole->size[2] = 0.5 * kSoleThickness;
+  for (int i = 0; i < 3; ++i) sole->pos[i] = description.foot_center[i];
+  sole->pos[2] += 0.5 * kSoleThickness;
+  sole->density = 0.0;
+  return *sole;
+}
+
 void set_collision(mjsBody& base, const ContactOptions& contact) {
   for (mjsBody* body : subtree(base)) {
     for (mjsElement* element = mjs_firstChild(body, mjOBJ_GEOM, 0); element != nullptr;
@@ -156,11 +183,16 @@ void exclude_all(mjSpec& spec, const std::vector<std::string>& some,
 
 /// MuJoCo excludes links with one joint between them. With two joints between them, shapes overlap
 /// at the hip (base and thigh) or knee (hip and shank) in legal postures. Fixed bodies count as
-/// their link.
+/// their link. Hips and ankles of more joints have more such links.
 void exclude_neighbours(mjSpec& spec, mjsBody& base, const model::RobotDescription& description) {
+  const std::size_t near = description.can_walk() ? 2 : kNearLinks;
   for (const model::LegDescription& leg : description.legs) {
-    exclude_all(spec, solid(base), solid(moved_by(spec, leg.joints[1])));
-    exclude_all(spec, solid(moved_by(spec, leg.joints[0])), solid(moved_by(spec, leg.joints[2])));
+    std::vector<std::vector<std::string>> links{solid(base)};
+    for (const std::string& joint : leg.joints) links.push_back(solid(moved_by(spec, joint)));
+    for (std::size_t i = 0; i < links.size(); ++i) {
+      for (std::size_t j = i + 2; j < links.size() && j <= i + near; ++j)
+        exclude_all(spec, links[i], links[j]);
+    }
   }
 }
 
@@ -217,8 +249,9 @@ BuiltModel build_model(const model::RobotDescription& description, const PlantOp
   set_physics(*spec, options);
   const std::map<std::string, model::Weld> welds = model::welds(model::read_urdf(description));
   for (const Leg leg : description.legs.legs()) {
-    mjsGeom& sphere = foot_sphere(*spec, description, leg, welds, notes);
-    mjs_setName(sphere.element, foot_geom_name(leg, description.num_legs()).c_str());
+    mjsGeom& foot = description.can_walk() ? foot_sphere(*spec, description, leg, welds, notes)
+                                           : new_sole(*spec, description, leg, notes);
+    mjs_setName(foot.element, foot_geom_name(leg, description.num_legs()).c_str());
   }
   set_collision(base, options.contact);
   exclude_neighbours(*spec, base, description);

@@ -53,8 +53,8 @@ struct Plant::Implementation {
   static PlantOptions completed(PlantOptions options, const model::RobotDescription& robot) {
     check_options(options);
     const Eigen::Index n = robot.num_joints();
-    const auto extend = [n](JointVector& values, const JointVector& others) {
-      const Eigen::Index known = std::min(values.size(), n);
+    const auto extend = [n, &robot](JointVector& values, const JointVector& others) {
+      const Eigen::Index known = robot.can_walk() ? std::min(values.size(), n) : 0;
       values.conservativeResize(n);
       values.tail(n - known) = others.tail(n - known);
     };
@@ -63,7 +63,7 @@ struct Plant::Implementation {
     extend(options.actuators.joint_torque_gain, JointVector::Ones(n));
     extend(options.sensors.encoders.offset, JointVector::Zero(n));
     extend(options.initial.q, robot.q_nominal);
-    set_num_legs(options.disturbances, robot.num_legs());
+    if (robot.can_walk()) set_num_legs(options.disturbances, robot.num_legs());
     return options;
   }
 
@@ -150,14 +150,15 @@ void Plant::Implementation::raise_out_of_terrain() {
   }
 }
 
-/// Base height at which the first foot sphere touches the terrain; the base is at z = 0 now.
+/// Base height at which the first foot touches the terrain; the base is at z = 0 now.
 double Plant::Implementation::touching_height(const model::RobotDescription& description) const {
   double height = -std::numeric_limits<double>::infinity();
   for (const int geom : parts.foot_geom) {
     const mjtNum* center = data.geom_xpos + 3 * geom;
     const double resting =
         resting_height(model, data, center[0], center[1], description.foot_radius);
-    if (!std::isnan(resting)) height = std::max(height, resting - center[2]);
+    const double sole = description.can_walk() ? 0.0 : model.geom_size[3 * geom + 2];
+    if (!std::isnan(resting)) height = std::max(height, resting - center[2] + sole);
   }
   if (std::isinf(height)) {
     throw Error(text("initial.position (", options.initial.position.x(), ", ",

@@ -3,6 +3,8 @@
 #include "surefoot/base/error.hpp"
 #include "surefoot/simulation/terrain.hpp"
 
+#include <algorithm>
+
 namespace surefoot::simulation {
 
 namespace {
@@ -41,8 +43,9 @@ void find_owners(const mjModel& model, const model::RobotDescription& descriptio
                  RobotParts& parts) {
   PerLeg<int> thigh_body(description.num_legs(), -1);
   for (const Leg leg : thigh_body.legs()) {
-    const std::string& hfe = description.legs[index(leg)].joints[1];
-    thigh_body[index(leg)] = model.jnt_bodyid[found(model, mjOBJ_JOINT, hfe)];
+    const std::vector<std::string>& joints = description.legs[index(leg)].joints;
+    const std::string& thigh = joints[std::min<std::size_t>(1, joints.size() - 1)];
+    thigh_body[index(leg)] = model.jnt_bodyid[found(model, mjOBJ_JOINT, thigh)];
   }
   for (int geom = 0; geom < model.ngeom; ++geom) {
     GeomOwner owner;
@@ -60,7 +63,7 @@ void find_owners(const mjModel& model, const model::RobotDescription& descriptio
 }  // namespace
 
 std::string foot_geom_name(Leg leg, int num_legs) {
-  return std::string(leg_name(leg, num_legs)) + "_foot_sphere";
+  return std::string(leg_name(leg, num_legs)) + (num_legs < kNumLegs ? "_sole" : "_foot_sphere");
 }
 
 RobotParts find_parts(const mjModel& model, const model::RobotDescription& description) {
@@ -69,6 +72,7 @@ RobotParts find_parts(const mjModel& model, const model::RobotDescription& descr
   parts.base_qpos = model.jnt_qposadr[model.body_jntadr[parts.base_body]];
   parts.base_dof = model.jnt_dofadr[model.body_jntadr[parts.base_body]];
   const int num_legs = description.num_legs();
+  parts.num_leg_joints = description.num_leg_joints();
   parts.foot_geom.resize(num_legs);
   parts.foot_body.resize(num_legs);
   for (const Leg leg : parts.foot_geom.legs()) {

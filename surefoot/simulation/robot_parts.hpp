@@ -26,13 +26,19 @@ struct RobotParts {
   std::vector<int> qpos;            ///< index in qpos of joint j in our order
   std::vector<int> dof;             ///< index in qvel
   std::vector<int> actuator;        ///< index in ctrl
+  int num_leg_joints = 0;           ///< the first ones
   PerLeg<int> foot_geom{};
   PerLeg<int> foot_body{};
   std::vector<int> tip_body;     ///< of each arm
   std::vector<GeomOwner> owner;  ///< of each geom
+
+  /// Else it has flat feet, and only stands.
+  [[nodiscard]] bool legs_have_three_joints() const {
+    return static_cast<int>(foot_geom.size()) >= kNumLegs;
+  }
 };
 
-/// Name of a foot sphere's geom.
+/// Name of the geom of a foot sphere, or of a sole.
 [[nodiscard]] std::string foot_geom_name(Leg leg, int num_legs);
 
 [[nodiscard]] RobotParts find_parts(const mjModel& model,

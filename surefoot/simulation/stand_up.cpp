@@ -61,7 +61,7 @@ Mat3 foot_jacobian(const mjModel& model, const mjData& data, const RobotParts& p
 
 /// Springs would make the light bodies of arms chatter: arms are carried, and stand still.
 void hold_arms(const JointVector& q, const RobotParts& parts, mjData& data, JointVector& torque) {
-  for (std::size_t i = kJointsPerLeg * parts.foot_geom.size(); i < parts.qpos.size(); ++i) {
+  for (auto i = static_cast<std::size_t>(parts.num_leg_joints); i < parts.qpos.size(); ++i) {
     const auto joint = static_cast<Eigen::Index>(i);
     data.qpos[parts.qpos[i]] = q[joint];
     data.qvel[parts.dof[i]] = 0.0;
@@ -73,7 +73,7 @@ void hold_arms(const JointVector& q, const RobotParts& parts, mjData& data, Join
 double stable_damping(const mjModel& model, mjData& data, const RobotParts& parts, double damping,
                       double timestep) {
   const auto nv = static_cast<Eigen::Index>(model.nv);
-  const std::size_t n = kJointsPerLeg * parts.foot_geom.size();
+  const auto n = static_cast<std::size_t>(parts.num_leg_joints);
   Eigen::MatrixXd mobility(n, n);
   for (std::size_t j = 0; j < n; ++j) {
     Eigen::VectorXd unit = Eigen::VectorXd::Unit(nv, parts.dof[j]), column(nv);
@@ -86,6 +86,30 @@ double stable_damping(const mjModel& model, mjData& data, const RobotParts& part
   return fastest < kUnstable ? damping : damping / fastest;
 }
 
+/// Springs of each joint.
+struct Springs {
+  JointVector stiffness, damping;  // [N·m/rad], [N·m·s/rad]
+};
+
+/// The same for all joints; ankles of flat feet are so light that they only bear weaker ones, until
+/// the ground holds them.
+Springs springs(const mjModel& model, mjData& data, const RobotParts& parts, double stiffness,
+                double damping, double timestep) {
+  constexpr double kStiffShare = 0.2, kDampShare = 0.5;  // of what is unstable without contact
+  const auto n = static_cast<Eigen::Index>(parts.dof.size());
+  Springs result{JointVector::Constant(n, stiffness), JointVector::Constant(n, damping)};
+  if (parts.legs_have_three_joints()) return result;
+  for (Eigen::Index j = 0; j < n; ++j) {
+    const int dof = parts.dof[static_cast<std::size_t>(j)];
+    Eigen::VectorXd unit = Eigen::VectorXd::Unit(model.nv, dof), column(model.nv);
+    mj_solveM(&model, &data, column.data(), unit.data(), 1);
+    const double inertia = 1.0 / column[dof];
+    result.stiffness[j] = std::min(stiffness, kStiffShare * inertia / (timestep * timestep));
+    result.damping[j] = std::min(damping, kDampShare * inertia / timestep);
+  }
+  return result;
+}
+
 }  // namespace
 
 JointVector stand_up(const mjModel& model, mjData& data, const RobotParts& parts,
@@ -94,6 +118,7 @@ JointVector stand_up(const mjModel& model, mjData& data, const RobotParts& parts
   const double stiffness = options.limp ? 0.0 : scale.torque() * kStiffness;
   double damping = scale.torque() * scale.time() * kDamping;
   if (options.limp) damping = stable_damping(model, data, parts, damping, options.timestep);
+  const Springs spring = springs(model, data, parts, stiffness, damping, options.timestep);
   JointVector held = options.q, torque = JointVector::Zero(held.size());
   PerLeg<Foot> feet(static_cast<int>(parts.foot_geom.size()), Foot{});
   const auto least = std::lround(options.at_least / options.timestep);
@@ -103,7 +128,8 @@ JointVector stand_up(const mjModel& model, mjData& data, const RobotParts& parts
       Foot& foot = feet[index(leg)];
       foot.in_the_air =
           touches(data, parts.foot_geom[index(leg)]) ? 0.0 : foot.in_the_air + options.timestep;
-      if (foot.in_the_air < scale.time() * kMaxAirTime) continue;
+      const bool is_lowered = parts.legs_have_three_joints();
+      if (!is_lowered || foot.in_the_air < scale.time() * kMaxAirTime) continue;
       if (foot.lowered > scale.length * kMaxLowering) continue;
       const double down = scale.speed() * kLoweringSpeed * options.timestep;
       foot.lowered += down;
@@ -111,8 +137,8 @@ JointVector stand_up(const mjModel& model, mjData& data, const RobotParts& parts
           model::damped_inverse(foot_jacobian(model, data, parts, leg), scale) *
           Vec3(0.0, 0.0, -down);
     }
-    torque =
-        stiffness * (held - joint_positions(data, parts)) - damping * joint_velocities(data, parts);
+    torque = spring.stiffness.cwiseProduct(held - joint_positions(data, parts)) -
+             spring.damping.cwiseProduct(joint_velocities(data, parts));
     torque = torque.cwiseMin(options.torque_limit).cwiseMax(-options.torque_limit);
     hold_arms(options.q, parts, data, torque);
     for (std::size_t i = 0; i < parts.actuator.size(); ++i) {

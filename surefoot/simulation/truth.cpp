@@ -112,7 +112,12 @@ void extract_feet(const mjModel& model, const mjData& data, const RobotParts& pa
   truth.p_SF.resize(static_cast<int>(parts.foot_geom.size()));
   truth.v_SF.resize(static_cast<int>(parts.foot_geom.size()));
   for (std::size_t leg = 0; leg < truth.p_SF.size(); ++leg) {
-    truth.p_SF[leg] = vec3(data.geom_xpos + 3 * parts.foot_geom[leg]);
+    const int geom = parts.foot_geom[leg];
+    truth.p_SF[leg] = vec3(data.geom_xpos + 3 * geom);
+    if (model.geom_type[geom] == mjGEOM_BOX) {  // its lower face is the sole
+      const mjtNum* R = data.geom_xmat + 9 * geom;
+      truth.p_SF[leg] -= model.geom_size[3 * geom + 2] * Vec3(R[2], R[5], R[8]);
+    }
     truth.v_SF[leg] = point_velocity(model, data, parts.foot_body[leg], truth.p_SF[leg]);
   }
   truth.p_ST.clear();

@@ -21,7 +21,7 @@ Vec2 support_line(const TaskInput& input) {
 
 void ComXy::write(const TaskInput& input, solver::Level& level) const noexcept {
   const int num_contacts = input.plan.num_contacts();
-  if (num_contacts >= 3) {
+  if (num_contacts >= 3 || (input.dynamics.has_flat_feet() && num_contacts > 0)) {
     const Mat3 heading = rotation_about_z(yaw(input.plan.R_WC));
     write_row(input, heading.col(0).head<2>(), 0, level);
     write_row(input, heading.col(1).head<2>(), 1, level);

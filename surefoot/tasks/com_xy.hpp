@@ -11,7 +11,7 @@ namespace surefoot::tasks {
 /// (Bellicoso 2016, Eq. 17, with the Jacobian of the centre of mass instead of the base's.) Two
 /// rows along the x and y axes of the control frame C, projected into the horizontal plane [m/s²].
 /// Two point feet can't push the centre of mass off their line without turning the torso. So with
-/// two feet down there is only the row along that line, and none with fewer.
+/// two feet down there is only the row along that line, and none with fewer. A flat foot can.
 class ComXy final : public Task {
  public:
   struct Options {

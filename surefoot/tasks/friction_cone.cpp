@@ -39,6 +39,25 @@ Mat3 standing_axes(const Mat3& axes, double mu) {
   return Eigen::AngleAxisd(excess, level / sine) * axes;
 }
 
+using MomentRows = Eigen::Matrix<double, FrictionCone::kMomentRows, 6>;
+
+/// Each row times (force, moment) in the foot's axes is at most 0.
+MomentRows moment_rows(double mu, double X, double Y) {
+  MomentRows rows = MomentRows::Zero();
+  rows.row(0) << 0.0, 0.0, -Y, 1.0, 0.0, 0.0;
+  rows.row(1) << 0.0, 0.0, -Y, -1.0, 0.0, 0.0;
+  rows.row(2) << 0.0, 0.0, -X, 0.0, 1.0, 0.0;
+  rows.row(3) << 0.0, 0.0, -X, 0.0, -1.0, 0.0;
+  Eigen::Index row = 4;
+  for (const double a : {1.0, -1.0}) {
+    for (const double b : {1.0, -1.0}) {
+      rows.row(row++) << a * Y, b * X, -mu * (X + Y), a * mu, b * mu, 1.0;
+      rows.row(row++) << a * Y, b * X, -mu * (X + Y), -a * mu, -b * mu, -1.0;
+    }
+  }
+  return rows;
+}
+
 }  // namespace
 
 double FrictionPyramid::use(const Vec3& force) const {
@@ -58,8 +77,10 @@ void FrictionCone::write(const TaskInput& input, solver::Level& level) const noe
     if (!input.support.in_contact(leg)) continue;
     const FootPlan& foot = input.plan.feet[index(leg)];
     const int force = input.support.first_force(leg);
-    const auto B = pyramid_rows(pyramid(input.plan, leg));
-    solver::Rows rows = level.add(kRowsPerLeg, first_id() + kRowsPerLeg * static_cast<int>(leg));
+    FrictionPyramid pyramid_of_leg = pyramid(input.plan, leg);
+    if (has_flat_feet()) pyramid_of_leg.axes = input.dynamics.shank[index(leg)].R;
+    const auto B = pyramid_rows(pyramid_of_leg);
+    solver::Rows rows = level.add(kRowsPerLeg, first_id() + rows_per_leg() * static_cast<int>(leg));
     rows.A.noalias() = B * input.support.Lambda().middleRows<3>(force);
     rows.lower << -kInfinity, -kInfinity, -kInfinity, -kInfinity,
         std::min(foot.force_min, foot.force_max);
@@ -68,13 +89,32 @@ void FrictionCone::write(const TaskInput& input, solver::Level& level) const noe
         B * input.support.lambda_0().segment<3>(force);
     rows.lower -= offset;
     rows.upper -= offset;
+    if (has_flat_feet()) write_moments(input, leg, pyramid_of_leg.mu, level);
   }
 }
 
+void FrictionCone::write_moments(const TaskInput& input, Leg leg, double mu,
+                                 solver::Level& level) const {
+  const Vec2 sole = options_.sole * input.dynamics.sole;
+  const Mat3 to_foot = input.dynamics.shank[index(leg)].R.transpose();
+  MomentRows B = moment_rows(mu, sole.x(), sole.y());
+  B.leftCols<3>() *= to_foot;
+  B.rightCols<3>() *= to_foot;
+  const int force = input.support.first_force(leg);
+  solver::Rows rows =
+      level.add(kMomentRows, first_id() + rows_per_leg() * static_cast<int>(leg) + kRowsPerLeg);
+  rows.A.noalias() = B * input.support.Lambda().middleRows<6>(force);
+  rows.lower.setConstant(-kInfinity);
+  rows.upper = -B * input.support.lambda_0().segment<6>(force);
+}
+
 std::string FrictionCone::row_name(int id) const {
-  constexpr std::array<const char*, kRowsPerLeg> kNames{
-      " slip forward", " slip backward", " slip left", " slip right", " normal force"};
-  return leg_name(id / kRowsPerLeg) + kNames[static_cast<std::size_t>(id % kRowsPerLeg)];
+  constexpr std::array<const char*, kRowsPerLeg + kMomentRows> kNames{
+      " slip forward",  " slip backward", " slip left",     " slip right",   " normal force",
+      " tips left",     " tips right",    " tips back",     " tips forward", " turns left 1",
+      " turns right 1", " turns left 2",  " turns right 2", " turns left 3", " turns right 3",
+      " turns left 4",  " turns right 4"};
+  return leg_name(id / rows_per_leg()) + kNames[static_cast<std::size_t>(id % rows_per_leg())];
 }
 
 }  // namespace surefoot::tasks

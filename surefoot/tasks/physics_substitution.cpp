@@ -24,7 +24,7 @@ const solver::Substitution* PhysicsSubstitution::update(
     const model::Dynamics& dynamics, const model::SupportDynamics& support,
     const Eigen::Ref<const Eigen::VectorXd>& contact_acceleration) noexcept {
   const int rank = support.rank();
-  if (rank != 3 * support.num_contacts() || contact_acceleration.size() != rank) return nullptr;
+  if (rank != support.num_forces() || contact_acceleration.size() != rank) return nullptr;
   const int num_motions = dynamics.num_velocities() - rank;
   P_.leftCols(num_motions) = support.M_Q_u();
   P_.rightCols(rank) = -support.Q_c();

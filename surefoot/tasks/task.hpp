@@ -3,6 +3,7 @@
 #include "surefoot/model/description.hpp"
 #include "surefoot/model/dynamics.hpp"
 #include "surefoot/model/support_dynamics.hpp"
+#include "surefoot/signals/joint_name.hpp"
 #include "surefoot/signals/motion_plan.hpp"
 #include "surefoot/solver/hierarchy.hpp"
 
@@ -53,10 +54,11 @@ class Task {
   Task& operator=(const Task&) = default;
 
   [[nodiscard]] int num_legs() const { return num_legs_; }
-  [[nodiscard]] int num_joints() const {
-    return kJointsPerLeg * num_legs_ + static_cast<int>(arms_.size());
-  }
-  /// "LF_HAA", "LF_HFE", … for an id per joint.
+  [[nodiscard]] int num_joints() const { return static_cast<int>(joints_.size()); }
+  [[nodiscard]] int num_leg_joints() const { return num_leg_joints_; }
+  /// A flat foot's contact has six rows, a sphere's three.
+  [[nodiscard]] bool has_flat_feet() const { return has_flat_feet_; }
+  /// "LF_HAA", "LF_HFE", … for an id per joint, as in messages.
   [[nodiscard]] std::string joint_name(int id) const;
   /// "LF" …
   [[nodiscard]] std::string leg_name(int leg) const;
@@ -65,7 +67,9 @@ class Task {
 
  private:
   int num_legs_ = kNumLegs;
-  std::vector<std::string> arms_;  // names of the joints behind those of the legs
+  int num_leg_joints_ = kNumLegJoints;
+  bool has_flat_feet_ = false;
+  std::vector<std::string> joints_ = told_joints(std::vector<std::string>(kNumLegJoints), kNumLegs);
   int first_id_ = 0;
 };
 

@@ -8,7 +8,7 @@ namespace surefoot::tasks {
 ///
 ///     w_j τ_j = 0     (Bellicoso 2016, Eq. 20; the weights are ours)
 ///
-/// Writes n_τ rows [N·m].
+/// Writes n_τ rows [N·m]. Legs with flat feet weigh 1.
 class TorqueMinimisation final : public Task {
  public:
   struct Options {
