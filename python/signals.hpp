@@ -62,8 +62,13 @@ inline void bind_signals(nb::module_& module) {
           "__init__",
           [](UserCommand* self, bool walk, const std::vector<double>& velocity, double yaw_rate,
              double height, bool calibrate, const ReachCommand& reach,
-             const std::vector<double>& shift) {
-            UserCommand command{walk, Vec2::Zero(), yaw_rate, height, calibrate, reach};
+             const std::vector<double>& shift, int gait) {
+            UserCommand command{.walk = walk,
+                                .yaw_rate = yaw_rate,
+                                .height = height,
+                                .calibrate = calibrate,
+                                .reach = reach,
+                                .gait = gait};
             assign(command.velocity, velocity, "velocity", true);
             assign(command.shift, shift, "shift", true);
             check_finite(yaw_rate, "yaw_rate");
@@ -73,7 +78,8 @@ inline void bind_signals(nb::module_& module) {
           nb::arg("walk") = false, nb::arg("velocity") = std::vector<double>(2),
           nb::arg("yaw_rate") = 0.0, nb::arg("height") = 0.0, nb::arg("calibrate") = false,
           nb::arg("reach").sig("ReachCommand()") = ReachCommand(),
-          nb::arg("shift") = std::vector<double>(2));
+          nb::arg("shift") = std::vector<double>(2), nb::arg("gait") = UserCommand::kOwnGait,
+          "gait: its place in scenario.gaits; -1: the scenario's own, -2: by the speed.");
 
   signal<JointCommand>(module, "JointCommand", "Torques for the actuators at one tick.")
       .def(

@@ -86,6 +86,14 @@ inline void bind_scenario(nb::module_& module) {
           "where the controller's state comes from")
       .def_prop_ro("joint_names", &joint_names,
                    "in the order of every array of joints: HAA, HFE, KFE of each leg, then arms")
+      .def_prop_ro(
+          "gaits",
+          [](const config::Scenario& self) {
+            std::vector<std::string> names;
+            for (const gaits::NamedGait& gait : self.controller.gaits) names.push_back(gait.name);
+            return names;
+          },
+          "names of those that a command may change to; UserCommand.gait counts them from 0")
       .def_prop_ro("arms", &arm_names, "their names; ReachCommand.arm counts them from 0")
       .def_prop_ro(
           "torque_limit",

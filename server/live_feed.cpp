@@ -54,6 +54,7 @@ LiveFeed::LiveFeed(const config::Scenario& scenario, LiveOperator& wishes, std::
   session_.period = scenario.controller.period;
   session_.meshes = robot_.meshes();
   session_.limits = wishes.limits();
+  session_.gaits = wishes.gaits();
 }
 
 void LiveFeed::begin(const closed_loop::RunParts& parts, const control::StackOptions& stack,
@@ -310,6 +311,7 @@ std::string LiveFeed::status(std::size_t clients) {
   vector_member(json, "velocity", walk.velocity);
   json.member("yaw_rate", walk.yaw_rate)
       .member("height", walk.height)
+      .member("gait", operator_.gait_name(walk.gait))
       .member("by", wanted ? "operator" : "scenario")
       .end_object();
   json.key("calibrating");

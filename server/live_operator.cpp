@@ -15,6 +15,8 @@ namespace {
 
 using Type = ViewCommandType;
 
+constexpr const char* kAuto = "auto";  // the speed decides
+
 template <typename... Parts>
 std::string text(const Parts&... parts) {
   std::ostringstream stream;
@@ -67,8 +69,32 @@ LiveOperator::LiveOperator(const config::Scenario& scenario, ViewLimits limits)
     : scenario_control_{config::with_defaults(scenario.controller.stack),
                         scenario.controller.planner.force.friction},
       limits_(limits),
-      reach_(control::reach_of(model::RobotModel(scenario.robot))) {
+      reach_(control::reach_of(model::RobotModel(scenario.robot))),
+      first_gait_(scenario.controller.first_gait) {
   wishes_.control = scenario_control_;
+  bool has_choice = false;
+  for (const gaits::NamedGait& gait : scenario.controller.gaits) {
+    gaits_.push_back(gait.name);
+    has_choice = has_choice || gait.options.rhythm.chosen_to > 0.0;
+  }
+  if (has_choice) gaits_.emplace_back(kAuto);
+}
+
+std::string LiveOperator::gait_name(int gait) const {
+  if (gait == UserCommand::kOwnGait) gait = first_gait_;
+  if (gait == UserCommand::kAutoGait) return kAuto;
+  return gait < 0 ? "" : gaits_[static_cast<std::size_t>(gait)];
+}
+
+int LiveOperator::gait(const std::string& name) const {
+  if (name.empty()) return wishes_.walk ? wishes_.walk->gait : UserCommand::kOwnGait;
+  const auto found = std::ranges::find(gaits_, name);
+  if (found == gaits_.end()) {
+    throw Error("unknown gait \"" + name + "\"; " +
+                (gaits_.empty() ? "the scenario's `gaits:` names none"
+                                : config::valid_names(name, gaits_)));
+  }
+  return name == kAuto ? UserCommand::kAutoGait : static_cast<int>(found - gaits_.begin());
 }
 
 std::string LiveOperator::command(const ViewCommand& command) {
@@ -170,7 +196,8 @@ void LiveOperator::walk(const ViewCommand& command) {
   wishes_.walk = {.walk = command.walk,
                   .velocity = command.velocity,
                   .yaw_rate = command.yaw_rate,
-                  .height = command.height};
+                  .height = command.height,
+                  .gait = gait(command.gait)};
 }
 
 void LiveOperator::gain(const ViewCommand& command) {

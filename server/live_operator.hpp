@@ -66,6 +66,10 @@ class LiveOperator {
   [[nodiscard]] std::optional<UserCommand> walk_wanted();
   [[nodiscard]] const ViewLimits& limits() const { return limits_; }
   [[nodiscard]] const control::StackReach& reach() const { return reach_; }
+  /// Names of the gaits that a command may ask for; `auto` the last one, if there is a choice.
+  [[nodiscard]] const std::vector<std::string>& gaits() const { return gaits_; }
+  /// Name of a command's gait; "" where the scenario has no list of gaits.
+  [[nodiscard]] std::string gait_name(int gait) const;
 
  private:
   void step(int ticks);
@@ -74,11 +78,14 @@ class LiveOperator {
   void gain(const ViewCommand& command);
   void order(const ViewCommand& command);
   void friction(const ViewCommand& command);
+  [[nodiscard]] int gait(const std::string& name) const;
   void check_body(const std::string& body) const;
 
   const WantedControl scenario_control_;
   const ViewLimits limits_;
   const control::StackReach reach_;
+  std::vector<std::string> gaits_;
+  const int first_gait_;
   std::uint64_t taken_ = 0;                // run's thread
   std::optional<WantedControl> given_up_;  // run's thread: the wish to return to
   std::mutex mutex_;                       // guards all below

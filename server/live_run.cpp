@@ -7,6 +7,7 @@
 #include "surefoot/logging/output_files.hpp"
 #include "surefoot/logging/recorder.hpp"
 
+#include <algorithm>
 #include <cstdio>
 
 namespace surefoot::server {
@@ -48,6 +49,17 @@ constexpr const char* kWaits =
     "\n  waits for the page: the robot calibrates, and walks once the link is open (--no-wait: at "
     "once)";
 
+/// Of its gaits by a clock; 0 without one [m/s].
+double fastest(const control::ControllerOptions& controller) {
+  const gaits::RhythmOptions& own = controller.planner.rhythm;
+  double speed = own.enabled ? own.speed_max : 0.0;
+  for (const gaits::NamedGait& gait : controller.gaits) {
+    const gaits::RhythmOptions& rhythm = gait.options.rhythm;
+    if (rhythm.enabled) speed = std::max(speed, rhythm.speed_max);
+  }
+  return speed;
+}
+
 /// Says that the log before a reset is kept.
 void print_kept(const LiveResult& before, const std::string& next) {
   const bool is_cut = before.run.ending == closed_loop::Ending::reset;
@@ -61,7 +73,7 @@ void print_kept(const LiveResult& before, const std::string& next) {
 LiveResult run_live(const config::Scenario& scenario, closed_loop::ClosedLoopOptions options,
                     const ViewArguments& arguments,
                     const std::function<void(const closed_loop::RunResult&)>& ended) {
-  LiveOperator wishes(scenario, limits_for(scenario.robot.scale));
+  LiveOperator wishes(scenario, limits_for(scenario.robot.scale, fastest(scenario.controller)));
   LiveFeed feed(scenario, wishes, options.record_path);
   LiveView view(wishes, feed, options.interrupted, !arguments.no_wait);
   options.steering = &view;

@@ -35,7 +35,7 @@ bool calibrates(const TickRecord& tick) {
 bool is_same(const std::optional<UserCommand>& a, const std::optional<UserCommand>& b) {
   if (!a || !b) return a.has_value() == b.has_value();
   return a->walk == b->walk && a->velocity == b->velocity && a->yaw_rate == b->yaw_rate &&
-         a->height == b->height;
+         a->height == b->height && a->gait == b->gait;
 }
 
 }  // namespace
@@ -186,9 +186,9 @@ void LiveView::take_walk(double time) {
   if (walk_) {
     text = formatted(
         "the operator commands: %s, velocity (%.3g, %.3g) m/s, yaw rate %.3g rad/s, "
-        "height %+.3g m",
+        "height %+.3g m, gait %s",
         walk_->walk ? "walk" : "stand", walk_->velocity.x(), walk_->velocity.y(), walk_->yaw_rate,
-        walk_->height);
+        walk_->height, operator_.gait_name(walk_->gait).c_str());
   }
   keep({.time = time, .kind = "walk", .text = text, .stack = {}, .body = {}});
 }

@@ -69,6 +69,7 @@ void read_walk(const nlohmann::json& message, ViewCommand& command) {
   read(message, "velocity", command.velocity);
   read(message, "yaw_rate", command.yaw_rate);
   read(message, "height", command.height);
+  if (message.contains("gait")) read(message, "gait", command.gait);
 }
 
 ViewCommand read_command(const nlohmann::json& message) {

@@ -36,6 +36,7 @@ struct ViewCommand {
   Vec2 velocity{0, 0};                ///< forward and lateral, in C [m/s]
   double yaw_rate = 0.0;              ///< [rad/s]
   double height = 0.0;                ///< [m]
+  std::string gait{};                 ///< of walk: a name; empty: as before
   std::string level{};                ///< of gain
   std::string task{}, name{};         ///< of gain
   double value = 0.0;                 ///< of gain and friction

@@ -71,15 +71,20 @@ void levels_members(logging::JsonText& json, const ViewSession& session) {
 
 }  // namespace
 
-ViewLimits limits_for(const Scale& scale) {
+ViewLimits limits_for(const Scale& scale, double speed) {
   const auto in_two_digits = [](double number) {
     return std::strtod(formatted("%.2g", number).c_str(), nullptr);
   };
+  constexpr double kFastTurn = 2.0;  // of a fast gait [rad/s]
   ViewLimits limits;
   limits.push_impulse = in_two_digits(limits.push_impulse * scale.of("N·s"));
   limits.push_force = in_two_digits(limits.push_force * scale.force());
   limits.walk_velocity = in_two_digits(limits.walk_velocity * scale.speed());
   limits.walk_yaw_rate = in_two_digits(limits.walk_yaw_rate * scale.rate());
+  if (speed > limits.walk_velocity) {
+    limits.walk_velocity = in_two_digits(speed);
+    limits.walk_yaw_rate = in_two_digits(kFastTurn * scale.rate());
+  }
   limits.walk_height = in_two_digits(limits.walk_height * scale.length);
   return limits;
 }
@@ -109,6 +114,7 @@ std::string to_json(const ViewSession& session) {
   levels_members(json, session);
   meshes_member(json, session.meshes);
   limits_member(json, session.limits);
+  json.member("gaits", session.gaits);
   json.member("bodies", session.bodies).member("damage", session.damage).end_object();
   return out;
 }

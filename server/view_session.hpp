@@ -24,8 +24,8 @@ struct ViewLimits {
   double friction_min = 0.05, friction_max = 2.0;
 };
 
-/// Those of a robot of this size, in two digits.
-[[nodiscard]] ViewLimits limits_for(const Scale& scale);
+/// Those of a robot of this size, in two digits; with gaits as fast as `speed` [m/s].
+[[nodiscard]] ViewLimits limits_for(const Scale& scale, double speed = 0.0);
 
 /// A number of a task that can be changed.
 struct ViewNumber {
@@ -71,6 +71,7 @@ struct ViewSession : ViewRun {
   std::vector<std::string> damage;  ///< of a log: sentences on what can't be read, so far
   std::vector<model::MeshFile> meshes;
   ViewLimits limits;
+  std::vector<std::string> gaits;  ///< that the user may change to
   std::uint32_t generation = 0;
   std::uint32_t begun = 0;  ///< generation with which the present run began
 };

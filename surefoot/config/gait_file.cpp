@@ -15,14 +15,36 @@ void erase(ConfigNode& map, const char* key) {
   std::erase_if(map.members, [&](const ConfigNode::Member& member) { return member.first == key; });
 }
 
+/// A rhythm must be given for each leg of the robot.
+void check_legs(const ConfigNode& gait, const model::RobotDescription& robot) {
+  const ConfigNode* rhythm = gait.find("rhythm");
+  const ConfigNode* offset = rhythm == nullptr ? nullptr : rhythm->find("offset");
+  if (offset == nullptr || offset->kind != ConfigNode::Kind::map) return;
+  std::string missing, all;
+  for (const std::string_view leg : leg_names(robot.num_legs())) {
+    all += " " + std::string(leg);
+    if (offset->find(leg) == nullptr) missing += " " + std::string(leg);
+  }
+  std::string others;
+  for (const auto& [leg, share] : offset->members) others += " " + leg;
+  if (!missing.empty())
+    fail_at(
+        *offset, "rhythm.offset",
+        "the gait is for the legs" + others + "; the robot has" + all + ", so it lacks" + missing);
+}
+
 /// The file's options as a scenario has them, below `planner:`.
 ConfigNode read_gait(const fs::path& file, const model::RobotDescription* robot) {
   ConfigNode gait = parse_yaml_file(file);
   const bool is_scaled = take_scaled(gait);
   erase(gait, "description");
+  if (robot != nullptr) check_legs(gait, *robot);
   ConfigNode scenario{.kind = ConfigNode::Kind::map, .where = gait.where};
-  set_path(gait, "rhythm.enabled",
-           {.kind = ConfigNode::Kind::scalar, .text = "true", .where = gait.where});
+  const ConfigNode* rhythm = gait.find("rhythm");
+  if (rhythm == nullptr || rhythm->find("enabled") == nullptr) {
+    set_path(gait, "rhythm.enabled",
+             {.kind = ConfigNode::Kind::scalar, .text = "true", .where = gait.where});
+  }
   scenario.members.emplace_back("planner", std::move(gait));
   if (is_scaled && robot != nullptr) fit_scenario(scenario, *robot);
   return scenario;
@@ -38,12 +60,8 @@ Group gait_fields(gaits::PlannerOptions& planner, std::string& description) {
       .and_also(fields(planner));
 }
 
-std::optional<fs::path> include_gait(ConfigNode& scenario, const fs::path& folder,
-                                     const model::RobotDescription* robot) {
-  const ConfigNode* named = scenario.find("gait");
-  if (named == nullptr) return std::nullopt;
-  const ConfigNode name = *named;
-  remove_gait(scenario);
+std::optional<fs::path> include_gait(ConfigNode& scenario, const ConfigNode& name,
+                                     const fs::path& folder, const model::RobotDescription* robot) {
   if (name.kind == ConfigNode::Kind::null) return std::nullopt;
   try {
     const fs::path file = find_data_file("gaits", read_text(name, "gait"), folder);

@@ -14,10 +14,10 @@ namespace surefoot::config {
 /// What a gait file holds: the part of `planner:` that makes the gait, with a description.
 [[nodiscard]] Group gait_fields(gaits::PlannerOptions& planner, std::string& description);
 
-/// Lays the scenario's `planner:` over that of the gait that its `gait:` names, fitted to the robot
-/// if the gait's file is `scaled`, and removes the key. A name is that of a file in gaits/, or a
-/// path relative to `folder`; `none` is the crawl. Returns the gait's file. Throws Error.
-std::optional<std::filesystem::path> include_gait(ConfigNode& scenario,
+/// Lays the scenario's `planner:` over that of a gait, fitted to the robot if the gait's file is
+/// `scaled`. A name is that of a file in gaits/, or a path relative to `folder`; `none` is the
+/// crawl. Returns the gait's file. Throws Error, also where the gait is for other legs.
+std::optional<std::filesystem::path> include_gait(ConfigNode& scenario, const ConfigNode& name,
                                                   const std::filesystem::path& folder,
                                                   const model::RobotDescription* robot);
 

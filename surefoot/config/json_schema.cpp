@@ -250,6 +250,7 @@ Json Form::operator()(const Other& other) const {
   if (form == "tasks") return tasks_by_name();
   if (form == "randomise") return or_null(ranges_by_path());
   if (form == "criteria") return limits_by_metric();
+  if (form == "gaits") return list_of(text());
   if (form == "paper") return figures_by_metric();
   if (form == "flag") return flag();
   return text();

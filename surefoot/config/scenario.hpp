@@ -20,6 +20,7 @@ namespace surefoot::config {
 struct TimedCommand {
   double time = 0.0;  ///< [s]
   UserCommand user;
+  std::string gait{};  ///< by name, which sets that of `user`
 };
 
 /// The goal of a run, which ends the run early.

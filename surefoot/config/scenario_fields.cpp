@@ -187,7 +187,9 @@ Group named_fields(Scenario& scenario) {
           {kScaled, Other{"flag"}, "numbers are for ANYmal B; another robot gets its own by size"},
           {"robot", Other{"text"}, "name or file"},
           {"stack", Other{"text"}, "name or file"},
-          {"gait", Other{"text"}, "name or file, laid under planner; none: the crawl"},
+          {"gait", Other{"text"},
+           "name or file, laid under planner; none: the crawl; auto: by the speed"},
+          {"gaits", Other{"gaits"}, "names of those that the user may change to"},
           {"tasks", Other{"tasks"}, "changes to the stack's tasks"},
           {"stack_switches", changes, "levels that come and go"},
           {"randomise", Other{"randomise"}, "ranges that the seed draws from"},
@@ -270,6 +272,7 @@ Group fields(TimedCommand& o) {
           {"yaw_rate", &o.user.yaw_rate, kAnyNumber, "rad/s", "to the left"},
           {"height", &o.user.height, kHeight, "m", "over the stance's height"},
           {"calibrate", &o.user.calibrate, "stand, begin the estimate anew, calibrate, go on"},
+          {"gait", &o.gait, "name or file; auto: by the speed; without it the scenario's"},
           {"reach", fields(o.user.reach), "the tip of an arm follows this"},
           {"shift", Numbers{o.user.shift.data(), {"x", "y"}}, kAnyNumber, "m",
            "of the centre of mass of flat feet, forward and to the left"}};

@@ -8,6 +8,7 @@
 #include "surefoot/config/field_reader.hpp"
 #include "surefoot/config/gait_file.hpp"
 #include "surefoot/config/initial_posture.hpp"
+#include "surefoot/config/loaded_gaits.hpp"
 #include "surefoot/config/nearest_name.hpp"
 #include "surefoot/config/robot_file.hpp"
 #include "surefoot/config/scaling.hpp"
@@ -43,19 +44,23 @@ constexpr std::array<std::string_view, 5> kOfOneFile{"description", "criteria", 
 /// The files that a scenario was read from: its own, then its bases, and its gait.
 struct Files {
   std::vector<fs::path> scenarios;
-  std::optional<fs::path> gait;
-  bool names_gait = false;  ///< one of the files so far does
+  std::optional<fs::path> gait{};
+  std::optional<ConfigNode> named{};          ///< by the first of the files that names a gait
+  std::optional<ConfigNode> instead_of_it{};  ///< another name, to be read in its place
 };
 
 /// A gait lies between the file that names it and this file's base, whose gait is not read.
 void read_gait(ConfigNode& tree, const fs::path& file, const model::RobotDescription* robot,
                Files& files) {
-  if (files.names_gait) {
-    remove_gait(tree);
-  } else if (tree.find("gait") != nullptr) {
-    files.names_gait = true;
-    files.gait = include_gait(tree, file.parent_path(), robot);
+  const ConfigNode *gaits = tree.find("gaits"), *named = tree.find("gait");
+  const bool is_loaded = gaits != nullptr && gaits->kind == ConfigNode::Kind::map;
+  if (named == nullptr || is_loaded) return;
+  if (!files.named) {
+    files.named = *named;
+    const ConfigNode name = slowest(files.instead_of_it.value_or(*named));
+    files.gait = include_gait(tree, name, file.parent_path(), robot);
   }
+  remove_gait(tree);
 }
 
 /// The file merged over its gait and its `base:`, recursively, each fitted to the robot if it is
@@ -86,6 +91,22 @@ ConfigNode read_with_base(const fs::path& file, const model::RobotDescription* r
   } catch (const UnknownNameError& error) {
     fail_at(*base, "base", error.what());
   }
+}
+
+/// All gaits that the scenario can change to, as it would be in each.
+void load_gaits(const ScenarioRequest& request, const fs::path& file,
+                const model::RobotDescription* robot, const Files& files, ConfigNode& tree) {
+  const ConfigNode* loaded = tree.find("gaits");
+  if (loaded != nullptr && loaded->kind == ConfigNode::Kind::map) return;
+  load_gaits(tree, files.named ? &*files.named : nullptr, [&](const ConfigNode& name) {
+    std::vector<std::string> assignments = request.assignments;
+    if (!files.named) assignments.push_back("gait=" + name.text);
+    Files others{.scenarios = {}, .instead_of_it = name};
+    ConfigNode other = read_with_base(file, robot, assignments, others);
+    for (const std::string& assignment : request.assignments) apply_assignment(other, assignment);
+    const ConfigNode* planner = other.find("planner");
+    return planner == nullptr ? ConfigNode{.kind = ConfigNode::Kind::map} : *planner;
+  });
 }
 
 /// The requested robot; none if it can't be loaded, which is reported later.
@@ -443,7 +464,9 @@ Scenario load_scenario(const ScenarioRequest& request) {
     apply_assignment(tree, assignment);
   }
 
-  remove_gait(tree);
+  if (tree.find("gaits") == nullptr || tree.find("gaits")->kind != ConfigNode::Kind::map)
+    remove_gait(tree);
+  load_gaits(request, file, robot, files, tree);
 
   Scenario scenario;
   scenario.file = file.string();
@@ -456,6 +479,7 @@ Scenario load_scenario(const ScenarioRequest& request) {
   const std::vector<std::string> assigned = assigned_paths(request);
   std::vector<EndOfRanges> ends = read_ends(tree, assigned, robot);
   scenario.drawn = randomise(tree, request.seed, assigned, num_legs_of(robot));
+  draw_gaits(tree, scenario.drawn);
   scenario.options_json = to_json(tree);
   keep_sources(scenario, "scenario", "base", files.scenarios);
   if (files.gait) keep_source(scenario, "gait.yaml", *files.gait);
@@ -464,6 +488,13 @@ Scenario load_scenario(const ScenarioRequest& request) {
   }
   Section top(tree, "");
   read_body(top, robot, scenario);
+  const auto planner_of = [&](const ConfigNode& in_gait) {
+    Section section(in_gait, "");
+    Scenario other;
+    read_body(section, robot, other);
+    return other.controller.planner;
+  };
+  read_gaits(tree, planner_of, scenario);
   read_robot_and_stack(top, file, robot, request.own_tasks, scenario);
   scenario.sources_hash = hash_of_sources(scenario);
 

@@ -149,9 +149,10 @@ Controller::Implementation::Implementation(
     : model(robot),
       estimator(std::move(state_estimator)),
       has_own_planner(own_planner != nullptr),
-      planner(has_own_planner ? std::move(own_planner)
-                              : gaits::make_planner(options.planner, checked_period(options.period),
-                                                    robot.scale)),
+      planner(has_own_planner
+                  ? std::move(own_planner)
+                  : gaits::make_planner(options.planner, checked_period(options.period),
+                                        robot.scale, options.gaits, options.first_gait)),
       memory{.guard = {options.guard, robot, checked_period(options.period)},
              .estimation = {options, *estimator, model},
              .calibration = {options.link_masses, robot, model.base_mass(), options.period},
@@ -437,6 +438,8 @@ Controller::Controller(const model::RobotDescription& robot, const ControllerOpt
       std::make_unique<Implementation>(robot, options, std::move(estimator), std::move(planner));
   ControllerOptions given = options;
   check_fields("", fields(given));
+  for (gaits::NamedGait& gait : given.gaits)
+    check_fields("gaits." + gait.name, fields(gait.options));
 }
 
 Controller::~Controller() = default;

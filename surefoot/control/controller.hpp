@@ -50,6 +50,8 @@ class StageObserver {
 struct ControllerOptions {
   double period = 0.0025;  ///< of the control loop [s]
   gaits::PlannerOptions planner;
+  std::vector<gaits::NamedGait> gaits;     ///< that the user may change to
+  int first_gait = UserCommand::kOwnGait;  ///< of a command without one: `planner`'s, or of these
   StackOptions stack;
   std::vector<LevelSwitch> level_switches;  ///< sorted by time; must not overlap
   SolverOptions solver;

@@ -41,6 +41,13 @@ struct Body {
         balance(given.push, control_period),
         com(given.com, given.force, robot) {}
 
+  /// Goes on with other options, as another gait has them. All feet are down.
+  void use(const PlannerOptions& given, double time) {
+    options = given;
+    for (const Leg k : legs.all()) legs[k].use(given, time);
+    footholds.use(given.stance, given.foothold);
+    com.use(given.force);
+  }
   /// Fits the terrain plane to the footholds.
   void fit_plane() {
     plane = estimation::fit_terrain_plane(legs.footholds(), options.torso.max_tilt, scale);

@@ -23,8 +23,15 @@ CommandLimits::CommandLimits(const PlannerOptions& options, double period, const
       max_change_(kMaxChange.cwiseProduct(Vec3(scale.speed(), scale.speed(), scale.rate()))),
       height_rate_(scale.speed() * kHeightRate),
       min_height_(scale.length * kMinHeight),
+      scale_(scale),
       hip_height_(hip_height(options.stance, scale)),
-      period_(period) {}
+      period_(period),
+      half_length_(options.stance.half_length) {}
+
+void CommandLimits::use(const PlannerOptions& options) {
+  strides_.use(options);
+  hip_height_ = hip_height(options.stance, scale_);
+}
 
 // COM and next foothold are planned at touchdown. A later change of velocity would make foot and
 // torso inconsistent. Caution divides velocities, as accelerations fall with the strides' length.
@@ -66,7 +73,14 @@ void CommandLimits::begin_step(const CommandContext& context) {
 double CommandLimits::feasible_share(const UserCommand& command, const CommandContext& context,
                                      double cycle_duration) const {
   const double height = hip_height_ + std::fmin(0.0, height_);
-  return strides_.feasible_share(command, context.hips, height, cycle_duration);
+  return std::min(strides_.feasible_share(command, context.hips, height, cycle_duration),
+                  allowed_share(command, context));
+}
+
+double CommandLimits::allowed_share(const UserCommand& command,
+                                    const CommandContext& context) const {
+  const double speed = command.velocity.norm() + std::abs(command.yaw_rate) * half_length_;
+  return std::min(1.0, context.speed_max / speed);
 }
 
 // Caution makes cycle and strides longer. The event depends on the strides without caution.
@@ -78,8 +92,9 @@ UserCommand CommandLimits::within_strides(const UserCommand& command,
   const double cycle = context.cycle_duration / context.pace;
   const bool has_long_strides =
       (share < 1.0 || !is_reached) && feasible_share(commanded_, context, cycle) < 1.0;
-  slows_.active =
-      command.walk && (has_long_strides || strides_.turns_slower(commanded_.yaw_rate, cycle));
+  brakes_.active = command.walk && allowed_share(commanded_, context) < 1.0;
+  slows_.active = command.walk && !brakes_.active &&
+                  (has_long_strides || strides_.turns_slower(commanded_.yaw_rate, cycle));
   UserCommand result = command;
   result.velocity *= share;
   result.yaw_rate *= share;
@@ -105,7 +120,7 @@ UserCommand CommandLimits::within_height(const UserCommand& command,
 }
 
 void CommandLimits::report(EventList& events) {
-  for (Limit* limit : {&slows_, &lowers_, &raises_}) {
+  for (Limit* limit : {&slows_, &brakes_, &lowers_, &raises_}) {
     if (limit->active && !limit->reported) events.add({.kind = limit->event});
     limit->reported = limit->active;
   }

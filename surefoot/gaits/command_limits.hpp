@@ -9,13 +9,14 @@ namespace surefoot::gaits {
 
 /// What limits the command at a tick.
 struct CommandContext {
-  double cycle_duration = 0.0;  ///< of the gait, with the pace of this tick [s]
-  double pace = 1.0;            ///< factor in the duration, see Body::pace
-  double caution = 1.0;         ///< divisor of the velocities, for friction and pushes
-  PerLeg<Vec2> hips;            ///< relative to the footholds' centre, in heading axes [m]
-  bool stands = true;           ///< the stand is active
-  bool starts_at_rest = false;  ///< the first step has no velocity, instead of the commanded one
-  bool calibrates = false;      ///< a calibration is going on or due
+  double cycle_duration = 0.0;   ///< of the gait, with the pace of this tick [s]
+  double pace = 1.0;             ///< factor in the duration, see Body::pace
+  double caution = 1.0;          ///< divisor of the velocities, for friction and pushes
+  PerLeg<Vec2> hips;             ///< relative to the footholds' centre, in heading axes [m]
+  bool stands = true;            ///< the stand is active
+  bool starts_at_rest = false;   ///< the first step has no velocity, instead of the commanded one
+  bool calibrates = false;       ///< a calibration is going on or due
+  double speed_max = kInfinity;  ///< of a foot relative to the torso, in this gait [m/s]
 };
 
 /// Limits the user's command to what the legs can follow: velocities change step by step and keep
@@ -25,6 +26,8 @@ class CommandLimits {
   /// `period` of the control loop [s], `scale` of the robot.
   CommandLimits(const PlannerOptions& options, double period, const Scale& scale);
 
+  /// Goes on in another gait.
+  void use(const PlannerOptions& options);
   /// One tick.
   [[nodiscard]] UserCommand update(const UserCommand& command, const CommandContext& context);
   /// Moves the velocities toward the command by the largest change per step.
@@ -40,6 +43,9 @@ class CommandLimits {
     bool active = false, reported = false;
   };
 
+  /// Of the velocities, that the gait's speed allows.
+  [[nodiscard]] double allowed_share(const UserCommand& command,
+                                     const CommandContext& context) const;
   [[nodiscard]] double feasible_share(const UserCommand& command, const CommandContext& context,
                                       double cycle_duration) const;
   [[nodiscard]] UserCommand within_strides(const UserCommand& command,
@@ -48,16 +54,19 @@ class CommandLimits {
                                           const CommandContext& context);
 
   Strides strides_;
-  Vec3 max_change_;                   // per step, as `kMaxChange`
-  double height_rate_, min_height_;   // as `kHeightRate`, `kMinHeight`
-  double hip_height_, period_;        // in the stance [m], [s]
-  UserCommand commanded_, walked_;    // as given, and with feasible strides
-  Vec2 velocity_{0.0, 0.0};           // of this step [m/s]
-  double turn_ = 0.0;                 // yaw rate of this step [rad/s]
-  double height_ = kNaN;              // of the torso, relative to the stance [m]
-  Limit slows_{PlanEvent::slowed};    // strides too short for the velocity
-  Limit lowers_{PlanEvent::lowered};  // legs too short for the height
-  Limit raises_{PlanEvent::raised};   // legs too bent for it
+  Vec3 max_change_;                  // per step, as `kMaxChange`
+  double height_rate_, min_height_;  // as `kHeightRate`, `kMinHeight`
+  Scale scale_;
+  double hip_height_, period_;         // in the stance [m], [s]
+  double half_length_;                 // of the stance [m]
+  UserCommand commanded_, walked_;     // as given, and with feasible strides
+  Vec2 velocity_{0.0, 0.0};            // of this step [m/s]
+  double turn_ = 0.0;                  // yaw rate of this step [rad/s]
+  double height_ = kNaN;               // of the torso, relative to the stance [m]
+  Limit slows_{PlanEvent::slowed};     // strides too short for the velocity
+  Limit brakes_{PlanEvent::too_fast};  // the gait too slow for it
+  Limit lowers_{PlanEvent::lowered};   // legs too short for the height
+  Limit raises_{PlanEvent::raised};    // legs too bent for it
 };
 
 }  // namespace surefoot::gaits

@@ -6,9 +6,10 @@ namespace surefoot::gaits {
 
 /// Result of a gait's tick.
 struct GaitOutcome {
-  bool hands_over = false;        ///< to the other gait
-  std::optional<Action> first{};  ///< of the gait that takes over
-  bool begins_step = false;       ///< planned step: velocities may change
+  bool hands_over = false;         ///< to the other gait
+  std::optional<Action> first{};   ///< of the gait that takes over
+  bool begins_step = false;        ///< planned step: velocities may change
+  bool has_new_reference = false;  ///< of COM and height, which may jump
 };
 
 /// A way to stand or to walk. One gait is active at a time: it reads the situation and changes the
@@ -30,10 +31,16 @@ class Gait {
   [[nodiscard]] virtual bool is_static() const { return true; }
   /// Time in which a foot moves by its stride relative to the torso [s].
   [[nodiscard]] virtual double stride_duration(double) const { return 0.0; }
+  /// Of the torso, relative to the stance [m].
+  [[nodiscard]] virtual double height() const { return 0.0; }
   /// Reference of the COM at this tick.
   [[nodiscard]] virtual ComPlan com(const Situation& now, const Body& body) const {
     return body.com.at(now.time);
   }
+  /// How the torso goes up and down in a cycle [m].
+  [[nodiscard]] virtual Motion<double> bounce() const { return {0.0, 0.0, 0.0}; }
+  /// Of the reference, without its sway [m/s].
+  [[nodiscard]] virtual double speed() const { return 0.0; }
 
  protected:
   using Reaction = std::optional<Action> (*)(const Situation&);

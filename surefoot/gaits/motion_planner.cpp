@@ -8,8 +8,9 @@ namespace {
 
 class GaitPlanner final : public MotionPlanner {
  public:
-  GaitPlanner(const PlannerOptions& options, double period, const Scale& scale)
-      : planner_(options, period, scale), fresh_(planner_) {}
+  GaitPlanner(const PlannerOptions& options, double period, const Scale& scale,
+              const std::vector<NamedGait>& gaits, int first)
+      : planner_(options, period, scale, gaits, first), fresh_(planner_) {}
 
   const MotionPlan& update(const UserCommand& user, const RobotState& state,
                            const model::Dynamics& dynamics,
@@ -45,8 +46,9 @@ void MotionPlanner::set_friction(double) {
 }
 
 std::unique_ptr<MotionPlanner> make_planner(const PlannerOptions& options, double period,
-                                            const Scale& scale) {
-  return std::make_unique<GaitPlanner>(options, period, scale);
+                                            const Scale& scale, const std::vector<NamedGait>& gaits,
+                                            int first) {
+  return std::make_unique<GaitPlanner>(options, period, scale, gaits, first);
 }
 
 }  // namespace surefoot::gaits

@@ -10,11 +10,29 @@
 
 namespace surefoot::gaits {
 
-Planner::Planner(const PlannerOptions& options, double period, const Scale& scale)
+namespace {
+
+constexpr double kBlendDuration = 0.2;  // of references, from gait to gait [s]
+constexpr double kChangeMargin = 1.1;   // of the speed in a change of gait, over the gait's
+
+/// Those of the gait of legs that step in turn, or the own ones.
+const PlannerOptions& of_crawl(const PlannerOptions& own, const std::vector<NamedGait>& gaits) {
+  const auto steps = [](const PlannerOptions& o) { return !o.rhythm.enabled && !o.rhythm.stands; };
+  const auto crawl =
+      std::ranges::find_if(gaits, [&](const NamedGait& gait) { return steps(gait.options); });
+  return steps(own) || crawl == gaits.end() ? own : crawl->options;
+}
+
+}  // namespace
+
+Planner::Planner(const PlannerOptions& options, double period, const Scale& scale,
+                 const std::vector<NamedGait>& gaits, int first)
     : body_(options, period, scale),
       flat_stand_(options.force, period, scale),
-      crawl_(options),
-      rhythmic_(options.rhythm, scale),
+      crawl_(of_crawl(options, gaits)),
+      choice_(options, gaits, first),
+      present_(choice_.first()),
+      wanted_(present_),
       limits_(options, period, scale),
       torso_(options.torso, period),
       friction_frame_(options.friction_frame, period),
@@ -22,6 +40,11 @@ Planner::Planner(const PlannerOptions& options, double period, const Scale& scal
       rest_(scale),
       hips_(options.gait.num_legs(), Vec2::Zero()) {
   plan_.feet.resize(options.gait.num_legs());
+  for (int gait = UserCommand::kOwnGait; gait < choice_.size(); ++gait)
+    rhythms_.emplace_back(choice_.options(gait), scale);
+  if (present_ == UserCommand::kOwnGait) return;
+  body_.use(choice_.options(present_), 0.0);
+  limits_.use(choice_.options(present_));
 }
 
 void Planner::begin_anew(const Planner& fresh) {
@@ -48,6 +71,7 @@ const MotionPlan& Planner::update(const UserCommand& command, const RobotState& 
   if (!initialised_) calibration_.expect_switch(command.calibrate);  // a calibration begins anyway
   if (!initialised_ || restarts_) initialise(state, dynamics);
   calibration_.update(state.time, command.calibrate, is_undisturbed(state));
+  wanted_ = choice_.wanted(command, wanted_);
   const UserCommand user = limit(command);
   Situation now{state.time, yaw_, user, state, dynamics, last, plan_, body_};
   move_legs(now);
@@ -88,7 +112,8 @@ CommandContext Planner::command_context() const {
                          .hips = hips_,
                          .stands = !walks_,
                          .starts_at_rest = !walk().is_static(),
-                         .calibrates = calibration_.is_due()};
+                         .calibrates = calibration_.is_due(),
+                         .speed_max = speed_max()};
   if (!walk().is_static()) return context;
   context.caution = std::max(context.caution, body_.balance.caution());
   const Mat2 R = rotation_about_z(-yaw_).topLeftCorner<2, 2>();
@@ -100,7 +125,7 @@ CommandContext Planner::command_context() const {
 UserCommand Planner::limit(const UserCommand& command) {
   const CommandContext now = command_context();
   UserCommand user = limits_.update(command, now);
-  user.walk = user.walk && !calibration_.is_due();
+  user.walk = user.walk && !calibration_.is_due() && !choice_.options(wanted_).rhythm.stands;
   if (walk().is_static()) {
     user.yaw_rate *= limits_.strides().turning_share(user.yaw_rate, body_.legs.footholds(),
                                                      body_.legs.down(), yaw_, now.cycle_duration);
@@ -110,13 +135,36 @@ UserCommand Planner::limit(const UserCommand& command) {
   return user;
 }
 
+// A gait that is slower than the present one begins when the robot is as slow.
+bool Planner::may_change() const {
+  return wanted_ != present_ &&
+         walk().speed() <= kChangeMargin * choice_.options(wanted_).rhythm.speed_max;
+}
+
+double Planner::speed_max() const {
+  const double wanted = choice_.options(wanted_).rhythm.speed_max;
+  return walks_ ? std::min(wanted, choice_.options(present_).rhythm.speed_max) : wanted;
+}
+
+void Planner::change_gait(double time) {
+  present_ = wanted_;
+  body_.use(choice_.options(present_), time);
+  limits_.use(choice_.options(present_));
+  body_.events.add({.kind = PlanEvent::gait_changed});
+}
+
 void Planner::move_legs(Situation& now) {
+  if (!walks_ && wanted_ != present_ && body_.legs.all_down()) change_gait(now.time);
+  now.yields = walks_ && now.user.walk && may_change();
   gait().observe(now, body_);
   if (learns_ground_ && !calibration_.is_going_on()) relearn_ground();
   const GaitOutcome outcome = gait().advance(now, body_);
   if (outcome.begins_step) limits_.begin_step(command_context());
+  has_new_gait_ =
+      outcome.has_new_reference || (outcome.hands_over && (now.yields || !walk().is_static()));
   if (outcome.hands_over) {
-    walks_ = !walks_;
+    walks_ = now.yields || !walks_;
+    if (now.yields) change_gait(now.time);
     gait().begin(now, body_, outcome.first);
   }
   rest_.update(now.state, !walks_ && body_.legs.all_down());
@@ -135,6 +183,8 @@ void Planner::finish_calibration(const RobotState& state) {
 }
 
 void Planner::write_plan(const Situation& now) {
+  const ComPlan com = plan_.com;
+  const TorsoPlan torso = plan_.torso;
   plan_.time = now.time;
   for (const Leg k : body_.legs.all()) {
     plan_.feet[index(k)] = body_.legs[k].plan(now.time);
@@ -142,13 +192,20 @@ void Planner::write_plan(const Situation& now) {
   }
   plan_.com = gait().com(now, body_);
   plan_.com_zmp_slack = body_.com.zmp_slack();
-  const double height = body_.options.stance.height + now.user.height;
+  const double height = body_.options.stance.height + (now.user.height + gait().height());
   torso_.update(body_.plane, yaw_, yaw_rate_, plan_.com, height, calibration_.motion());
   plan_.torso = torso_.plan();
+  const Motion<double> bounce = gait().bounce();
+  plan_.torso.height += bounce.p;
+  plan_.torso.height_rate += bounce.v;
+  plan_.torso.height_acceleration += bounce.a;
+  if (has_new_gait_) blend_.begin(now.time, com, torso, plan_);
+  blend_.apply(now.time, body_.scale.time() * kBlendDuration, plan_);
   friction_frame_.update(body_.plane.normal);
   plan_.R_WC = estimation::control_frame(friction_frame_.normal(), yaw_);
   plan_.terrain_point = body_.plane.point;
   plan_.calibration = calibration_.stage();
+  plan_.gait = present_;
   plan_.events = body_.events;
 }
 

@@ -4,24 +4,31 @@
 #include "surefoot/gaits/body.hpp"
 #include "surefoot/gaits/command_limits.hpp"
 #include "surefoot/gaits/crawl/crawl.hpp"
+#include "surefoot/gaits/gait_choice.hpp"
 #include "surefoot/gaits/parts/calibration_schedule.hpp"
 #include "surefoot/gaits/parts/friction_frame.hpp"
 #include "surefoot/gaits/parts/torso_reference.hpp"
+#include "surefoot/gaits/reference_blend.hpp"
 #include "surefoot/gaits/rhythm/rhythmic_gait.hpp"
 #include "surefoot/gaits/stand/flat_stand.hpp"
 #include "surefoot/gaits/stand/stand.hpp"
 
+#include <utility>
+#include <vector>
+
 namespace surefoot::gaits {
 
-/// Plans the motion: selects the gait, stand, crawl or one by a clock, and does what all gaits
-/// need: command limits, heading, torso along the plane through the footholds, calibration. A robot
-/// with flat feet stands (`FlatStand`), whatever the command. Plans
-/// relative to the footholds, independent of the world's origin.
+/// Plans the motion: selects the gait, stand, crawl or one by a clock, changes it as the user
+/// commands, and does what all gaits need: command limits, heading, torso along the plane through
+/// the footholds, calibration. A robot with flat feet stands (`FlatStand`), whatever the command.
+/// Plans relative to the footholds, independent of the world's origin.
 class Planner {
  public:
-  /// `period` of the control loop [s], `scale` of the robot. Throws Error unless the gait's order
-  /// has each leg once.
-  Planner(const PlannerOptions& options, double period, const Scale& scale = {});
+  /// `period` of the control loop [s], `scale` of the robot. A command may name one of `gaits`;
+  /// `first` is the gait of one that names none, as in `UserCommand::gait`. Throws Error unless the
+  /// gaits' orders have each leg once.
+  Planner(const PlannerOptions& options, double period, const Scale& scale = {},
+          const std::vector<NamedGait>& gaits = {}, int first = UserCommand::kOwnGait);
 
   /// One tick. Allocates nothing, throws nothing.
   const MotionPlan& update(const UserCommand& command, const RobotState& state,
@@ -57,13 +64,18 @@ class Planner {
   /// The command for the gait; updates the heading.
   [[nodiscard]] UserCommand limit(const UserCommand& command);
   /// The gait of a walk.
-  [[nodiscard]] Gait& walk() {
-    return body_.options.rhythm.enabled ? static_cast<Gait&>(rhythmic_) : crawl_;
-  }
   [[nodiscard]] const Gait& walk() const {
-    return body_.options.rhythm.enabled ? static_cast<const Gait&>(rhythmic_) : crawl_;
+    if (!body_.options.rhythm.enabled) return crawl_;
+    return rhythms_[static_cast<std::size_t>(present_ + 1)];
   }
+  [[nodiscard]] Gait& walk() { return const_cast<Gait&>(std::as_const(*this).walk()); }
   [[nodiscard]] Gait& gait() { return walks_ ? walk() : stand_; }
+  /// May the robot change to the wanted gait, which it is slow enough for?
+  [[nodiscard]] bool may_change() const;
+  /// That the present gait and the wanted one allow [m/s].
+  [[nodiscard]] double speed_max() const;
+  /// Makes the wanted gait the present one. All feet are down.
+  void change_gait(double time);
   void move_legs(Situation& now);
   void finish_calibration(const RobotState& state);
   void write_plan(const Situation& now);
@@ -72,8 +84,12 @@ class Planner {
   Stand stand_;
   FlatStand flat_stand_;
   Crawl crawl_;
-  RhythmicGait rhythmic_;
-  bool walks_ = false;  // the stand is not active
+  GaitChoice choice_;
+  int present_, wanted_;               // gaits, as in GaitChoice
+  std::vector<RhythmicGait> rhythms_;  // by gait, the own one first
+  bool walks_ = false;                 // the stand is not active
+  bool has_new_gait_ = false;          // at this tick: walks by a clock, or did
+  ReferenceBlend blend_;
   CommandLimits limits_;
   TorsoReference torso_;
   FrictionFrame friction_frame_;

@@ -5,6 +5,7 @@
 #include "surefoot/gaits/parts/calibration_motion.hpp"
 #include "surefoot/gaits/parts/com_planner.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace surefoot::gaits {
@@ -74,18 +75,55 @@ void check_rhythm(const PlannerOptions& o, const Given& given) {
   }
 }
 
+bool stands(const RhythmOptions& rhythm, Leg leg, double phase) {
+  const double since = phase - rhythm.offset[index(leg)];
+  return since - std::floor(since) >= 1.0 - rhythm.duty[index(leg)];
+}
+
+/// A gait that does not fly always has a foot down, but for the instant between two steps.
+void check_flight(const PlannerOptions& o, const Given& given) {
+  constexpr int kSamples = 1000, kInstant = 5;
+  const RhythmOptions& rhythm = o.rhythm;
+  if (!rhythm.enabled || rhythm.flies) return;
+  int flies = 0;
+  for (int i = 0; i < 2 * kSamples; ++i) {
+    const double phase = (i + 0.5) / kSamples;
+    const auto legs = rhythm.duty.legs();
+    const bool bears =
+        std::ranges::any_of(legs, [&](Leg leg) { return stands(rhythm, leg, phase); });
+    flies = bears ? 0 : flies + 1;
+    if (flies < kInstant) continue;
+    given.fail("rhythm.offset",
+               formatted("leaves no foot on the ground at %.2f of the cycle; a gait with "
+                         "rhythm.flies may do so",
+                         phase - std::floor(phase)));
+  }
+}
+
 Group fields(RhythmOptions& o) {
   const auto all = leg_names(static_cast<int>(o.duty.size()));
   const std::vector<std::string> legs(all.begin(), all.end());
-  return {{"enabled", &o.enabled, "whether the legs step by a clock; otherwise the robot crawls"},
-          {"period", &o.period, kPositive, "s", "of the cycle"},
-          {"duty", Numbers{o.duty.data(), legs, true}, kDuty, "", "share in which a leg stands"},
-          {"offset", Numbers{o.offset.data(), legs}, kShare, "", "when a leg lifts off"},
-          {"capture", &o.capture, kNotNegative, "", "of √(h/g), per velocity error: footholds"},
-          {"leash", &o.leash, kPositive, "m", "from the COM to its reference, at most"},
-          {"acceleration", &o.acceleration, kPositive, "m/s²", "of the reference, at most"},
-          {"wait", &o.wait, kNotNegative, "s", "of the clock for a late foot, at most"},
-          {"stop_speed", &o.stop_speed, kPositive, "m/s", "of the COM: a slower robot may stand"}};
+  return {
+      {"enabled", &o.enabled, "whether the legs step by a clock; otherwise the robot crawls"},
+      {"stands", &o.stands, "whether all feet stay where they are"},
+      {"flies", &o.flies, "whether all feet may be in the air at once"},
+      {"speed_max", &o.speed_max, kPositive, "m/s", "of a foot relative to the torso"},
+      {"chosen_to", &o.chosen_to, kNotNegative, "m/s",
+       "up to which `gait: auto` chooses it; 0: never"},
+      {"period", &o.period, kPositive, "s", "of the cycle"},
+      {"duty", Numbers{o.duty.data(), legs, true}, kDuty, "", "share in which a leg stands"},
+      {"offset", Numbers{o.offset.data(), legs}, kShare, "", "when a leg lifts off"},
+      {"sway", &o.sway, kShare, "", "of the way from the feet's middle to those that stand"},
+      {"capture", &o.capture, kNotNegative, "", "of √(h/g), per velocity error: footholds"},
+      {"leash", &o.leash, kPositive, "m", "from the COM to its reference, at most"},
+      {"acceleration", &o.acceleration, kPositive, "m/s²", "of the reference, at most"},
+      {"wait", &o.wait, kNotNegative, "s", "of the clock for a late foot, at most"},
+      {"stop_speed", &o.stop_speed, kPositive, "m/s", "of the COM: a slower robot may stand"},
+      {"integral_rate", &o.integral_rate, kNotNegative, "1/s", "of the velocity's error"},
+      {"integral_max", &o.integral_max, kNotNegative, "m/s", "that it adds, at most"},
+      {"rise", &o.rise, kNotNegative, "m", "of a slow gait's feet, over swing.apex"},
+      {"crouch", &o.crouch, kNotNegative, "m", "of a slow gait's torso, below the stance's"},
+      {"fast", &o.fast, kPositive, "m/s", "from here on no rise or crouch; all up to its half"}};
 }
 
 Group fields(ForceOptions& o) {
@@ -262,6 +300,7 @@ Group fields(PushOptions& o) {
 
 /// A leg must be fully loaded after its touchdown before the next one is unloaded.
 void check_switches(const PlannerOptions& o, const Given& given) {
+  if (o.rhythm.enabled) return;
   const double least = o.force.ramps ? o.force.ramp_up + o.force.ramp_down : 0.0;
   for (const auto& [name, duration] : {std::pair{"switch_duration", o.gait.switch_duration},
                                        {"same_side_duration", o.gait.same_side_duration}}) {
@@ -320,6 +359,7 @@ Group fields(PlannerOptions& o) {
       .with([&o](const Given& given) {
         check_switches(o, given);
         check_rhythm(o, given);
+        check_flight(o, given);
         check_hip_height(o, given);
       });
 }

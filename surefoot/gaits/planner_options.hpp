@@ -2,6 +2,8 @@
 
 #include "surefoot/signals/leg.hpp"
 
+#include <string>
+
 namespace surefoot {
 struct Group;
 }  // namespace surefoot
@@ -37,11 +39,15 @@ struct GaitOptions {
 /// in the cycle, and stands for its `duty`; both are shares of the period.
 struct RhythmOptions {
   bool enabled = false;
+  bool stands = false, flies = false;
+  double speed_max = 3.0, chosen_to = 0.0;
   double period = 0.5;
   PerLeg<double> duty{0.55, 0.55, 0.55, 0.55};
   PerLeg<double> offset{0.0, 0.5, 0.5, 0.0};
-  double capture = 1.0, leash = 0.05, acceleration = 1.0;
+  double sway = 1.0, capture = 1.0, leash = 0.05, acceleration = 1.0;
   double wait = 0.15, stop_speed = 0.1;
+  double integral_rate = 0.0, integral_max = 0.15;
+  double rise = 0.0, crouch = 0.0, fast = 1.0;
 };
 
 /// Contact forces at phase changes, Eq. (30).
@@ -149,6 +155,12 @@ struct PlannerOptions {
   FrictionFrameOptions friction_frame;
   FootholdOptions foothold;
   PushOptions push;
+};
+
+/// A gait that the user may change to, with all that the planner needs for it.
+struct NamedGait {
+  std::string name;
+  PlannerOptions options;
 };
 
 /// Gives options of four legs, or of six, the usual order and rhythm of this number.

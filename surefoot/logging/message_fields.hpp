@@ -141,6 +141,8 @@ void fields(Archive& field, T& user) {
   field(
       "shift", user.shift,
       "of the centre of mass of flat feet, from their middle, forward and lateral; since 3.1 [m]");
+  field("gait", user.gait,
+        "its place in the scenario's `gaits`; -1: the scenario's own, -2: by the speed; since 3.1");
 }
 
 template <typename Archive, Is<ReachCommand> T>
@@ -238,6 +240,7 @@ void fields(Archive& field, T& plan) {
   field("calibration", plan.calibration,
         "what the robot does about itself: it turns on the spot, then weighs what it carries and "
         "where its COM is");
+  field("gait", plan.gait, "its place in the scenario's `gaits`; -1: the only one; since 3.1");
   field("events", plan.events, "what happened at this tick, in order; since 2.12");
 }
 

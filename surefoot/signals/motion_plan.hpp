@@ -2,6 +2,7 @@
 
 #include "surefoot/signals/event_list.hpp"
 #include "surefoot/signals/leg.hpp"
+#include "surefoot/signals/user_command.hpp"
 
 namespace surefoot {
 
@@ -77,7 +78,8 @@ struct MotionPlan {
   Vec3 terrain_point = Vec3::Zero();
   double com_zmp_slack = 0.0;  ///< distance of the plan's ZMP outside the support polygon [m]
   CalibrationStage calibration = CalibrationStage::none;
-  EventList events;  ///< of this tick
+  int gait = UserCommand::kOwnGait;  ///< as in `UserCommand`; never kAutoGait
+  EventList events;                  ///< of this tick
 
   [[nodiscard]] bool contact(Leg leg) const { return in_contact(feet[index(leg)].phase); }
   /// The feet that may carry load.

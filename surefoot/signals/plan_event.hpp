@@ -34,6 +34,8 @@ enum class PlanEvent : int {
   begun_anew = 23,  ///< the next readings contradict the first ones, which are discarded
   lifted = 24,      ///< the feet carry little and the robot does not fall: legs relax
   stands_up = 25,   ///< back on its feet, or began lying: gets up
+  gait_changed = 26,
+  too_fast = 27,  ///< the command is faster than the gait can go
 };
 
 [[nodiscard]] constexpr std::string_view name(PlanEvent event) {
@@ -90,6 +92,10 @@ enum class PlanEvent : int {
       return "lifted off the ground: legs relax";
     case PlanEvent::stands_up:
       return "on the ground: standing up";
+    case PlanEvent::gait_changed:
+      return "gait changed";
+    case PlanEvent::too_fast:
+      return "too fast for this gait: walking slower than commanded";
   }
   return "unknown";
 }

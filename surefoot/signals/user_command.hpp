@@ -17,8 +17,10 @@ struct ReachCommand {
 /// commanded heading of the torso.
 struct UserCommand {
   /// Larger commands are clamped to these.
-  static constexpr double kFastest = 1.0;     ///< [m/s] and [rad/s]
+  static constexpr double kFastest = 3.0;     ///< [m/s] and [rad/s]
   static constexpr double kMostHeight = 0.3;  ///< [m]
+  static constexpr int kOwnGait = -1;         ///< that of the planner's options
+  static constexpr int kAutoGait = -2;        ///< the speed decides
 
   bool walk = false;        ///< false: stand on all feet
   Vec2 velocity{0.0, 0.0};  ///< forward (x) and lateral (y) [m/s]
@@ -29,6 +31,7 @@ struct UserCommand {
   ReachCommand reach{};
   /// Of flat feet that stand: the centre of mass from the middle of the feet [m].
   Vec2 shift{0.0, 0.0};
+  int gait = kOwnGait;  ///< in the controller's list of gaits, from 0
 };
 
 }  // namespace surefoot

@@ -44,7 +44,8 @@ TEST(GaitFile, is_fitted_to_the_robot) {
 
 TEST(GaitFile, all_of_the_data_folder_can_be_trotted_with) {
   for (const std::string& name : list_data("gaits")) {
-    EXPECT_TRUE(load("trot", {"gait=" + name}).controller.planner.rhythm.enabled) << name;
+    const gaits::RhythmOptions rhythm = load("trot", {"gait=" + name}).controller.planner.rhythm;
+    EXPECT_EQ(rhythm.enabled, name != "stand" && name != "static_crawl") << name;
     EXPECT_FALSE(describe_data("gaits", name).empty()) << name;
   }
 }
@@ -55,6 +56,63 @@ TEST(GaitFile, that_makes_no_sense_is_told_with_what_would) {
   EXPECT_TRUE(holds(told("planner.rhythm.duty={LH: 1}"), "LH is 1"));
   EXPECT_TRUE(holds(told("planner.rhythm.period=0.05"), "force.ramp_up"));
   EXPECT_TRUE(holds(told("planner.rhythm.offset.MF=0.3"), "LF"));
+  EXPECT_TRUE(holds(told("planner.rhythm.offset.LF=1.3"), "0 to 1"));
+  EXPECT_TRUE(holds(told("planner.rhythm.duty=0.4"), "rhythm.flies"));
+  EXPECT_TRUE(holds(told("planner.rhythm.speed_max=0"), "above 0"));
+}
+
+TEST(GaitFile, of_other_legs_is_refused_with_their_names) {
+  const std::string message =
+      message_of([] { (void)load("walk_flat", {"robot=hexapod", "gait=trot"}); });
+  EXPECT_TRUE(holds(message, "gaits/trot.yaml"));
+  EXPECT_TRUE(holds(message, "it lacks LM RM"));
+}
+
+TEST(LoadedGaits, are_those_of_the_list_the_scenario_and_its_commands) {
+  const Scenario one = load("trot"), some = load("trot", {"gaits=[crawl, pace]"}),
+                 commanded = load("walk_flat", {"user=[{time: 1, walk: true, gait: trot}]"});
+  EXPECT_TRUE(one.controller.gaits.empty());
+  ASSERT_EQ(some.controller.gaits.size(), 3u);
+  EXPECT_EQ(some.controller.gaits[2].name, "trot");
+  EXPECT_EQ(some.controller.first_gait, 2);
+  EXPECT_EQ(some.user(30.0).gait, UserCommand::kOwnGait);
+  ASSERT_EQ(commanded.controller.gaits.size(), 1u);
+  EXPECT_EQ(commanded.controller.first_gait, UserCommand::kOwnGait);
+  EXPECT_EQ(commanded.user(0.5).gait, UserCommand::kOwnGait);
+  EXPECT_EQ(commanded.user(2.0).gait, 0);
+  EXPECT_TRUE(commanded.controller.gaits[0].options.rhythm.enabled);
+  EXPECT_FALSE(commanded.controller.planner.rhythm.enabled);
+}
+
+TEST(LoadedGaits, lie_where_the_gait_lies_and_take_assignments_and_draws) {
+  const Scenario scenario =
+      load_scenario({.name_or_path = "trot",
+                     .seed = 3,
+                     .assignments = {"gaits=[crawl, trot]", "planner.swing.apex=0.07",
+                                     "randomise.planner.push.slow_shift="
+                                     "[0.2, 0.3]"}});
+  const control::ControllerOptions& controller = scenario.controller;
+  for (const gaits::NamedGait& gait : controller.gaits) {
+    EXPECT_EQ(gait.options.swing.apex, 0.07) << gait.name;
+    EXPECT_EQ(gait.options.push.slow_shift, controller.planner.push.slow_shift) << gait.name;
+  }
+  EXPECT_GT(controller.planner.push.slow_shift, 0.19);
+  EXPECT_EQ(controller.gaits[1].options.rhythm.period, controller.planner.rhythm.period);
+  EXPECT_GT(controller.gaits[0].options.rhythm.period, controller.planner.rhythm.period);
+}
+
+TEST(LoadedGaits, of_auto_are_those_from_slow_to_fast) {
+  const Scenario scenario = load("trot", {"gait=auto"});
+  ASSERT_EQ(scenario.controller.gaits.size(), 3u);
+  EXPECT_EQ(scenario.controller.gaits[0].name, "crawl");
+  EXPECT_EQ(scenario.controller.gaits[2].name, "flying_trot");
+  EXPECT_EQ(scenario.controller.first_gait, UserCommand::kAutoGait);
+}
+
+TEST(LoadedGaits, that_are_not_there_are_told) {
+  EXPECT_TRUE(holds(told("gaits=[trot, gallop]"), "gallop"));
+  EXPECT_TRUE(holds(told("gaits=trot"), "list of names"));
+  EXPECT_TRUE(holds(told("user=[{time: 1, gait: trott}]"), "trot"));
 }
 
 }  // namespace

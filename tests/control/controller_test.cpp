@@ -45,8 +45,8 @@ TEST(Controller, AbsurdCommandsOfTheOperatorAreLimited) {
     statue.run(400);
     const TickRecord& record = statue.controller.record();
     ASSERT_NO_FATAL_FAILURE(test::expect_legal(record.command));
-    EXPECT_LE(record.user.velocity.cwiseAbs().maxCoeff(), 1.0);
-    EXPECT_LE(std::abs(record.user.yaw_rate), 1.0);
+    EXPECT_LE(record.user.velocity.cwiseAbs().maxCoeff(), UserCommand::kFastest);
+    EXPECT_LE(std::abs(record.user.yaw_rate), UserCommand::kFastest);
     EXPECT_LE(std::abs(record.user.height), 0.3);
     EXPECT_TRUE(record.user.walk);
     EXPECT_TRUE(test::is_sound(record.plan)) << value;

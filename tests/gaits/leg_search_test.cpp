@@ -136,6 +136,20 @@ TEST(LegMotion, TheFootholdOfAStanceWandersWithItsFootAndStaysDuringASwing) {
   EXPECT_EQ(bench.leg.foothold(), last);
 }
 
+TEST(LegMotion, AFastSearchHasNoContactWhileTheFootFallsAsAsked) {
+  PlannerOptions options;
+  options.swing = kSwing;
+  options.swing.search_speed = 1.0;
+  Bench bench = swinging();
+  bench.leg = LegMotion(options, kPeriod);
+  bench.leg.plant(bench.time - 5.0, bench.p);
+  bench.leg.lift(bench.time, {bench.p, bench.p + Vec3(0.2, 0.0, 0.0), kUp, kDuration, 0.08});
+  EXPECT_EQ(bench.follow(kDuration + 0.05, 0.0), LegEvent::none);
+  EXPECT_EQ(bench.follow(0.03, 50.0, 0.01 * kUp), LegEvent::none) << "what moves the foot";
+  bench.foot_velocity = -0.1 * kUp;
+  EXPECT_EQ(bench.follow(2.0 * kPeriod, 50.0), LegEvent::touchdown);
+}
+
 TEST(LegMotion, ALostFootSearchesStraightDownFromWhereItIs) {
   Bench bench;
   bench.leg.plant(bench.time, bench.p, true);

@@ -30,8 +30,8 @@ Ground step_at(double edge, double height) {
 }
 
 Puppet::Puppet(const gaits::PlannerOptions& options, Ground terrain, const Vec2& position,
-               double heading)
-    : ground(std::move(terrain)), planner_(of_any_height(options), kPeriod) {
+               double heading, const std::vector<gaits::NamedGait>& gaits, int first)
+    : ground(std::move(terrain)), planner_(of_any_height(options), kPeriod, {}, gaits, first) {
   const Mat3 R = rotation_about_z(heading);
   slide.fill(Vec2::Zero());
   double mean = 0.0;

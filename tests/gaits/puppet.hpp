@@ -34,7 +34,9 @@ class Puppet {
   static constexpr double kWeight = 300.0;
 
   explicit Puppet(const gaits::PlannerOptions& options = {}, Ground ground = level_ground(),
-                  const Vec2& position = Vec2::Zero(), double heading = 0.0);
+                  const Vec2& position = Vec2::Zero(), double heading = 0.0,
+                  const std::vector<gaits::NamedGait>& gaits = {},
+                  int first = UserCommand::kOwnGait);
 
   /// Puts a foot elsewhere, as if it had stood there.
   void place(Leg leg, const Vec2& place);

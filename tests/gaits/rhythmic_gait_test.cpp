@@ -44,6 +44,46 @@ TEST(RhythmicGait, WaitsForAFootThatFindsNoGround) {
   EXPECT_LE(lifted, 4u) << "without waiting";
 }
 
+TEST(RhythmicGait, PutsFeetDownAgainThatReliedOnOneThatFlewOff) {
+  test::Puppet puppet(trot());
+  puppet.user.walk = true;
+  puppet.run(2.0);
+  const auto until = [&](const auto& holds) {
+    for (int i = 0; i < 400 && !holds(); ++i) puppet.tick();
+  };
+  const auto down = [&](Leg k) { return puppet.plan().contact(k); };
+  until([&] { return !down(Leg::LF) || !down(Leg::RF); });
+  const Leg lands = down(Leg::LF) ? Leg::RF : Leg::LF, relies = down(Leg::LF) ? Leg::LF : Leg::RF;
+  until([&] { return down(lands); });
+  until([&] { return !down(relies); });
+  puppet.run(0.02);
+  puppet.fling(lands, Vec3(0.0, 0.0, -0.03), Vec3(0.0, 0.0, -1.0));
+  puppet.tick();
+  EXPECT_EQ(puppet.plan().feet[index(lands)].phase, LegPhase::search);
+  EXPECT_EQ(puppet.plan().feet[index(relies)].phase, LegPhase::search);
+  puppet.run(0.3);
+  EXPECT_TRUE(puppet.plan().contact(lands));
+}
+
+TEST(RhythmicGait, RisesHigherAndCrouchesWhereItIsSlow) {
+  PlannerOptions options = trot();
+  options.rhythm.rise = 0.05;
+  options.rhythm.crouch = 0.04;
+  test::Puppet puppet(options);
+  const auto highest = [&](double velocity) {
+    puppet.user = {.walk = true, .velocity = {velocity, 0.0}};
+    puppet.run(3.0);
+    double result = 0.0;
+    puppet.run(1.0, [&] { result = std::max(result, puppet.foot(Leg::LF).z()); });
+    return result;
+  };
+  const double low = options.swing.apex, standing = options.stance.height;
+  EXPECT_NEAR(highest(0.4), low + 0.05, 0.005);
+  EXPECT_NEAR(puppet.plan().torso.height, standing - 0.04, 0.002);
+  EXPECT_NEAR(highest(1.0), low, 0.005);
+  EXPECT_NEAR(puppet.plan().torso.height, standing, 0.002);
+}
+
 TEST(RhythmicGait, StandsAgainOnAllFeetOnceItIsSlow) {
   test::Puppet puppet(trot());
   puppet.user = {.walk = true, .velocity = {0.5, 0.0}};

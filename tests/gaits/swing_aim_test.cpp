@@ -40,6 +40,38 @@ TEST(SwingCurve, KeepsItsGoalWhereTooLittleTimeIsLeft) {
   EXPECT_LT((curve.at(0.25).p - Vec3(1.4, 2.0, 0.1)).norm(), 1e-9);
 }
 
+TEST(SwingCurve, IsAimedOnInTheSearchWithoutAJumpAndFollows) {
+  const SwingOptions options{
+      .horizontal_start = 0.0, .horizontal_end = 1.0, .touchdown_speed = 0.1, .search_speed = 1.0};
+  for (const bool straight : {false, true}) {
+    SwingTarget target = target_to({1.4, 2.0, 0.1});
+    target.straight = straight;
+    SwingCurve curve(target, options);
+    const SwingCurve still = curve;
+    Vec3 goal = target.goal;
+    for (double t = 0.2525; t < 0.9; t += 0.0025) {
+      goal.x() += 0.5 * 0.0025;
+      const Motion<Vec3> before = curve.at(t);
+      curve.aim(t, goal);
+      const Motion<Vec3> after = curve.at(t);
+      EXPECT_LT((after.p - before.p).norm(), 1e-9) << t;
+      EXPECT_LT((after.v - before.v).norm(), 1e-7) << t;
+      EXPECT_LT((after.a - before.a).norm(), 1e-5) << t;
+      EXPECT_NEAR(after.p.z(), still.at(t).p.z(), 1e-9) << "as deep as without";
+    }
+    EXPECT_NEAR(curve.at(0.9).v.x(), 0.5, 0.01) << straight;
+    EXPECT_NEAR(curve.at(0.9).p.x(), goal.x(), 0.05) << straight;
+  }
+}
+
+TEST(SwingCurve, SearchesAtOnceAtFullSpeedWhereContactWasLost) {
+  SwingTarget target = target_to({1.0, 2.0, 0.05});
+  target.straight = true;
+  const SwingCurve curve(target, {.touchdown_speed = 0.1, .search_speed = 0.6});
+  EXPECT_NEAR(curve.at(0.25).v.z(), -0.6, 1e-9);
+  EXPECT_NEAR(curve.at(0.35).p.z(), 0.05 - 0.06, 1e-9);
+}
+
 TEST(SwingCurve, SearchesFasterAndFasterUpToItsSpeed) {
   const SwingCurve curve(target_to({1.4, 2.0, 0.1}), {.touchdown_speed = 0.1, .search_speed = 0.6});
   EXPECT_NEAR(curve.at(0.25).v.z(), -0.1, 1e-9);

@@ -69,7 +69,7 @@ def test_the_operator_commands_the_walk_and_gives_it_back(run):
     with run.page() as page:
         page.do("walk", walk=True, velocity=[0.05, 0.0], yaw_rate=0.1, height=0.0)
         status = page.status(lambda status: status["command"]["by"] == "operator" and status["command"]["yaw_rate"] != 0)
-        assert status["command"] == {"walk": True, "velocity": [0.05, 0.0], "yaw_rate": 0.1, "height": 0.0, "by": "operator"}
+        assert status["command"] == {"walk": True, "velocity": [0.05, 0.0], "yaw_rate": 0.1, "height": 0.0, "gait": "", "by": "operator"}
         page.do("walk", by="scenario")
         page.status(lambda status: status["command"]["by"] == "scenario")
 

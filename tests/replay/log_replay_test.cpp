@@ -57,6 +57,14 @@ TEST(LogReplay, also_of_a_run_whose_scenario_switches_levels) {
   expect_replayed({"walk_flat_ideal", 0, {"duration=4", "stack=terrain_adaptation", kSwitches}});
 }
 
+TEST(LogReplay, also_of_a_run_whose_gait_changes) {
+  expect_replayed({"trot",
+                   2,
+                   {"duration=4", "planner.calibration.duration=0", "gaits=[crawl, pace]",
+                    "user=[{time: 0.2, walk: true, velocity: [0.2, 0.0]}, "
+                    "{time: 2, walk: true, velocity: [0.2, 0.0], gait: pace}]"}});
+}
+
 TEST(LogReplay, also_of_a_run_whose_sensors_fail) {
   expect_replayed({"walk_flat",
                    0,

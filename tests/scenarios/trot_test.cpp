@@ -20,6 +20,27 @@ TEST(Trot, KeepsAMetreASecondThroughTheDrivesFromSensorsAlone) {
   EXPECT_LT(metrics.velocity_error_rms_mps, 0.01);
 }
 
+/// From gait to gait, on the way.
+const std::vector<std::string> kChanges{
+    kUncalibrated, "gaits=[stand, crawl, trot, flying_trot, pace]",
+    "user=[{time: 0.5, walk: true, velocity: [0.3, 0.0]},"
+    " {time: 3, walk: true, velocity: [0.3, 0.0], gait: pace},"
+    " {time: 5, walk: true, velocity: [0.3, 0.0], gait: flying_trot},"
+    " {time: 7, walk: true, velocity: [0.15, 0.0], gait: crawl},"
+    " {time: 10, walk: true, velocity: [0.3, 0.0], gait: trot},"
+    " {time: 12, walk: true, gait: stand}]"};
+
+TEST(Trot, ChangesToOtherGaitsAndBackWithoutAFallOrAnAllocation) {
+  Loop loop(scenario("trot", kChanges, 1));
+  loop.tick();
+  const std::size_t first = loop.allocations();
+  loop.run_until(14.0);
+  EXPECT_EQ(loop.allocations(), first) << "the last at " << loop.last_allocation() << " s";
+  EXPECT_EQ(loop.count(PlanEvent::gait_changed), 5);
+  EXPECT_EQ(loop.record().command.mode, CommandMode::optimal);
+  EXPECT_EQ(loop.record().plan.num_contacts(), 4);
+}
+
 TEST(Trot, AllocatesNothingAfterTheFirstTick) {
   Loop loop(scenario("trot", {kUncalibrated}));
   loop.tick();

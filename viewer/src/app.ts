@@ -4,6 +4,7 @@ import { Schema } from "./data/schema.ts";
 import { scalar, type Frame } from "./data/frame.ts";
 import { accountAt, levelStates } from "./data/hierarchy.ts";
 import { asSentence, unreadableText } from "./data/log_words.ts";
+import { GamepadReader, type Button } from "./input/gamepad.ts";
 import { listenToKeys, type KeyActions } from "./input/keys.ts";
 import { LiveLink } from "./live_link.ts";
 import { aboutRun } from "./panels/about_run.ts";
@@ -78,6 +79,7 @@ export class App {
   /** Whether commands take effect. */
   private canAct = false;
   private readonly progress: () => string;
+  private readonly gamepad: GamepadReader | undefined;
   private readonly pauseWish = new Wish<boolean>();
   private hasReportedDrawn = false;
 
@@ -103,7 +105,7 @@ export class App {
     const ask: Ask = (type, fields, wish) => this.command(type, fields, wish);
     this.hierarchy = new HierarchyPanel(tabs.add("hierarchy", "Hierarchy"), session.cut !== "" && session.ended === "");
     this.state = new StatePanel(tabs.add("state", "State"), this.aboutRun(), session.header.notes);
-    this.drive = new DrivePanel(live ? tabs.add("drive", "Drive") : h("div"), ask, session.limits, report);
+    this.drive = new DrivePanel(live ? tabs.add("drive", "Drive") : h("div"), ask, session.limits, report, session.gaits);
     this.tune = new TunePanel(live ? tabs.add("tune", "Tune") : h("div"), ask, report);
     this.tune.show(session);
     this.plots = new PlotsPanel(part("plots"), this.player, schema);
@@ -118,6 +120,7 @@ export class App {
     this.hierarchy.newest = orderOf(session);
     if (this.world !== undefined) this.menu = new OverlayMenu(this.world, schema.legs.map(({ name }) => name));
     this.drive.onAct = () => this.showNow();
+    if (live) this.gamepad = new GamepadReader((sticks) => this.drive.drive(sticks), (button) => this.onButton(button));
     this.wire();
     link.wire(this);
     this.wireKeys();
@@ -196,14 +199,22 @@ export class App {
       d: () => drive.nudge("left", -1), q: () => drive.nudge("turn", 1), e: () => drive.nudge("turn", -1),
       PageUp: () => drive.nudge("height", 1), PageDown: () => drive.nudge("height", -1),
       x: () => drive.stand(), g: () => drive.giveBack(), p: () => drive.push(),
+      ...Object.fromEntries(this.session.gaits.map((_, i) => [String(i + 1), () => drive.chooseGait(i)])),
     };
+  }
+
+  private onButton(button: Button): void {
+    if (button === "push") this.drive.push();
+    else if (button === "stand") this.drive.stand();
+    else this.drive.stepGait(button === "next" ? 1 : -1);
   }
 
   private wireKeys(): void {
     const { player } = this;
     const shift = (seconds: number) => (event: KeyboardEvent) => player.seek(player.time + seconds * (event.shiftKey ? 10 : 1));
     const toggle = (event: KeyboardEvent): void => void this.menu?.toggleByKey(event.key);
-    const help = makeHelp(player.live);
+    const shifted = (key: string) => (): void => void this.menu?.toggleByKey(key);
+    const help = makeHelp(player.live, this.session.gaits);
     listenToKeys({
       " ": () => this.pause(), ",": () => this.step(-1), ".": () => this.step(1),
       ArrowLeft: shift(-0.1), ArrowRight: shift(0.1),
@@ -211,6 +222,7 @@ export class App {
       r: () => this.reset(), f: () => this.follow(), h: () => this.world?.camera.home(),
       o: () => this.menu?.toggleGhost(), t: () => this.theme.toggle(), "?": help,
       ...Object.fromEntries([..."1234567890-"].map((key) => [key, toggle])),
+      ...Object.fromEntries([..."1234567890"].map((key) => [`shift+${key}`, shifted(key)])),
       ...this.drivingKeys(),
     });
   }
@@ -325,6 +337,7 @@ export class App {
     const dt = Math.min((now - this.last) / 1000, 1);
     this.last = now;
     const { player } = this;
+    this.gamepad?.read(now);
     player.advance(dt, this.link?.rate ?? 0);
     player.source.expect(player.time, player.playing ? player.speed : 0);
     const frame = player.source.at(player.time);

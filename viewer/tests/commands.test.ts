@@ -67,10 +67,10 @@ test("attempts to connect come ever later, but never later than in 5 s", () => {
 });
 
 test("what is asked to walk changes by steps and stays within its limits", () => {
-  let walk: Walk = { walk: false, forward: 0, left: 0, turn: 0, height: 0 };
+  let walk: Walk = { walk: false, forward: 0, left: 0, turn: 0, height: 0, gait: "trot" };
   const limits = { forward: 0.15, left: 0.1, turn: 0.3, height: 0.05 };
   for (let k = 0; k < 99; ++k) walk = nudged(walk, "forward", 1, limits);
-  assert.deepEqual(walk, { walk: true, forward: 0.15, left: 0, turn: 0, height: 0 });
+  assert.deepEqual(walk, { walk: true, forward: 0.15, left: 0, turn: 0, height: 0, gait: "trot" });
   assert.deepEqual(nudged(walk, "turn", -1, limits).turn, -0.02);
   assert.deepEqual(walk.turn, 0, "what was asked before stays as it was");
 });

@@ -124,7 +124,7 @@ GaitOutcome Crawl::go_on_shifting(const Situation& now, Body& body) {
     lift_time_ = std::max(lift_time_, now.time + steps_.support_duration(body.pace()));
     return {};
   }
-  if (!now.user.walk) {
+  if (!now.user.walk || now.yields) {
     transition(CrawlCause::stops);
     return {.hands_over = true};
   }

@@ -90,6 +90,7 @@ class ComPlanner {
   /// `scale` of the robot.
   ComPlanner(const ComPlannerOptions& options, const ForceOptions& force, const Scale& scale = {});
 
+  void use(const ForceOptions& force) { force_ = force; }
   /// Input with non-finite numbers or without a phase leaves the plan as it is.
   void plan(const ComProblem& problem) noexcept;
 

@@ -19,6 +19,11 @@ class FootholdPlanner {
                   const Scale& scale = {})
       : stance_(stance), options_(options), length_(scale.length) {}
 
+  void use(const StanceOptions& stance, const FootholdOptions& options) {
+    stance_ = stance;
+    options_ = options;
+  }
+
   /// Foothold in W [m] of a leg that lifts off from `footholds[leg]`, with a gait cycle of
   /// `cycle_duration` [s]. In a steady walk the feet stand ±1/8 and ±3/8 of a stride from their
   /// nominal places, so the next foot lands 5/8 of a stride ahead of its nominal place.

@@ -19,6 +19,9 @@ constexpr double kFlightDistance = 0.02;       // of such a foot from its touchd
 constexpr double kNoGroundDepth = 0.01;        // of such a foot below its touchdown point [m]
 constexpr double kFlightWindow = 0.1;          // after the touchdown, in which it is noticed [s]
 constexpr double kFreeSwingSpeed = 1.0;        // a faster foot in mid-swing has no contact [m/s]
+constexpr double kFastSearch = 0.3;            // of a fall that no contact allows [m/s]
+constexpr double kRisingSpeed = 0.1;           // a faster foot leaves the ground [m/s]
+constexpr double kFreeFallShare = 0.6;         // of the asked descent: such a foot has no contact
 constexpr double kMaxTrackingError = 0.04;     // along the ground [m]
 constexpr double kMinReflexSpeed = 0.05;       // of the reference, for the step reflex [m/s]
 constexpr double kMaxLag = 0.04;               // of a foot with weak or delayed drives [s]
@@ -41,9 +44,21 @@ void LegMotion::unload(double lift_off_time) {
   lift_off_time_ = lift_off_time;
 }
 
+void LegMotion::reload(double time) { load_from(force_max(time), time); }
+
+void LegMotion::use(const PlannerOptions& options, double time) {
+  const double force = force_max(time);
+  swing_ = options.swing;
+  touchdown_ = options.contact;
+  force_ = options.force;
+  reflex_ = options.reflex;
+  impact_ = ImpactDetector(touchdown_, period_);
+  load_from(force, time);
+}
+
 // The ramp up starts at the present value of f_max, which therefore does not jump.
-void LegMotion::reload(double time) {
-  const double share = force_max(time) / force_.max;
+void LegMotion::load_from(double force_max, double time) {
+  const double share = std::min(1.0, force_max / force_.max);
   const double along_ramp = 0.5 - std::sin(std::asin(1.0 - 2.0 * share) / 3.0);  // of smoothstep
   plant(time - along_ramp * force_.ramp_up, foothold_);
 }
@@ -60,7 +75,7 @@ void LegMotion::lift(double time, const SwingTarget& target) {
 
 // The largest acceleration of a spline between two velocities is 3/2 of its mean.
 void LegMotion::search(double time, const Vec3& p_WF, const Vec3& v_WF, const Vec3& normal) {
-  const Vec3 down = -swing_.touchdown_speed * normal;
+  const Vec3 down = -search_speed() * normal;
   const double duration = std::max(scale_.time() * kMinSearchTransition,
                                    1.5 * (v_WF - down).norm() / kSearchAcceleration);
   lift(time, {.start = p_WF,
@@ -156,6 +171,16 @@ bool LegMotion::is_caught(double time, const LegObservation& seen) {
   return blocked_for_ > reflex_.duration;
 }
 
+// What brakes a foot in contact is the estimated force; what moves a free one may look like it.
+bool LegMotion::moves_freely(const Vec3& v_WF, double descent) const {
+  if (phase_ != LegPhase::search) return v_WF.norm() > scale_.speed() * kFreeSwingSpeed;
+  if (search_speed() <= swing_.touchdown_speed) return false;
+  const double falls = -curve_.target().normal.dot(v_WF);
+  const bool as_asked = falls > kFreeFallShare * descent;
+  return falls < -scale_.speed() * kRisingSpeed ||
+         (descent > scale_.speed() * kFastSearch && as_asked);
+}
+
 // A foot may bounce off before its force or tracking error grows. Its velocity has then changed
 // suddenly; drives and model errors change it slowly. A foot pushed back more than up met a wall.
 bool LegMotion::touches(double time, const LegObservation& seen) {
@@ -174,12 +199,13 @@ bool LegMotion::touches(double time, const LegObservation& seen) {
   const bool bounced = arrives && impact && !braked && descent < scale_.speed() * kMaxBounceDescent;
   // In mid-swing a large tracking error comes from the drives, not from contact.
   const bool off_track = !arrives && is_off_track(time, foot.p);
-  // A foot that keeps its speed has no contact: the estimated force is what brakes it.
-  const bool is_free = !arrives && foot.v.norm() > scale_.speed() * kFreeSwingSpeed;
-  const bool pressed = force > touchdown_.touchdown_force && !off_track && !is_free;
-  const bool certain = force > kCertainForceFactor * touchdown_.touchdown_force;
+  const bool is_late = phase_ == LegPhase::search;
+  const bool is_free = (is_late || !near) && moves_freely(foot.v, descent);
+  const bool pressed = force > touchdown_.touchdown_force && !off_track;
+  const bool is_large = force > kCertainForceFactor * touchdown_.touchdown_force;
+  const bool certain = is_large && !(is_late && is_free);
   const bool wall = reflex_.enabled && -motion_direction(asked).dot(seen.force) > normal_force_;
-  const bool contact = !wall && (pressed || stalled || bounced);
+  const bool contact = !wall && !is_free && (pressed || stalled || bounced);
   contact_ticks_ = contact ? contact_ticks_ + 1 : 0;
   return !wall && (certain || contact_ticks_ >= kDebounceTicks);
 }

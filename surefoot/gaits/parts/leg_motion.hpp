@@ -63,11 +63,13 @@ class LegMotion {
   void unload(double lift_off_time);
   /// Cancels the lift-off: ramps f_max up again.
   void reload(double time);
+  /// Goes on with other options; f_max does not jump. The foot is down.
+  void use(const PlannerOptions& options, double time);
   /// Begins a swing.
   void lift(double time, const SwingTarget& target);
-  /// Moves the goal of a swing, without a jump.
+  /// Moves the goal of a swing, or of a search along the ground, without a jump.
   void aim(double time, const Vec3& goal) {
-    if (phase_ == LegPhase::swing && !target().straight) curve_.aim(since(time), goal);
+    if (!down()) curve_.aim(since(time), goal);
   }
   /// Moves straight down along −normal, starting at p and v: for a stance foot that lost contact,
   /// or a swing that must end at once.
@@ -99,10 +101,16 @@ class LegMotion {
   [[nodiscard]] Vec3 motion_direction(const Motion<Vec3>& asked) const;
   /// Is the tracking error along the ground too large?
   [[nodiscard]] bool is_off_track(double time, const Vec3& p_WF) const;
+  /// Is a foot in mid-swing fast, or one in a fast search as fast as asked, or on its way up?
+  [[nodiscard]] bool moves_freely(const Vec3& v_WF, double descent) const;
+  [[nodiscard]] double search_speed() const {
+    return std::max(swing_.search_speed, swing_.touchdown_speed);
+  }
   [[nodiscard]] bool touches(double time, const LegObservation& seen);
   [[nodiscard]] LegEvent observe_search(double time, const Vec3& p_WF);
   [[nodiscard]] Motion<Vec3> reference(double time) const;
   [[nodiscard]] double force_max(double time) const;
+  void load_from(double force_max, double time);
 
   SwingOptions swing_;
   TouchdownOptions touchdown_;

@@ -18,6 +18,13 @@ class Strides {
         swing_duration_(options.gait.swing_duration),
         length_(scale.length) {}
 
+  void use(const PlannerOptions& options) {
+    stance_ = options.stance;
+    foothold_ = options.foothold;
+    swing_ = options.swing;
+    swing_duration_ = options.gait.swing_duration;
+  }
+
   /// Share of the commanded velocity, at most 1, that the strides of all legs allow with the hips
   /// at a `height` over the feet [m]:
   ///

@@ -12,7 +12,8 @@ constexpr double kMinLength = 1e-6;      // a shorter step has no direction [m]
 constexpr double kMinWindow = 0.2;       // least share of the swing with horizontal motion
 constexpr double kUpstairsApexShare = 0.40;
 constexpr double kApexShare = 0.45;
-constexpr double kMinAimTime = 0.2;  // share of the swing that is left when the goal moves last
+constexpr double kMinAimTime = 0.2;    // share of the swing that is left when the goal moves last
+constexpr double kLateAimTime = 0.15;  // until a late foot is over its goal [s]
 constexpr double kSearchAcceleration = 10.0;  // of a late foot [m/s²]
 constexpr int kPeakSamples = 40;
 
@@ -20,6 +21,7 @@ constexpr int kPeakSamples = 40;
 
 SwingCurve::SwingCurve(const SwingTarget& target, const SwingOptions& options, const Scale& scale)
     : target_(target),
+      late_aim_time_(scale.time() * kLateAimTime),
       touchdown_speed_(options.touchdown_speed),
       search_speed_(std::max(options.search_speed, options.touchdown_speed)) {
   const Vec3 difference = target.goal - target.start;
@@ -43,13 +45,17 @@ SwingCurve::SwingCurve(const SwingTarget& target, const SwingOptions& options, c
 }
 
 Motion<Vec3> SwingCurve::at(double t) const {
+  const Motion<Vec3> motion = unaimed(t);
+  if (aimed_at_ < 0.0) return motion;
+  const Motion<Vec3> along = aimed_motion(t);
+  const auto with = [&](const Vec3& x, const Vec3& part) -> Vec3 { return x - flat(x) + part; };
+  return {target_.start + with(motion.p - target_.start, along.p), with(motion.v, along.v),
+          with(motion.a, along.a)};
+}
+
+Motion<Vec3> SwingCurve::unaimed(double t) const {
   if (target_.straight) return straight_motion(t);
   const Motion<double> up = normal_motion(t);
-  if (aimed_at_ >= 0.0) {
-    const Motion<Vec3> flat = aimed_motion(t);
-    return {target_.start + flat.p + up.p * target_.normal, flat.v + up.v * target_.normal,
-            flat.a + up.a * target_.normal};
-  }
   const Motion<double> share = horizontal_share(t);
   const Motion<double> back = retreat(t);
   return {target_.start + share.p * along_ + back.p * back_ + up.p * target_.normal,
@@ -59,7 +65,7 @@ Motion<Vec3> SwingCurve::at(double t) const {
 
 Motion<Vec3> SwingCurve::straight_motion(double t) const {
   const double T = target_.duration;
-  const Vec3 down = -touchdown_speed_ * target_.normal;
+  const Vec3 down = -search_speed_ * target_.normal;
   if (t > T) return {target_.goal + (t - T) * down, down, Vec3::Zero()};
   return hermite<Vec3>({target_.start, target_.velocity, Vec3::Zero()},
                        {target_.goal, down, Vec3::Zero()}, t, T);
@@ -67,26 +73,23 @@ Motion<Vec3> SwingCurve::straight_motion(double t) const {
 
 void SwingCurve::aim(double t, const Vec3& goal) {
   const double T = target_.duration, begin = horizontal_start_ * T, end = horizontal_end_ * T;
-  if (t < apex_share_ * T) rise_ = target_.normal.dot(goal - target_.start);
-  if (t < end - kMinAimTime * T) {
-    if (t > begin) {
-      const Motion<Vec3> now = at(t);
-      const auto flat = [&](const Vec3& x) -> Vec3 {
-        return x - target_.normal.dot(x) * target_.normal;
-      };
-      aimed_from_ = {flat(now.p - target_.start), flat(now.v), flat(now.a)};
-      aimed_at_ = t;
-    }
-    along_ = goal - target_.start;
-    along_ -= target_.normal.dot(along_) * target_.normal;
+  const bool late = t > T;
+  if (!late && (target_.straight || t >= end - kMinAimTime * T)) return;
+  if (late || t > begin) {
+    const Motion<Vec3> now = at(t);
+    aimed_from_ = {flat(now.p - target_.start), flat(now.v), flat(now.a)};
+    aimed_at_ = t;
+    aimed_until_ = late ? t + late_aim_time_ : end;
   }
+  const Vec3 way = goal - target_.start;
+  along_ = flat(way);
+  if (!late && t < apex_share_ * T) rise_ = target_.normal.dot(way);
   target_.goal = target_.start + along_ + rise_ * target_.normal;
 }
 
 Motion<Vec3> SwingCurve::aimed_motion(double t) const {
-  const double end = horizontal_end_ * target_.duration;
   return hermite<Vec3>(aimed_from_, {along_, Vec3::Zero(), Vec3::Zero()}, t - aimed_at_,
-                       end - aimed_at_);
+                       aimed_until_ - aimed_at_);
 }
 
 double SwingCurve::peak_acceleration() const {
@@ -100,22 +103,20 @@ Motion<double> SwingCurve::normal_motion(double t) const {
   const double T = target_.duration;
   const double apex_time = apex_share_ * T;
   if (t > T) {
-    const Motion<double> down = search_motion(t - T);
-    return {rise_ - down.p, -down.v, -down.a};
+    const Motion<double> more = haste(t - T);
+    return {rise_ - touchdown_speed_ * (t - T) - more.p, -touchdown_speed_ - more.v, -more.a};
   }
   if (t < apex_time) return hermite<double>({0.0, 0.0, 0.0}, {top_, 0.0, 0.0}, t, apex_time);
   return hermite<double>({top_, 0.0, 0.0}, {rise_, -touchdown_speed_, 0.0}, t - apex_time,
                          T - apex_time);
 }
 
-// A late foot comes down ever faster, up to the speed of the search.
-Motion<double> SwingCurve::search_motion(double t) const {
-  const double end = (search_speed_ - touchdown_speed_) / kSearchAcceleration;
+Motion<double> SwingCurve::haste(double t) const {
+  const double most = search_speed_ - touchdown_speed_, end = most / kSearchAcceleration;
   if (t < end) {
-    return {touchdown_speed_ * t + 0.5 * kSearchAcceleration * t * t,
-            touchdown_speed_ + kSearchAcceleration * t, kSearchAcceleration};
+    return {0.5 * kSearchAcceleration * t * t, kSearchAcceleration * t, kSearchAcceleration};
   }
-  return {search_speed_ * t - 0.5 * kSearchAcceleration * end * end, search_speed_, 0.0};
+  return {most * (t - 0.5 * end), most, 0.0};
 }
 
 Motion<double> SwingCurve::horizontal_share(double t) const {

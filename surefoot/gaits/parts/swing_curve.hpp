@@ -29,8 +29,8 @@ class SwingCurve {
 
   /// Position, velocity and acceleration t after lift-off, in W. Beyond the duration: the search.
   [[nodiscard]] Motion<Vec3> at(double t) const;
-  /// Moves the goal from t on, along the plane until the horizontal motion ends, and in height
-  /// until the apex. Position, velocity and acceleration stay continuous. Not for a straight swing.
+  /// Moves the goal from t on, along the plane until the horizontal motion ends and again in the
+  /// search, and in height until the apex. Position, velocity and acceleration stay continuous.
   void aim(double t, const Vec3& goal);
   /// Greatest acceleration before the search [m/s²].
   [[nodiscard]] double peak_acceleration() const;
@@ -39,8 +39,13 @@ class SwingCurve {
  private:
   [[nodiscard]] Motion<Vec3> straight_motion(double t) const;
   [[nodiscard]] Motion<double> normal_motion(double t) const;
-  /// Way down below the goal, a time after the expected touchdown.
-  [[nodiscard]] Motion<double> search_motion(double t) const;
+  /// How far a search has overtaken the touchdown speed, a time after its begin.
+  [[nodiscard]] Motion<double> haste(double t) const;
+  [[nodiscard]] Motion<Vec3> unaimed(double t) const;
+  /// x without its part along the normal.
+  [[nodiscard]] Vec3 flat(const Vec3& x) const {
+    return x - target_.normal.dot(x) * target_.normal;
+  }
   [[nodiscard]] Motion<Vec3> aimed_motion(double t) const;
   [[nodiscard]] Motion<double> horizontal_share(double t) const;
   [[nodiscard]] Motion<double> retreat(double t) const;
@@ -52,8 +57,10 @@ class SwingCurve {
   double top_ = 0.0;           ///< highest point over the start [m]
   double apex_share_ = 0.45;   ///< of the duration, when it is reached
   double horizontal_start_ = 0.15, horizontal_end_ = 0.85;
+  double late_aim_time_ = 0.15;  ///< until a late foot is over its goal [s]
   double touchdown_speed_ = 0.1, search_speed_ = 0.1;
-  double aimed_at_ = -1.0;  ///< when the goal was moved, after the horizontal start [s]
+  double aimed_at_ = -1.0;    ///< when the goal was moved, after the horizontal start [s]
+  double aimed_until_ = 0.0;  ///< when the foot is over that goal [s]
   Motion<Vec3> aimed_from_{Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};  ///< at that time
 };
 

@@ -30,6 +30,7 @@ struct Situation {
   const MotionPlan& before;      ///< of the tick before
   const Body& body;
   GaitStatus gait{};
+  bool yields = false;  ///< another gait waits for all feet down
 
   [[nodiscard]] int num_legs() const { return body.options.gait.num_legs(); }
   [[nodiscard]] const Vec3& foot(Leg leg) const { return dynamics.foot[index(leg)].p; }

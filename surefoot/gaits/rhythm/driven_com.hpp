@@ -6,7 +6,8 @@
 namespace surefoot::gaits {
 
 /// Reference of a COM that is not planned: it moves with the commanded velocity, turns with the
-/// heading, and stays within `leash` of the estimated COM, so that it does not wind up.
+/// heading, and stays within `leash` of the estimated COM, so that it does not wind up. It sways
+/// with the gait's cycle about this motion.
 class DrivenCom {
  public:
   /// At rest, or in motion, at p with v in W.

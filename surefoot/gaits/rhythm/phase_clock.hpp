@@ -13,9 +13,9 @@ class PhaseClock {
   explicit PhaseClock(const RhythmOptions& options)
       : options_(options), lifts_(static_cast<int>(options.duty.size()), false) {}
 
-  /// Sets the clock to `before` [s] before the first lift-off of the cycle.
-  void start(double before) {
-    phase_ = fraction(first_offset() - before / options_.period);
+  /// Sets the clock to `before` [s] before this leg's lift-off.
+  void start(double before, Leg first) {
+    phase_ = fraction(options_.offset[index(first)] - before / options_.period);
     lifts_.fill(false);
   }
   void advance(double dt) {
@@ -24,6 +24,15 @@ class PhaseClock {
     phase_ = next;
   }
 
+  /// Goes back to `before` [s] before this leg should land.
+  void return_to_landing(Leg leg, double before) {
+    const double share = 1.0 - options_.duty[index(leg)] - before / options_.period;
+    phase_ = fraction(options_.offset[index(leg)] + share);
+    lifts_.fill(false);
+  }
+
+  /// Of the cycle, in [0, 1).
+  [[nodiscard]] double phase() const { return phase_; }
   /// Did this leg's swing begin at the last advance?
   [[nodiscard]] bool lifts(Leg leg) const { return lifts_[index(leg)]; }
   /// Should this leg be in the air?
@@ -50,7 +59,6 @@ class PhaseClock {
   }
   /// Does a cycle of the leg begin on the way to another phase?
   [[nodiscard]] bool begins_cycle(Leg leg, double next) const { return share(leg, next) < of(leg); }
-  [[nodiscard]] double first_offset() const { return *std::ranges::min_element(options_.offset); }
 
   RhythmOptions options_;
   double phase_ = 0.0;  // of the cycle, in [0, 1)

@@ -1,61 +1,167 @@
 #include "surefoot/gaits/rhythm/rhythmic_gait.hpp"
 
 #include "surefoot/math/rotation.hpp"
+#include "surefoot/math/smoothstep.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 namespace surefoot::gaits {
+namespace {
+
+constexpr double kJustLifted = 0.04;  // a swing that can end where it began [s]
+constexpr double kMaxSpread = 0.03;   // of the feet over their stance, mean over the legs [m]
+constexpr double kSameTime = 0.02;    // between touchdowns of feet that step together [s]
+
+}  // namespace
 
 void RhythmicGait::begin(Situation& now, Body& body, const std::optional<Action>& first) {
-  clock_.start(body.options.force.ramp_down);
-  com_.start(now.dynamics.com.p.head<2>(), now.dynamics.com.v.head<2>());
+  integral_ = {};
+  com_.start(now.before.com.p, now.before.com.v);
+  gathers_ = is_spread(now);
+  start_clock(now, body);
   waited_ = 0.0;
   stops_ = false;
   if (first) act(*first, now, body);
+}
+
+RhythmOptions RhythmicGait::gathering(const PlannerOptions& options) {
+  PlannerOptions trot;
+  set_num_legs(trot, options.gait.num_legs());
+  RhythmOptions result = options.rhythm;
+  result.offset = trot.rhythm.offset;
+  result.duty = per_leg(0.5, options.gait.num_legs());
+  return result;
+}
+
+void RhythmicGait::start_clock(const Situation& now, const Body& body) {
+  clock_ = PhaseClock(gathers_ ? gathering_ : options_);
+  const Leg first = first_leg(now, body);
+  const double ramp = body.options.force.ramp_down;
+  const bool jumps = options_.flies && !gathers_;
+  clock_.start(jumps ? std::max(ramp, clock_.stance_duration(first)) : ramp, first);
+  begin_ = now.time;
+  sway(now.time);
+}
+
+// A body over one foot far from its middle, as in a pace with the feet of a trot, would tip.
+bool RhythmicGait::is_spread(const Situation& now) const {
+  const StanceOptions& stance = now.body.options.stance;
+  const Mat2 R = rotation_about_z(-now.yaw).topLeftCorner<2, 2>();
+  Vec2 extent = Vec2::Zero();
+  const int num_legs = now.num_legs();
+  for (const Leg k : now.body.legs.all()) {
+    const Vec2 nominal = nominal_offset(stance, k, num_legs);
+    extent += nominal.cwiseSign().cwiseProduct(R * now.foot(k).head<2>()) / num_legs;
+    extent -= nominal.cwiseAbs() / num_legs;
+  }
+  return extent.maxCoeff() > now.body.scale.length * kMaxSpread;
+}
+
+// The one that has stood longest, of those that lift off first where all have stood for long.
+Leg RhythmicGait::first_leg(const Situation& now, const Body& body) const {
+  const auto stood = [&](Leg k) {
+    return std::min(body.legs[k].since(now.time), clock_.stance_duration(k));
+  };
+  return *std::ranges::max_element(body.legs.all(), [&](Leg a, Leg b) {
+    const double difference = stood(a) - stood(b);
+    if (std::abs(difference) > kSameTime) return difference < 0.0;
+    return options_.offset[index(a)] > options_.offset[index(b)];
+  });
 }
 
 double RhythmicGait::stride_duration(double) const {
   return options_.period * *std::ranges::max_element(options_.duty);
 }
 
-// A foot without ground goes on searching until its next lift-off.
+// A foot without ground goes on searching.
 std::optional<Action> RhythmicGait::answer(LegEvent event, const Situation& now, Leg k) const {
   switch (event) {
     case LegEvent::touchdown:
       return Action{.events = now.event_list(PlanEvent::touchdown, k), .lands = k};
     case LegEvent::lost:
     case LegEvent::airborne: {
-      Action action{.events = now.event_list(PlanEvent::lost_contact, k)};
-      if (event == LegEvent::airborne) action.forgets_print = k;
-      action.searches[index(k)] = true;
-      return action;
+      const bool flew = event == LegEvent::airborne;
+      return Action{.events = now.event_list(PlanEvent::lost_contact, k),
+                    .forgets_print = flew ? std::optional(k) : std::nullopt,
+                    .searches = searches_for(k, flew, now)};
     }
     default:
       return {};
   }
 }
 
+// Legs that have lifted off relying on a foot that flew come down again.
+PerLeg<bool> RhythmicGait::searches_for(Leg lost, bool flew, const Situation& now) const {
+  PerLeg<bool> result(now.num_legs(), false);
+  result[index(lost)] = true;
+  if (!flew || clock_.until_landing(lost) >= 0.0) return result;
+  for (const Leg k : now.body.legs.all()) {
+    const LegMotion& leg = now.body.legs[k];
+    const bool just_lifted = leg.since(now.time) < now.body.scale.time() * kJustLifted;
+    if (leg.phase() == LegPhase::swing && just_lifted) result[index(k)] = true;
+  }
+  return result;
+}
+
 void RhythmicGait::follow(const Action& action, const Situation&, Body& body) {
   if (action.lands) ++body.steps_taken;
+  const bool comes_down = std::ranges::count(action.searches, true) > 1;
+  if (action.forgets_print && comes_down)
+    clock_.return_to_landing(*action.forgets_print, body.options.force.ramp_down);
 }
 
 GaitOutcome RhythmicGait::go_on(Situation& now, Body& body) {
   drive_com(now);
-  stops_ = !now.user.walk && (stops_ || is_slow(now));
-  if (stops_ && body.legs.all_down()) return {.hands_over = true};
+  const bool is_gathered = gathers_ && now.time > begin_ + gathering_.period;
+  stops_ = is_gathered || now.yields || (!now.user.walk && (stops_ || is_slow(now)));
+  if (stops_ && body.legs.all_down()) {
+    if (!is_gathered || now.yields || !now.user.walk) return {.hands_over = true};
+    gathers_ = stops_ = false;
+    start_clock(now, body);
+    return {.has_new_reference = true};
+  }
   advance_clock(body);
+  sway(now.time);
   for (const Leg k : body.legs.all()) move_leg(k, now, body);
   return {.begins_step =
               std::ranges::any_of(body.legs.all(), [&](Leg k) { return clock_.lifts(k); })};
 }
 
+// Its own part of the reference is no error.
 void RhythmicGait::drive_com(const Situation& now) {
   const Mat2 R = rotation_about_z(now.yaw).topLeftCorner<2, 2>();
-  const Vec2 velocity = now.user.walk ? Vec2(R * now.user.velocity) : Vec2::Zero();
+  const Vec2 wanted = com_.plan().v + R * sway_.v.head<2>();
+  const Vec2 missing = R.transpose() * (wanted - now.dynamics.com.v.head<2>());
+  integral_.update(missing - integral_.value(), options_.integral_rate, options_.integral_max,
+                   now.body.period);
+  const Vec2 asked = now.user.walk ? Vec2(now.user.velocity + integral_.value()) : Vec2(0.0, 0.0);
   const double yaw_rate = now.user.walk ? now.user.yaw_rate : 0.0;
-  com_.update(velocity, yaw_rate, options_.acceleration, options_.leash,
-              now.dynamics.com.p.head<2>(), now.body.period);
+  com_.update(R * asked, yaw_rate, options_.acceleration, options_.leash,
+              now.dynamics.com.p.head<2>() - R * sway_.p.head<2>(), now.body.period);
+}
+
+void RhythmicGait::sway(double time) {
+  if (gathers_) return void(sway_ = {Vec3::Zero(), Vec3::Zero(), Vec3::Zero()});
+  const double s = options_.flies ? 1.0 : std::min(1.0, (time - begin_) / options_.period);
+  const double share = smoothstep(s), rate = 6.0 * s * (1.0 - s) / options_.period;
+  const Motion<Vec3> whole = cycle_.at(clock_.phase());
+  sway_ = {share * whole.p, share * whole.v + rate * whole.p,
+           share * whole.a + 2.0 * rate * whole.v};
+}
+
+ComPlan RhythmicGait::com(const Situation& now, const Body&) const {
+  const Mat2 R = rotation_about_z(now.yaw).topLeftCorner<2, 2>();
+  ComPlan plan = com_.plan();
+  plan.p += R * sway_.p.head<2>();
+  plan.v += R * sway_.v.head<2>();
+  plan.a += R * sway_.a.head<2>();
+  return plan;
+}
+
+// At the speed of a fast gait all of the drives' torque moves the feet forward.
+double RhythmicGait::slowness() const {
+  return std::clamp(2.0 - 2.0 * com_.plan().v.norm() / options_.fast, 0.0, 1.0);
 }
 
 bool RhythmicGait::is_slow(const Situation& now) const {
@@ -84,14 +190,14 @@ void RhythmicGait::advance_clock(const Body& body) {
 void RhythmicGait::move_leg(Leg k, const Situation& now, Body& body) {
   LegMotion& leg = body.legs[k];
   const double until_lift_off = clock_.until_lift_off(k);
-  if (clock_.lifts(k) && !stops_) {
+  if (clock_.lifts(k) && leg.down() && !stops_) {
     lift(k, now, body);
   } else if (leg.down() && !clock_.swings(k) && !stops_ &&
              until_lift_off < body.options.force.ramp_down) {
     leg.unload(now.time + until_lift_off);
   } else if (leg.phase() == LegPhase::unloading && stops_) {
     leg.reload(now.time);
-  } else if (leg.phase() == LegPhase::swing) {
+  } else if (!leg.down()) {
     leg.aim(now.time, foothold(k, leg.target().duration - leg.since(now.time), now));
   }
 }
@@ -103,7 +209,7 @@ void RhythmicGait::lift(Leg k, const Situation& now, Body& body) {
                                .goal = foothold(k, duration, now),
                                .normal = body.plane.normal,
                                .duration = duration,
-                               .apex = body.options.swing.apex});
+                               .apex = body.options.swing.apex + slowness() * options_.rise});
 }
 
 // A pendulum over its feet goes slowest in the middle of a stance of duration T:
@@ -115,7 +221,8 @@ void RhythmicGait::lift(Leg k, const Situation& now, Body& body) {
 //
 //     p = c + t v + v_cmd T/2 + R(ψ) offset + capture (v − v(t)) / ω − a / ω²
 //
-// with ω² = g / h and the heading ψ in the middle of the next stance.
+// with ω² = g / h and the heading ψ in the middle of the next stance. Where the gait sways, c is
+// less its sway at the landing, and v less that of now.
 Vec3 RhythmicGait::foothold(Leg k, double until_landing, const Situation& now) const {
   const Body& body = now.body;
   const double w = std::sqrt(kGravity / body.com_height(now.dynamics));
@@ -126,9 +233,11 @@ Vec3 RhythmicGait::foothold(Leg k, double until_landing, const Situation& now) c
   const Mat2 R = rotation_about_z(now.yaw + yaw_rate * (t + half)).topLeftCorner<2, 2>();
   const Vec2 v = now.dynamics.com.v.head<2>(), wanted = com_.plan().v;
   const Vec2 centripetal = yaw_rate * Vec2(-wanted.y(), wanted.x());
-  const Vec2 place = now.dynamics.com.p.head<2>() + t * v + half * wanted +
-                     R * nominal_offset(body.options.stance, k, now.num_legs()) +
-                     options_.capture / w * (v - pace * wanted) - centripetal / (w * w);
+  const Vec3 sway = gathers_ ? Vec3::Zero() : cycle_.at(clock_.phase() + t / options_.period).p;
+  const Vec2 excess = v - pace * wanted - R * sway_.v.head<2>();
+  const Vec2 offset = nominal_offset(body.options.stance, k, now.num_legs()) - sway.head<2>();
+  const Vec2 place = now.dynamics.com.p.head<2>() + t * v + half * wanted + R * offset +
+                     options_.capture / w * excess - centripetal / (w * w);
   Vec3 result;
   result << place, body.plane.height(place);
   return result;

@@ -1,23 +1,35 @@
 #pragma once
 
 #include "surefoot/gaits/gait.hpp"
+#include "surefoot/gaits/rhythm/cycle_motion.hpp"
 #include "surefoot/gaits/rhythm/driven_com.hpp"
 #include "surefoot/gaits/rhythm/phase_clock.hpp"
+#include "surefoot/gaits/rhythm/velocity_integral.hpp"
 
 namespace surefoot::gaits {
 
 /// A gait by a clock, such as a trot: legs lift off at their times, whatever the others do, and
-/// step to where they catch the robot. The clock waits for late feet before a leg is unloaded.
+/// step to where they catch the robot. The clock waits for late feet before a leg is unloaded, and
+/// goes back to the landing of a foot that flies off again. Where the gait is slow its feet rise
+/// higher, and the torso is lower, for legs that reach further down.
 class RhythmicGait final : public Gait {
  public:
-  RhythmicGait(const RhythmOptions& options, const Scale& scale)
-      : options_(options), scale_(scale), clock_(options) {}
+  RhythmicGait(const PlannerOptions& options, const Scale& scale)
+      : options_(options.rhythm),
+        gathering_(gathering(options)),
+        clock_(options.rhythm),
+        cycle_(options, scale) {}
 
   void begin(Situation& now, Body& body, const std::optional<Action>& first) override;
   [[nodiscard]] bool waits(const Body&) const override { return false; }
   [[nodiscard]] bool is_static() const override { return false; }
   [[nodiscard]] double stride_duration(double) const override;
-  [[nodiscard]] ComPlan com(const Situation&, const Body&) const override { return com_.plan(); }
+  [[nodiscard]] ComPlan com(const Situation& now, const Body& body) const override;
+  [[nodiscard]] Motion<double> bounce() const override {
+    return {sway_.p.z(), sway_.v.z(), sway_.a.z()};
+  }
+  [[nodiscard]] double speed() const override { return com_.plan().v.norm(); }
+  [[nodiscard]] double height() const override { return -slowness() * options_.crouch; }
 
  private:
   [[nodiscard]] std::optional<Action> answer(LegEvent event, const Situation& now,
@@ -26,7 +38,18 @@ class RhythmicGait final : public Gait {
   void plan_com(const Situation&, Body&) override {}
   GaitOutcome go_on(Situation& now, Body& body) override;
 
+  /// 1 in a slow gait, 0 in a fast one.
+  [[nodiscard]] double slowness() const;
+  /// The legs that search for ground after this one lost it.
+  [[nodiscard]] PerLeg<bool> searches_for(Leg lost, bool flew, const Situation& now) const;
+  /// The rhythm in which feet that stand wide come closer: pairs take turns.
+  [[nodiscard]] static RhythmOptions gathering(const PlannerOptions& options);
+  [[nodiscard]] bool is_spread(const Situation& now) const;
+  void start_clock(const Situation& now, const Body& body);
+  [[nodiscard]] Leg first_leg(const Situation& now, const Body& body) const;
   void drive_com(const Situation& now);
+  /// Sways, ever more in the first cycle; a jump has its whole height at once.
+  void sway(double time);
   void advance_clock(const Body& body);
   void move_leg(Leg leg, const Situation& now, Body& body);
   void lift(Leg leg, const Situation& now, Body& body);
@@ -35,12 +58,16 @@ class RhythmicGait final : public Gait {
   [[nodiscard]] bool is_slow(const Situation& now) const;
   [[nodiscard]] Vec3 foothold(Leg leg, double until_landing, const Situation& now) const;
 
-  RhythmOptions options_;
-  Scale scale_;
+  RhythmOptions options_, gathering_;
   PhaseClock clock_;
+  CycleMotion cycle_;
+  Motion<Vec3> sway_{Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};  // in heading axes
+  double begin_ = 0.0;                                           // [s]
   DrivenCom com_;
-  double waited_ = 0.0;  // of the clock, for late feet [s]
-  bool stops_ = false;   // no leg lifts off any more
+  VelocityIntegral integral_;
+  double waited_ = 0.0;   // of the clock, for late feet [s]
+  bool gathers_ = false;  // the first steps, of feet that stand wide
+  bool stops_ = false;    // no leg lifts off any more
 };
 
 }  // namespace surefoot::gaits

@@ -28,6 +28,12 @@ function isForOthers(event: KeyboardEvent): boolean {
   return event.metaKey || ((event.ctrlKey || event.altKey) && !event.getModifierState("AltGraph"));
 }
 
+/** Name of a key: a digit with shift, whatever the keyboard makes of it, is `shift+1`. */
+function keyOf({ key, code, shiftKey }: KeyboardEvent): string {
+  if (shiftKey && /^Digit\d$/.test(code ?? "")) return `shift+${code.slice(-1)}`;
+  return key.length === 1 ? key.toLowerCase() : key;
+}
+
 export type KeyActions = Record<string, (event: KeyboardEvent) => void>;
 
 /** Calls the action of a key. Keys for a field or slider are left to it; Escape leaves a search. */
@@ -40,7 +46,7 @@ export function listenToKeys(actions: KeyActions): void {
     const target = event.target as HTMLElement;
     if (event.key === "Escape" && target.matches("input[type=search]")) target.blur();
     if (keeps(target, event.key) || (document.querySelector("dialog[open]") !== null && event.key !== "?")) return;
-    const key = event.key.length === 1 ? event.key.toLowerCase() : event.key;
+    const key = keyOf(event);
     const action = actions[key];
     if (action === undefined) return;
     event.preventDefault();

@@ -13,8 +13,11 @@ const WALK_STEPS = { forward: 0.01, left: 0.01, turn: 0.02, height: 0.005 };
 
 export type Axis = keyof typeof WALK_STEPS;
 
-/** A command of the walk, in these units. */
-export type Walk = Record<Axis, number> & { walk: boolean };
+/** Steps of a key where there are gaits to run with. */
+const FAST = 5;
+
+/** A command of the walk, in these units; `gait`: "" where there is no choice. */
+export type Walk = Record<Axis, number> & { walk: boolean; gait: string };
 
 /** Changes one axis of a command, within its limits. */
 export function nudged(walk: Walk, axis: Axis, steps: number, limits: Record<Axis, number>): Walk {
@@ -29,19 +32,26 @@ export function worldDirection(degrees: number): string {
 }
 
 /** Who commands the walk, and what. */
-function askedText({ by, walk }: Status["command"]): string {
-  return `${by === "operator" ? "You command" : "The scenario commands"}: ${walk ? "walk" : "stand"}.`;
+function askedText({ by, walk, gait }: Status["command"]): string {
+  const how = gait === "" ? "" : `, gait ${gaitText(gait)}`;
+  return `${by === "operator" ? "You command" : "The scenario commands"}: ${walk ? "walk" : "stand"}${walk ? how : ""}.`;
+}
+
+/** A gait's name as text. */
+export function gaitText(gait: string): string {
+  return gait.replaceAll("_", " ");
 }
 
 /** Pushes, and commands of the walk. */
 export class DrivePanel {
   /** Called before each command. */
   onAct: () => void = () => {};
-  walk: Walk = { walk: false, forward: 0, left: 0, turn: 0, height: 0 };
+  walk: Walk = { walk: false, forward: 0, left: 0, turn: 0, height: 0, gait: "" };
   private readonly most: Record<Axis, number>;
   private readonly wish = new Wish<Walk>();
   private readonly asked = h("p", { id: "asked", class: "asked" });
   private readonly values = new Map<Axis, HTMLElement>();
+  private readonly gaitButtons: HTMLButtonElement[];
   private readonly impulse: HTMLInputElement;
   private readonly direction: HTMLInputElement;
   private readonly directionText = h("output", {});
@@ -49,7 +59,9 @@ export class DrivePanel {
   private readonly controls: HTMLFieldSetElement;
   private readonly viewOnly = h("p", { class: "soft view-only", hidden: true }, asSentence(VIEW_ONLY));
 
-  constructor(root: HTMLElement, private readonly askRun: Ask, limits: Limits, private readonly report: Report) {
+  constructor(root: HTMLElement, private readonly askRun: Ask, limits: Limits, private readonly report: Report, private readonly gaits: string[] = []) {
+    this.gaitButtons = gaits.map((gait, i) =>
+      h("button", { class: "small", title: `gait ${gaitText(gait)} (${i + 1})`, "aria-pressed": "false", "data-gait": gait, onclick: () => this.chooseGait(i) }, `${i + 1} ${gaitText(gait)}`));
     this.most = { forward: limits.walk_velocity, left: limits.walk_velocity, turn: limits.walk_yaw_rate, height: limits.walk_height };
     const number = (id: string, value: number, max: number, step: number): HTMLInputElement =>
       h("input", { type: "number", id, value, min: 0, max, step });
@@ -64,6 +76,7 @@ export class DrivePanel {
       h("label", { class: "field" }, "Direction in the world", h("span", { class: "with-unit" }, this.direction, this.directionText)),
       h("button", { id: "push", class: "primary", title: "push (p)", onclick: () => this.push() }, "Push"),
       h("h2", {}, "Walk"), this.asked,
+      h("div", { class: "row", role: "group", "aria-label": "gait", hidden: gaits.length === 0 }, ...this.gaitButtons),
       this.axis("forward", "Forward", "m/s", "w", "s"), this.axis("left", "To the left", "m/s", "a", "d"),
       this.axis("turn", "Turn left", "rad/s", "q", "e"), this.axis("height", "Torso height", "m", "PgUp", "PgDn"),
       h("div", { class: "row" },
@@ -119,7 +132,26 @@ export class DrivePanel {
   }
 
   nudge(axis: Axis, steps: number): void {
-    this.ask(nudged(this.walk, axis, steps, this.most));
+    const fast = this.gaits.length > 0 && axis !== "height" ? FAST : 1;
+    this.ask(nudged(this.walk, axis, steps * fast, this.most));
+  }
+
+  /** The gait at this place of the list, if there is one. */
+  chooseGait(place: number): void {
+    const gait = this.gaits[place];
+    if (gait !== undefined) this.ask({ ...this.walk, walk: true, gait });
+  }
+
+  /** The gait before or after the present one. */
+  stepGait(by: 1 | -1): void {
+    const place = this.gaits.indexOf(this.walk.gait) + by;
+    this.chooseGait((place + this.gaits.length) % Math.max(1, this.gaits.length));
+  }
+
+  /** Walks with shares of the fastest command, as the sticks of a gamepad give them. */
+  drive(shares: Record<"forward" | "left" | "turn", number>): void {
+    const of = (axis: "forward" | "left" | "turn"): number => Number((shares[axis] * this.most[axis]).toFixed(2));
+    this.ask({ ...this.walk, walk: true, forward: of("forward"), left: of("left"), turn: of("turn") });
   }
 
   stand(): void {
@@ -127,9 +159,9 @@ export class DrivePanel {
   }
 
   private ask(command: Walk): void {
-    const { walk, forward, left, turn, height } = (this.walk = command);
+    const { walk, forward, left, turn, height, gait } = (this.walk = command);
     this.wish.ask(command);
-    this.send("walk", { walk, velocity: [forward, left], yaw_rate: turn, height }, this.wish);
+    this.send("walk", { walk, velocity: [forward, left], yaw_rate: turn, height, ...(gait === "" ? {} : { gait }) }, this.wish);
     this.showValues();
   }
 
@@ -151,13 +183,14 @@ export class DrivePanel {
   show(status: Status): void {
     const { command } = status;
     const [forward = 0, left = 0] = command.velocity;
-    this.walk = this.wish.or({ walk: command.walk, forward, left, turn: command.yaw_rate, height: command.height });
+    this.walk = this.wish.or({ walk: command.walk, forward, left, turn: command.yaw_rate, height: command.height, gait: command.gait });
     if (status.ended !== null) setText(this.asked, "The run has ended: a reset begins it again.");
     else setText(this.asked, askedText(command));
     this.showValues();
   }
 
   private showValues(): void {
+    for (const button of this.gaitButtons) button.setAttribute("aria-pressed", String(button.dataset["gait"] === this.walk.gait));
     for (const [axis, element] of this.values) setText(element, fixed(this.walk[axis], axis === "height" ? 3 : 2));
   }
 }

@@ -27,16 +27,21 @@ const DRIVING: Key[] = [
   ["p", "push, as the panel Drive says"],
 ];
 
-/** Keys of a live run or a log. */
-const keysOf = (live: boolean): Key[] => [...LOOKING, ...(live ? DRIVING : [])];
+/** Keys of a live run or a log; with gaits the digits choose them. */
+function keysOf(live: boolean, gaits: number): Key[] {
+  if (gaits === 0) return [...LOOKING, ...(live ? DRIVING : [])];
+  const looking = LOOKING.map(([keys, does]): Key => (keys.startsWith("1") ? ["shift 1 … 0, −", does] : [keys, does]));
+  return [...looking, ...DRIVING, [`1 … ${gaits}`, "gaits, in the order of the panel Drive"]];
+}
 
 /** Fills the help dialogue; returns its toggle. */
-export function makeHelp(live: boolean): () => void {
+export function makeHelp(live: boolean, gaits: readonly string[] = []): () => void {
   const dialog = part<HTMLDialogElement>("help");
   const close = h("button", { class: "small", "aria-label": "close", onclick: () => dialog.close() }, "×");
   dialog.append(
     h("div", { class: "row" }, h("h2", {}, "Keys"), close),
-    h("dl", { class: "keys" }, ...keysOf(live).flatMap(([keys, does]) => [h("dt", {}, h("kbd", {}, keys)), h("dd", {}, does)])),
+    h("dl", { class: "keys" }, ...keysOf(live, live ? gaits.length : 0).flatMap(([keys, does]) => [h("dt", {}, h("kbd", {}, keys)), h("dd", {}, does)])),
+    ...(live ? [h("h2", {}, "Gamepad"), h("p", {}, "The left stick walks, the right one turns; A pushes, B stands, the shoulders change the gait.")] : []),
     h("h2", {}, "Mouse and fingers"),
     h("p", {}, "Drag turns the view, with the right button or two fingers it moves, the wheel or two fingers zoom. Press in a plot to go to that time; the wheel zooms its time."),
   );

@@ -16,7 +16,7 @@ export interface Status {
   generation: number;
   /** Generation at which the present run began. */
   begun: number;
-  command: { walk: boolean; velocity: number[]; yaw_rate: number; height: number; by: string };
+  command: { walk: boolean; velocity: number[]; yaw_rate: number; height: number; gait: string; by: string };
   /** Changes from outside since the run began. */
   changes: number;
 }

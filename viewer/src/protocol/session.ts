@@ -117,6 +117,8 @@ export interface Session {
   bodies: string[];
   meshes: MeshInfo[];
   limits: Limits;
+  /** Names of the gaits that a command may ask for. */
+  gaits: string[];
   orders: Order[];
   generation: number;
   /** Generation at which the present run began; it changes with each reset. */

@@ -1,0 +1,110 @@
+#include "tests/gaits/puppet.hpp"
+#include "tests/gaits/some_gaits.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace surefoot::gaits {
+namespace {
+
+constexpr double kPeriod = test::Puppet::kPeriod;
+constexpr int kCrawl = 0, kTrot = 1, kFlight = 2, kPace = 3;
+
+test::Puppet walker(int gait, double speed) {
+  test::Puppet puppet(test::kTrot, test::level_ground(), Vec2::Zero(), 0.0, test::some_gaits(),
+                      kTrot);
+  puppet.user = {.walk = true, .velocity = {speed, 0.0}, .gait = gait};
+  return puppet;
+}
+
+/// No reference and no force limit may jump.
+struct Smooth {
+  const test::Puppet& puppet;
+  MotionPlan before = puppet.plan();
+
+  void operator()() {
+    const MotionPlan& now = puppet.plan();
+    ASSERT_LT((now.com.v - before.com.v).norm(), 0.05) << puppet.time();
+    ASSERT_LT((now.com.a - before.com.a).norm(), 4.0) << puppet.time();
+    ASSERT_LT(std::abs(now.torso.height - before.torso.height), 0.01) << puppet.time();
+    ASSERT_LT(std::abs(now.torso.height_rate - before.torso.height_rate), 0.2) << puppet.time();
+    for (std::size_t k = 0; k < kNumLegs; ++k)
+      ASSERT_LT(std::abs(now.feet[k].force_max - before.feet[k].force_max), 100.0) << puppet.time();
+    before = now;
+  }
+};
+
+TEST(GaitChange, happens_on_the_way_without_a_jump_between_any_two_gaits) {
+  for (const int from : {kCrawl, kTrot, kFlight, kPace}) {
+    for (const int to : {kCrawl, kTrot, kFlight, kPace}) {
+      if (from == to) continue;
+      test::Puppet puppet = walker(from, 0.2);
+      puppet.run(6.0);
+      ASSERT_EQ(puppet.plan().gait, from);
+      puppet.user.gait = to;
+      double slowest = 1.0;
+      puppet.run(4.0, [&, smooth = Smooth{puppet}]() mutable {
+        smooth();
+        slowest = std::min(slowest, puppet.plan().com.v.x());
+      });
+      EXPECT_EQ(puppet.plan().gait, to) << from;
+      EXPECT_GT(slowest, 0.05) << "it does not stop, from " << from << " to " << to;
+      EXPECT_EQ(puppet.happenings(PlanEvent::gait_changed).size(), from == kTrot ? 1u : 2u);
+    }
+  }
+}
+
+TEST(GaitChange, waits_until_the_robot_is_slow_enough_for_the_next_gait) {
+  test::Puppet puppet = walker(kTrot, 1.0);
+  puppet.run(5.0);
+  puppet.user.gait = kCrawl;
+  double fastest = 0.0;
+  puppet.run(4.0, [&] {
+    if (puppet.plan().gait == kCrawl) fastest = std::max(fastest, puppet.plan().com.v.x());
+  });
+  EXPECT_EQ(puppet.plan().gait, kCrawl);
+  EXPECT_LT(fastest, 0.36);
+  EXPECT_FALSE(puppet.happenings(PlanEvent::too_fast).empty()) << "1 m/s is told";
+  EXPECT_NEAR(puppet.plan().com.v.x(), 0.3, 0.08);
+}
+
+TEST(GaitChange, follows_the_speed_if_the_user_wants_it_so) {
+  test::Puppet puppet = walker(UserCommand::kAutoGait, 0.1);
+  puppet.run(4.0);
+  EXPECT_EQ(puppet.plan().gait, kCrawl);
+  for (const auto& [speed, gait] : {std::pair{0.6, kTrot}, {1.5, kFlight}, {0.1, kCrawl}}) {
+    puppet.user.velocity.x() = speed;
+    puppet.run(6.0);
+    EXPECT_EQ(puppet.plan().gait, gait) << speed;
+  }
+}
+
+TEST(GaitChange, is_at_once_where_the_robot_stands) {
+  test::Puppet puppet = walker(kTrot, 0.0);
+  puppet.user.walk = false;
+  puppet.run(0.5);
+  puppet.user.gait = kPace;
+  puppet.run(2 * kPeriod);
+  EXPECT_EQ(puppet.plan().gait, kPace);
+  EXPECT_EQ(puppet.plan().num_contacts(), kNumLegs);
+}
+
+TEST(GaitChange, to_one_that_stands_comes_to_rest_on_all_feet) {
+  std::vector<NamedGait> gaits = test::some_gaits();
+  gaits.push_back({"stand", {}});
+  gaits.back().options.rhythm.stands = true;
+  test::Puppet puppet(test::kTrot, test::level_ground(), Vec2::Zero(), 0.0, gaits, kTrot);
+  puppet.user = {.walk = true, .velocity = {0.5, 0.0}, .gait = kTrot};
+  puppet.run(3.0);
+  puppet.user.gait = 4;
+  puppet.run(3.0);
+  EXPECT_EQ(puppet.plan().num_contacts(), kNumLegs);
+  EXPECT_LT(puppet.plan().com.v.norm(), 0.01);
+  puppet.user.gait = kTrot;
+  puppet.run(3.0);
+  EXPECT_NEAR(puppet.plan().com.v.x(), 0.5, 0.01);
+}
+
+}  // namespace
+}  // namespace surefoot::gaits
