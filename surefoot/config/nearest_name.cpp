@@ -26,6 +26,13 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
   return row[b.size()];
 }
 
+std::string lower_case(std::string_view name) {
+  std::string result(name);
+  for (char& c : result)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return result;
+}
+
 }  // namespace
 
 std::string valid_names(std::string_view given, const std::vector<std::string>& valid) {
@@ -34,7 +41,7 @@ std::string valid_names(std::string_view given, const std::vector<std::string>& 
   std::size_t smallest = std::max<std::size_t>(1, given.size() / 3) + 1;
   for (const std::string& name : valid) {
     list += (list.empty() ? "" : ", ") + name;
-    const std::size_t distance = edit_distance(given, name);
+    const std::size_t distance = edit_distance(lower_case(given), lower_case(name));
     if (distance >= smallest) continue;
     smallest = distance;
     nearest = name;

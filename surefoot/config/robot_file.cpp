@@ -226,6 +226,9 @@ model::RobotDescription load_robot(const std::string& name_or_path,
   if (robot.base_link.empty()) robot.base_link = urdf.root;
   NameCheck names(top, urdf);
   names.frame("base", robot.base_link);
+  if (robot.base_link != urdf.root)
+    top.fail("base", "\"" + robot.base_link + "\" moves against the root, which is valid: \"" +
+                         urdf.root + "\"");
   for (const Leg leg : robot.legs.legs()) {
     const std::string key = "legs." + std::string(leg_name(leg, robot.num_legs()));
     model::LegDescription& description = robot.legs[index(leg)];

@@ -362,7 +362,8 @@ const JointCommand& Controller::Implementation::command_off_its_feet() noexcept 
 
 void Controller::Implementation::keep_posture() noexcept {
   const Footing& footing = memory.footing;
-  safety.bear(standing_torque(model, record.state.q));
+  const Righting righting = footing.righting(model.dynamics(), record.state);
+  safety.bear(standing_torque(model, record.state.q, righting));
   safety.pose(footing.posture(memory.estimation.lift()),
               footing.hangs() ? CommandMode::lifted : CommandMode::rise);
 }

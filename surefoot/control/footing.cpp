@@ -2,6 +2,10 @@
 
 #include "surefoot/control/ease.hpp"
 #include "surefoot/gaits/parts/leg_limits.hpp"
+#include "surefoot/math/rotation.hpp"
+
+#include <Eigen/Cholesky>
+#include <Eigen/LU>
 
 #include <algorithm>
 #include <cmath>
@@ -17,11 +21,24 @@ constexpr double kMeanSpeed = 0.6;        // of the joints during a motion [rad/
 constexpr double kMinDuration = 1.0;      // of a motion [s]
 constexpr double kLoadTime = 0.5;         // in which the feet take over the weight [s]
 constexpr double kStiffenTime = 0.5;      // of the joints, once the feet carry the robot [s]
+constexpr double kStiffness = 0.5;        // share of the way from soft to stiff
 constexpr double kSettleTime = 0.5;       // after the motion [s]
 constexpr double kStandTimeout = 3.0;     // after the motion, until rising has failed [s]
 constexpr double kMaxTilt = 0.5;          // of a standing torso [rad]
+constexpr double kRighting = 5.0;         // ω of the righting moment [rad/s]
+constexpr double kRightingDamping = 0.8;  // ζ of it
 constexpr double kMaxError = 0.2;         // of a joint that has reached the posture [rad]
 constexpr double kMaxSpeed = 0.3;         // of a joint at rest [rad/s]
+
+/// The inertia of the torso's rotation with limp joints, in B [kg·m²]: that with the legs, which
+/// stand on the ground, would be many times as large.
+Mat3 limp_inertia(const model::Dynamics& dynamics) {
+  using Columns = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::ColMajor, kMaxVelocities, 3>;
+  Columns moments = Columns::Zero(dynamics.num_velocities(), 3);
+  moments.middleRows<3>(3).setIdentity();
+  const Columns accelerations = dynamics.M.llt().solve(moments);
+  return accelerations.middleRows<3>(3).inverse();
+}
 
 }  // namespace
 
@@ -142,9 +159,21 @@ LegPosture Footing::posture(const estimation::LiftDetector& lift) const {
   }
   if (state_ == State::rises) {
     result.bears = std::max(borne_, ease(std::min(1.0, time_ / (scale_.time() * kLoadTime))));
-    result.softness = 1.0 - std::min(1.0, stood_for_ / (scale_.time() * kStiffenTime));
+    const double stiff = std::min(1.0, stood_for_ / (scale_.time() * kStiffenTime));
+    result.softness = 1.0 - kStiffness * stiff;
   }
   return result;
+}
+
+Righting Footing::righting(const model::Dynamics& dynamics, const RobotState& state) const {
+  if (state_ != State::rises || !is_rotation(state.q_WB) || !state.w_WB_B.allFinite()) return {};
+  const Mat3 R_WB = state.R_WB();
+  const double rate = scale_.rate() * kRighting;
+  const Vec3 tilt_B = Vec3::UnitZ().cross(Vec3(R_WB.transpose().col(2)));
+  const Vec3 acceleration_B = rate * rate * tilt_B - 2.0 * kRightingDamping * rate * state.w_WB_B;
+  Vec3 moment = R_WB * limp_inertia(dynamics) * acceleration_B;
+  moment.z() = 0.0;
+  return {.q_WB = state.q_WB, .moment = moment};
 }
 
 }  // namespace surefoot::control

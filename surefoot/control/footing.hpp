@@ -2,6 +2,7 @@
 
 #include "surefoot/base/scale.hpp"
 #include "surefoot/control/leg_posture.hpp"
+#include "surefoot/control/standing_torque.hpp"
 #include "surefoot/estimation/lift_detector.hpp"
 #include "surefoot/gaits/planner_options.hpp"
 #include "surefoot/model/robot_model.hpp"
@@ -45,6 +46,9 @@ class Footing {
   [[nodiscard]] bool has_fallen() const { return has_fallen_; }
   /// Leg posture while it does not stand.
   [[nodiscard]] LegPosture posture(const estimation::LiftDetector& lift) const;
+  /// What turns a rising robot upright, as its springs alone would let it tip: the moment of its
+  /// inertia times ω² θ − 2 ζ ω w, with the tilt θ from z_B to z_W.
+  [[nodiscard]] Righting righting(const model::Dynamics& dynamics, const RobotState& state) const;
 
  private:
   enum class State { stands, hangs, folds, rises };

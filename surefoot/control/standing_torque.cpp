@@ -7,21 +7,20 @@
 namespace surefoot::control {
 namespace {
 
-/// Vertical foot forces [N] with Σ f = m g and, unless one would pull, without moment about the
-/// COM.
+/// Vertical foot forces [N] with Σ f = m g and, unless one would pull, this moment about the COM.
 template <int kCount>
-PerLeg<double> bearing_forces(const model::Dynamics& dynamics) {
+PerLeg<double> bearing_forces(const model::Dynamics& dynamics, const Vec3& moment) {
   Eigen::Matrix<double, 3, kCount> balance;
   for (const Leg leg : first_legs(kCount)) {
     const Vec3 arm = dynamics.contact[index(leg)].p - dynamics.com.p;
     balance.col(static_cast<Eigen::Index>(index(leg))) << 1.0, arm.x(), arm.y();
   }
-  const Vec3 weight(dynamics.mass * kGravity, 0.0, 0.0);
+  const Vec3 wanted(dynamics.mass * kGravity, -moment.y(), moment.x());  // of Σ f, Σ x f, Σ y f
   const Mat3 gram = balance * balance.transpose();
   const Eigen::Matrix<double, kCount, 1> forces =
-      (balance.transpose() * gram.ldlt().solve(weight)).cwiseMax(0.0);
+      (balance.transpose() * gram.ldlt().solve(wanted)).cwiseMax(0.0);
   PerLeg<double> result(kCount, 0.0);
-  Eigen::Map<Eigen::Matrix<double, kCount, 1>>(result.data()) = weight.x() / forces.sum() * forces;
+  Eigen::Map<Eigen::Matrix<double, kCount, 1>>(result.data()) = wanted.x() / forces.sum() * forces;
   return result;
 }
 
@@ -68,11 +67,15 @@ RobotState level_at_rest(const JointVector& q) {
   return state;
 }
 
-JointVector standing_torque(model::RobotModel& model, const JointVector& q) noexcept {
-  const model::Dynamics& dynamics = model.update(level_at_rest(q), Vec3::UnitZ());
+JointVector standing_torque(model::RobotModel& model, const JointVector& q,
+                             const Righting& righting) noexcept {
+  RobotState state = level_at_rest(q);
+  state.q_WB = righting.q_WB;
+  const model::Dynamics& dynamics = model.update(state, Vec3::UnitZ());
   if (dynamics.has_flat_feet()) return flat_footed_torque(dynamics);
-  const PerLeg<double> force = dynamics.num_legs() == kNumLegs ? bearing_forces<kNumLegs>(dynamics)
-                                                               : bearing_forces<kMaxLegs>(dynamics);
+  const PerLeg<double> force = dynamics.num_legs() == kNumLegs
+                                   ? bearing_forces<kNumLegs>(dynamics, righting.moment)
+                                   : bearing_forces<kMaxLegs>(dynamics, righting.moment);
   JointVector torque = dynamics.h.tail(q.size());
   for (const Leg leg : force.legs()) {
     const model::Jacobian3& J = dynamics.contact[index(leg)].J;

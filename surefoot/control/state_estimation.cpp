@@ -153,7 +153,10 @@ void StateEstimation::estimate_forces(const estimation::ReadingGuard& seen,
   contact_force_.update(dynamics, stands, last.terrain_normal_W, seen.repaired(), state_);
   if (dynamics.has_flat_feet()) return;  // what follows knows only legs of three joints
   lift_.update(kGravity * dynamics.mass, state_.foot_force, seen.repaired().accelerometer);
-  if (!mode.stands) return;
+  if (!mode.stands) {
+    imu_step_ = estimation::ImuStep::no_witness;
+    return;
+  }
   slip_.update(dynamics, stands, last.terrain_normal_W, state_);
   external_force_.update(dynamics, stands, state_);
   compare_sensors(seen, dynamics, last, health);

@@ -43,9 +43,11 @@ void ImuCheck::forget() noexcept {
   disagrees_for_ = wrong_for_ = 0.0;
 }
 
-const ImuCheck::Moment& ImuCheck::before(int ticks) const {
-  const int size = static_cast<int>(moments_.size());
-  return moments_[static_cast<std::size_t>((newest_ - ticks + size) % size)];
+// Called a thousand times a tick, so without a division.
+inline const ImuCheck::Moment& ImuCheck::before(int ticks) const {
+  const int place = newest_ - ticks;
+  return moments_[static_cast<std::size_t>(place < 0 ? place + static_cast<int>(moments_.size())
+                                                     : place)];
 }
 
 void ImuCheck::update(const SensorReading& reading, const RobotState& state,
@@ -180,6 +182,7 @@ ImuCheck::Disagreement ImuCheck::compare(int ticks) const {
   };
   const bool goes_on = first.angle.dot(second.angle) > 0.0;
   result.turn = goes_on ? 2.0 * std::max(0.0, std::min(sure(first), sure(second))) : 0.0;
+  if (result.turn == 0.0) return result;
   // A foot that slides off an edge looks like a turn about the others, so these must turn, too.
   for (std::size_t k = 0; k < firm.size(); ++k) {
     if (!firm[k]) continue;

@@ -22,6 +22,28 @@ Mat3 left_jacobian(const Vec3& theta) {
          (angle - std::sin(angle)) / (square * angle) * S * S;
 }
 
+/// P ← P + c A Bᵀ of three columns, as loops: Eigen's product is made for larger matrices.
+template <typename Square, typename Columns>
+void add_product(Square& P, double c, const Columns& A, const Columns& B) {
+  const Eigen::Index n = P.rows();
+  const double *x = A.data(), *y = x + n, *z = y + n;
+  for (Eigen::Index j = 0; j < n; ++j) {
+    const Vec3 b = B.row(j);
+    double* const column = P.data() + n * j;
+    for (Eigen::Index i = 0; i < n; ++i) column[i] += c * (b[0] * x[i] + b[1] * y[i] + b[2] * z[i]);
+  }
+}
+
+/// P ← ½ (P + Pᵀ).
+template <typename Square>
+void make_symmetric(Square& P) {
+  const Eigen::Index n = P.rows();
+  double* const p = P.data();
+  for (Eigen::Index j = 1; j < n; ++j)
+    for (Eigen::Index i = 0; i < j; ++i)
+      p[i + n * j] = p[j + n * i] = 0.5 * (p[i + n * j] + p[j + n * i]);
+}
+
 }  // namespace
 
 // Roll and pitch such that the specific force points up.
@@ -72,7 +94,7 @@ void InvariantFilter::add_process_noise(double dt) {
   for (const Leg leg : d_.legs()) {
     if (stands(leg)) turn.middleRows<3>(foot(leg)) = skew(p_WF(leg));
   }
-  P_.noalias() += dt * square(options_.gyro_noise) * turn * turn.transpose();
+  add_product(P_, dt * square(options_.gyro_noise), turn, turn);
   const auto add = [&](int first, double density) {
     P_.diagonal().segment<3>(first).array() += dt * square(density);
   };
@@ -158,8 +180,8 @@ void InvariantFilter::correct(Leg leg, const Vec3& h, const Mat3& J) noexcept {
     S_used.diagonal().array() += slip;
   }
   const Columns K = S_used.ldlt().solve(PHt.transpose()).transpose();
-  P_.noalias() -= K * PHt.transpose();
-  P_ = 0.5 * (P_ + P_.transpose()).eval();
+  add_product(P_, -1.0, K, PHt);
+  make_symmetric(P_);
   retract(K * innovation);
 }
 

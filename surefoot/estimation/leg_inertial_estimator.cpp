@@ -14,6 +14,7 @@ namespace {
 
 constexpr double kLongAgo = 1e3;              // [s]
 constexpr double kRestartMemory = 0.1;        // of the readings used by a restart [s]
+constexpr double kLevelMemory = 1.0;          // of the tilt without feet [s]
 constexpr double kAccelerationMemory = 0.01;  // of the predicted acceleration [s]
 
 Vec3 angles(const JointVector& q, Leg leg) { return q.segment<kJointsPerLeg>(first_joint(leg)); }
@@ -104,7 +105,8 @@ bool LegInertialEstimator::stands(const SensorReading& reading,
   return standing_start_.stands(reading, joint_velocity, p_BC, v_BC);
 }
 
-// Its velocity is unknown, so its position stays.
+// Its velocity is unknown, so its position stays. Its tilt follows the gyroscope, and the
+// accelerometer slowly: it is carried about and set down.
 void LegInertialEstimator::hang(const SensorReading& reading, double dt) {
   if (!started_) {
     start(reading, {.specific_force = reading.accelerometer}, 0.0);
@@ -113,7 +115,9 @@ void LegInertialEstimator::hang(const SensorReading& reading, double dt) {
   Vec3 p_WB = filter_.p_WB();
   const double ground = p_WB.z() - height_over_feet();
   advance(reading, dt, true);
-  filter_.start(mean_force_, filter_.gyro_bias(), yaw(filter_.R_WB()));
+  Vec3 level = kGravity * filter_.R_WB().row(2);
+  level += std::min(1.0, dt / kLevelMemory) * (reading.accelerometer - level);
+  filter_.start(level, filter_.gyro_bias(), yaw(filter_.R_WB()));
   update_kinematics(reading);
   p_WB.z() = ground + height_over_feet();
   stand_at(p_WB);

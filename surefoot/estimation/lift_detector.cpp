@@ -11,7 +11,7 @@ constexpr double kMinOtherSupport = 0.5;  // share of the weight on other suppor
 constexpr double kLiftedTime = 0.05;      // [s]
 constexpr double kMinFootLoad = 0.04;     // share of the weight on one stance foot
 constexpr double kMinStandingLoad = 0.7;  // share of the weight on all feet
-constexpr double kDownTime = 0.3;         // [s]
+constexpr double kDownTime = 0.1;         // [s]
 
 }  // namespace
 

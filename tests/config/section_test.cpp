@@ -143,6 +143,7 @@ TEST(NearestName, swapped_missing_and_wrong_letters_are_near) {
   EXPECT_TRUE(holds(valid_names("frcition", {"duration", "friction"}), "\"friction\""));
   EXPECT_TRUE(holds(valid_names("duratin", {"duration", "friction"}), "\"duration\""));
   EXPECT_FALSE(holds(valid_names("height", {"duration", "friction"}), "did you mean"));
+  EXPECT_TRUE(holds(valid_names("LF_FOOT", {"base", "LF_foot"}), "did you mean \"LF_foot\"?"));
 }
 
 }  // namespace
