@@ -8,9 +8,6 @@
 #include "tests/support/random_motion.hpp"
 
 #include <gtest/gtest.h>
-#include <pinocchio/algorithm/frames.hpp>
-#include <pinocchio/algorithm/kinematics.hpp>
-#include <pinocchio/parsers/urdf.hpp>
 
 namespace surefoot::model {
 namespace {
@@ -61,45 +58,6 @@ TEST(FlatFeet, their_soles_move_as_their_jacobians_say) {
       EXPECT_LT((a - now.contact[k].Jdot_u).norm(), 1e-4);
       EXPECT_LT((rate - now.shank[k].Jdot_u).norm(), 1e-4);
     }
-  }
-}
-
-// Pinocchio reads the URDF itself here, with its own order of joints and its own base.
-TEST(FlatFeet, are_where_pinocchio_has_them_and_move_as_it_says) {
-  const RobotDescription robot = biped();
-  RobotModel model(robot);
-  pinocchio::Model reference;
-  pinocchio::urdf::buildModel(robot.urdf_path, pinocchio::JointModelFreeFlyer(), reference);
-  pinocchio::Data data(reference);
-  Random random(2);
-  const RobotState state = random_state(random, robot);
-  const Dynamics& dynamics = model.update(state, kUp);
-  Eigen::VectorXd q = pinocchio::neutral(reference), v = Eigen::VectorXd::Zero(reference.nv);
-  q.head<3>() = state.p_WB;
-  q.segment<4>(3) = state.q_WB.coeffs();
-  v.head<3>() = state.R_WB().transpose() * state.v_WB;
-  v.segment<3>(3) = state.w_WB_B;
-  const std::vector<std::string> names = robot.joint_names();
-  for (std::size_t j = 0; j < names.size(); ++j) {
-    const pinocchio::JointModel& joint = reference.joints[reference.getJointId(names[j])];
-    q[joint.idx_q()] = state.q[static_cast<Eigen::Index>(j)];
-    v[joint.idx_v()] = state.qd[static_cast<Eigen::Index>(j)];
-  }
-  pinocchio::forwardKinematics(reference, data, q, v);
-  pinocchio::updateFramePlacements(reference, data);
-  for (const Leg leg : robot.legs.legs()) {
-    const pinocchio::FrameIndex frame = reference.getFrameId(robot.legs[index(leg)].foot_frame);
-    const pinocchio::SE3& foot = data.oMf[frame];
-    const pinocchio::Motion velocity =
-        pinocchio::getFrameVelocity(reference, data, frame, pinocchio::LOCAL_WORLD_ALIGNED);
-    const Vec3 lever = foot.rotation() * robot.foot_center;
-    const PointKinematics& contact = dynamics.contact[index(leg)];
-    const RotationKinematics& rotation = dynamics.shank[index(leg)];
-    EXPECT_LT((contact.p - foot.translation() - lever).norm(), 1e-9);
-    EXPECT_LT((rotation.R - foot.rotation()).norm(), 1e-9);
-    EXPECT_LT((rotation.J * state.u() - velocity.angular()).norm(), 1e-9);
-    EXPECT_LT((contact.J * state.u() - velocity.linear() - velocity.angular().cross(lever)).norm(),
-              1e-9);
   }
 }
 

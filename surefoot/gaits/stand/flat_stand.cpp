@@ -23,6 +23,7 @@ void FlatStand::Reference::follow(double target, double rate, double dt) {
 void FlatStand::update(const UserCommand& command, const RobotState& state,
                        const model::Dynamics& dynamics, MotionPlan& plan) noexcept {
   if (!has_begun_) begin(state, dynamics, plan);
+  follow_feet(dynamics, plan);
   const double rate = scale_.rate() * kRate;
   forward_.follow(std::clamp(command.shift.x(), -reach_.x(), reach_.x()), rate, period_);
   left_.follow(std::clamp(command.shift.y(), -reach_.y(), reach_.y()), rate, period_);
@@ -40,19 +41,14 @@ void FlatStand::begin(const RobotState& state, const model::Dynamics& dynamics, 
   has_begun_ = true;
   yaw_ = yaw(state.R_WB());
   plan = MotionPlan{};
-  plan.feet = PerLeg<FootPlan>(dynamics.num_legs(), FootPlan{});
-  middle_.setZero();
-  for (const Leg leg : plan.feet.legs()) {
-    FootPlan& foot = plan.feet[index(leg)];
-    foot.p_WF = dynamics.contact[index(leg)].p;
-    foot.force_min = force_.min;
-    foot.force_max = force_.max;
-    foot.friction = force_.friction;
-    middle_ += foot.p_WF / dynamics.num_legs();
-  }
+  FootPlan stance;
+  stance.force_min = force_.min;
+  stance.force_max = force_.max;
+  stance.friction = force_.friction;
+  plan.feet = PerLeg<FootPlan>(dynamics.num_legs(), stance);
+  follow_feet(dynamics, plan);
   plan.torso.q_WB = Quat(rotation_about_z(yaw_));
   plan.R_WC = rotation_about_z(yaw_);
-  plan.terrain_point = middle_;
   height_ = state.p_WB.z() - middle_.z();
   const Mat3 to_heading = plan.R_WC.transpose();
   reach_ << kForward * dynamics.sole.x(), 0.0;
@@ -62,6 +58,16 @@ void FlatStand::begin(const RobotState& state, const model::Dynamics& dynamics, 
   forward_ = {.p = com.x()};
   left_ = {.p = com.y()};
   up_ = {};
+}
+
+// The feet stay, but their estimates drift.
+void FlatStand::follow_feet(const model::Dynamics& dynamics, MotionPlan& plan) {
+  middle_.setZero();
+  for (const Leg leg : plan.feet.legs()) {
+    plan.feet[index(leg)].p_WF = dynamics.contact[index(leg)].p;
+    middle_ += dynamics.contact[index(leg)].p / dynamics.num_legs();
+  }
+  plan.terrain_point = middle_;
 }
 
 void FlatStand::plan_com(const model::Dynamics& dynamics, MotionPlan& plan) const {

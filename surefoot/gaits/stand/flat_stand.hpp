@@ -33,6 +33,7 @@ class FlatStand {
     void follow(double target, double rate, double dt);
   };
 
+  void follow_feet(const model::Dynamics& dynamics, MotionPlan& plan);
   void begin(const RobotState& state, const model::Dynamics& dynamics, MotionPlan& plan);
   void plan_com(const model::Dynamics& dynamics, MotionPlan& plan) const;
 
