@@ -28,6 +28,7 @@ def pairs(plan, records):
 
 def one_point(spec, judge, first, couples):
     run = couples[0][1].run
+    judged = [couple for couple in couples if all(record.is_judged for record in couple)]
     values = [(one.metric(judge), two.metric(judge)) for one, two in couples]
     differences = [two - one for one, two in values if one is not None and two is not None]
     return {
@@ -35,8 +36,8 @@ def one_point(spec, judge, first, couples):
         "parameters": run.place(spec),
         "against": first,
         "seeds": len(couples),
-        "mended": sum(two.succeeded and not one.succeeded for one, two in couples),
-        "broken": sum(one.succeeded and not two.succeeded for one, two in couples),
+        "mended": sum(two.succeeded and not one.succeeded for one, two in judged),
+        "broken": sum(one.succeeded and not two.succeeded for one, two in judged),
         "difference": {"median": median(differences), "interval": median_interval(differences)},
     }
 

@@ -26,6 +26,10 @@ class Record:
     def succeeded(self):
         return self.row["outcome"] == "succeeded"
 
+    @property
+    def is_judged(self):
+        return self.row["outcome"] != "not_judged"
+
     def metric(self, name):
         return number_at(self.row["result"], name)
 

@@ -38,7 +38,7 @@ def wilson_interval(successes, trials):
 
 def rate_of(records):
     """Of those that were judged."""
-    return Rate(sum(record.succeeded for record in records), sum(record.row["outcome"] != "not_judged" for record in records))
+    return Rate(sum(record.succeeded for record in records), sum(record.is_judged for record in records))
 
 
 def is_number(value):

@@ -70,5 +70,7 @@ def asked_of(run, metric):
 
 
 def rate_text(rate):
+    if not rate["trials"]:
+        return "not judged"
     low, high = rate["interval"]
     return f"{rate['successes']} of {rate['trials']} (95 %: {100 * low:.0f} … {100 * high:.0f} %)"

@@ -73,7 +73,7 @@ TEST(ClosedLoop, an_interrupt_ends_the_run_with_a_readable_log_that_does_not_loo
   options.interrupted = [&ticks] { return ++ticks > 40; };
   const RunResult result = run_closed_loop(short_walk(), options);
   EXPECT_EQ(result.ending, Ending::interrupted);
-  EXPECT_FALSE(result.metrics.succeeded);
+  EXPECT_NE(result.metrics.succeeded, true);
 
   EXPECT_FALSE(std::filesystem::exists(folder / "run.mcap"));
   logging::LogReader log(logging::partial_path(folder / "run.mcap"));
@@ -154,7 +154,7 @@ TEST(ClosedLoop, a_robot_that_is_knocked_over_ends_the_run_as_fallen) {
   EXPECT_TRUE(result.metrics.fell);
   EXPECT_TRUE(test::holds(result.metrics.reason, "fell at")) << result.metrics.reason;
   EXPECT_LT(result.metrics.duration_s, 1.0);
-  EXPECT_FALSE(result.metrics.succeeded);
+  EXPECT_NE(result.metrics.succeeded, true);
 }
 
 TEST(ClosedLoop, a_stop_for_safety_before_a_fall_counts_and_after_it_does_not) {

@@ -20,7 +20,7 @@ evaluation::Metrics walked(const std::string& scenario, std::vector<std::string>
 TEST(Arms, AreHeldWhileTheRobotWalks) {
   for (const char* robot : {"anymal_b_kinova", "b1_z1"}) {
     const evaluation::Metrics metrics = walked("walk_flat", {std::string("robot=") + robot});
-    EXPECT_TRUE(metrics.succeeded) << robot << ": " << metrics.reason;
+    EXPECT_EQ(metrics.succeeded, true) << robot << ": " << metrics.reason;
     EXPECT_EQ(metrics.false_touchdowns, 0) << robot;
     EXPECT_EQ(metrics.fallback_ticks, 0) << robot;
   }
@@ -54,7 +54,7 @@ TEST(Arms, LightJointsKeepStillAsTheRobotGetsUp) {
 
 TEST(Arms, FollowTheOperatorStandingAndWalking) {
   const evaluation::Metrics metrics = walked("reach");
-  EXPECT_TRUE(metrics.succeeded) << metrics.reason << ", hand " << metrics.reach_error_max_m;
+  EXPECT_EQ(metrics.succeeded, true) << metrics.reason << ", hand " << metrics.reach_error_max_m;
 }
 
 TEST(Arms, ThatTheRobotDoesNotHaveCanNotReach) {

@@ -14,7 +14,7 @@ TEST(FlatFeet, ShiftSquatAndTakeAPush) {
   for (const std::uint64_t seed : {1U, 2U, 3U}) {
     const evaluation::Metrics metrics =
         closed_loop::run_closed_loop(config::load_scenario({"flat_feet", seed, {}}), {}).metrics;
-    EXPECT_TRUE(metrics.succeeded) << seed << ": " << metrics.reason;
+    EXPECT_EQ(metrics.succeeded, true) << seed << ": " << metrics.reason;
     EXPECT_EQ(metrics.fallback_ticks, 0) << seed;
     EXPECT_EQ(metrics.false_touchdowns, 0) << seed;
   }

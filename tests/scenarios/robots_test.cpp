@@ -30,11 +30,11 @@ class Robots : public testing::TestWithParam<const char*> {};
 
 TEST_P(Robots, WalkOnFlatGroundByItsCriteriaAndStepDownATenthOfTheirLeg) {
   const evaluation::Metrics flat = walked("walk_flat", GetParam());
-  EXPECT_TRUE(flat.succeeded) << flat.reason;
+  EXPECT_EQ(flat.succeeded, true) << flat.reason;
   EXPECT_EQ(flat.false_touchdowns, 0);
   const evaluation::Metrics down =
       walked(test::source_file("campaigns/robots/step_down_10.yaml"), GetParam());
-  EXPECT_TRUE(down.succeeded) << down.reason;
+  EXPECT_EQ(down.succeeded, true) << down.reason;
   EXPECT_LE(down.false_touchdowns, 1);  // HyQ has one, its shanks on the edge
 }
 
@@ -47,7 +47,7 @@ TEST(Hexapod, WalksOnFlatGroundAndStepsDownATenthOfItsLeg) {
   for (const char* scenario : {"flat.yaml", "step_down_10.yaml"}) {
     const evaluation::Metrics result =
         walked(test::source_file("campaigns/robots/") + scenario, "hexapod");
-    EXPECT_TRUE(result.succeeded) << scenario << ": " << result.reason;
+    EXPECT_EQ(result.succeeded, true) << scenario << ": " << result.reason;
     EXPECT_EQ(result.false_touchdowns, 0) << scenario;
     EXPECT_GT(result.steps_taken, 20) << scenario;
   }
@@ -113,7 +113,7 @@ TEST(Sizes, WalkTheSameWalk) {
     EXPECT_NEAR(scale.length, size, 1e-9);
     EXPECT_NEAR(scale.mass, std::pow(size, 3.0), 1e-9);
     const evaluation::Metrics other = walked("walk_flat", robot);
-    EXPECT_TRUE(other.succeeded) << size << ": " << other.reason;
+    EXPECT_EQ(other.succeeded, true) << size << ": " << other.reason;
     EXPECT_NEAR(other.steps_taken, one.steps_taken, 1) << size;
     EXPECT_NEAR(other.speed_mps / std::sqrt(size), one.speed_mps, 0.02 * one.speed_mps) << size;
     EXPECT_NEAR(other.com_lateral_sway_m / size, one.com_lateral_sway_m,

@@ -15,7 +15,7 @@ TEST(StepDown, FourteenCentimetresThatNobodyKnewOfAreWalkedDown) {
   EXPECT_EQ(result.ending, closed_loop::Ending::goal_reached) << result.metrics.reason;
   EXPECT_FALSE(result.metrics.fell);
   EXPECT_FALSE(result.safety_stop);
-  EXPECT_TRUE(result.metrics.succeeded);
+  EXPECT_EQ(result.metrics.succeeded, true);
 }
 
 TEST(StepDown, NothingIsAllocatedWhileAFootProbesSearchesAndTheGaitWaits) {
