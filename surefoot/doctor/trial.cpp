@@ -26,10 +26,18 @@ std::string why(const closed_loop::RunResult& result) {
   return result.metrics.reason + missed;
 }
 
-Trial run(const std::string& name, const GuessedFile& robot, const TrialOptions& options) {
+/// A scenario with changes, under a name.
+struct Asked {
+  std::string name, scenario;
+  std::vector<std::string> assignments;
+};
+
+Trial run(Asked asked, const GuessedFile& robot, const TrialOptions& options) {
+  const std::string& name = asked.name;
   try {
+    asked.assignments.push_back("robot=" + robot.path());
     const config::Scenario scenario = config::load_scenario(
-        {.name_or_path = name, .seed = 0, .assignments = {"robot=" + robot.path()}});
+        {.name_or_path = asked.scenario, .seed = 0, .assignments = asked.assignments});
     closed_loop::ClosedLoopOptions loop;
     loop.interrupted = options.interrupted;
     if (options.progress)
@@ -47,7 +55,11 @@ Trial run(const std::string& name, const GuessedFile& robot, const TrialOptions&
 
 std::vector<Trial> try_walking(const Diagnosis& robot, const TrialOptions& options) {
   const GuessedFile file(robot);
-  return {run("walk_flat", file, options), run("step_down", file, options)};
+  const std::vector<std::string> stands = {"user=[]", "planner.calibration.duration=0",
+                                           "duration=4", "criteria=none"};
+  return {run({"stand", "walk_flat", stands}, file, options),
+          run({"walk_flat", "walk_flat", {}}, file, options),
+          run({"step_down", "step_down", {}}, file, options)};
 }
 
 }  // namespace surefoot::doctor

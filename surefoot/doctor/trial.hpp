@@ -10,7 +10,7 @@ namespace surefoot::doctor {
 
 /// How a scenario went with the robot, in simulation.
 struct Trial {
-  std::string scenario;
+  std::string scenario;  ///< or "stand"
   bool succeeded = false;
   std::string why;  ///< how it ended, and the criteria that were missed
 };
@@ -20,8 +20,8 @@ struct TrialOptions {
   std::function<bool()> interrupted{};
 };
 
-/// Walks on flat ground for 20 s, and down a step, with guesses for what the URDF lacks. What the
-/// program refuses is a trial that failed. Throws Error if it was interrupted.
+/// Stands for 4 s, walks on flat ground for 20 s, and down a step, with guesses for what the URDF
+/// lacks. What the program refuses is a trial that failed. Throws Error if it was interrupted.
 [[nodiscard]] std::vector<Trial> try_walking(const Diagnosis& robot, const TrialOptions& options);
 
 }  // namespace surefoot::doctor

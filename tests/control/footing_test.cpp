@@ -140,6 +140,26 @@ TEST(Footing, OneThatIsLiftedAsItRisesRelaxesAgain) {
   EXPECT_TRUE(robot.footing.hangs());
 }
 
+TEST(Footing, OneThatRisesTiltedIsTurnedUpright) {
+  Robot robot(stance());
+  robot.roll = 0.1;
+  const auto moment = [&](double rate) {
+    RobotState state = robot.state();
+    state.w_WB_B = Vec3(rate, 0.0, 0.0);
+    return robot.footing.righting(robot.model.update(robot.state(), Vec3::UnitZ()), state).moment;
+  };
+  robot.bear(0.0);
+  robot.run(2.0, false);
+  EXPECT_EQ(moment(0.0), Vec3::Zero()) << "hands hold it";
+  robot.bear(1.0);
+  robot.run(0.6);
+  EXPECT_LT(moment(0.0).x(), -1.0);
+  EXPECT_LT(moment(0.5).x(), moment(0.0).x() - 1.0);
+  EXPECT_NEAR(moment(0.0).z(), 0.0, 1e-12);
+  robot.run(4.0);
+  EXPECT_EQ(moment(0.0), Vec3::Zero()) << "it stands";
+}
+
 // Its feet bear little, and yet it feels its weight: hands would hold it so, or the ground does.
 TEST(Footing, OneThatLiesOnItsTorsoHasFallen) {
   for (const bool askew : {false, true}) {

@@ -1,5 +1,6 @@
 #include "surefoot/control/standing_torque.hpp"
 
+#include "surefoot/math/rotation.hpp"
 #include "tests/support/anymal_b.hpp"
 #include "tests/support/random_motion.hpp"
 #include "tests/support/sizes.hpp"
@@ -49,6 +50,35 @@ TEST(StandingTorque, NoFootPulls) {
     const model::PointKinematics& contact = dynamics.contact[index(leg)];
     const JointVector lift = contact.J.row(2).tail<kNumLegJoints>().transpose();
     EXPECT_GE(lift.dot(gravity - torque), -1e-9);
+  }
+}
+
+// Tilted, with a moment: vertical forces that push bear the robot and turn it.
+TEST(StandingTorque, TurnsATiltedTorso) {
+  model::RobotModel model(anymal_b());
+  const JointVector q = anymal_b().q_nominal;
+  for (const double side : {-1.0, 1.0}) {
+    const Righting righting{.q_WB = exp_rotation(Vec3(0.1 * side, 0.05, 0.0)),
+                            .moment = Vec3(-15.0 * side, -10.0, 0.0)};
+    const JointVector torque = standing_torque(model, q, righting);
+    RobotState tilted = level_at_rest(q);
+    tilted.q_WB = righting.q_WB;
+    const model::Dynamics& dynamics = model.update(tilted, Vec3::UnitZ());
+    GeneralizedVector ground = dynamics.h;
+    ground.tail<kNumLegJoints>() -= torque;
+    Eigen::Matrix<double, kNumLegJoints, kNumLegs> lifts;
+    Eigen::Matrix<double, 3, kNumLegs> arms;
+    for (const Leg leg : kLegs) {
+      const auto k = static_cast<Eigen::Index>(index(leg));
+      lifts.col(k) = dynamics.contact[index(leg)].J.row(2).tail<kNumLegJoints>().transpose();
+      arms.col(k) = dynamics.contact[index(leg)].p - dynamics.com.p;
+    }
+    const Eigen::Vector4d forces =
+        lifts.colPivHouseholderQr().solve(Eigen::VectorXd(ground.tail<kNumLegJoints>()));
+    EXPECT_GT(forces.minCoeff(), 0.0);
+    EXPECT_NEAR(forces.sum(), dynamics.mass * kGravity, 1e-6 * forces.sum());
+    EXPECT_NEAR(arms.row(1).dot(forces), righting.moment.x(), 1e-6);
+    EXPECT_NEAR(-arms.row(0).dot(forces), righting.moment.y(), 1e-6);
   }
 }
 

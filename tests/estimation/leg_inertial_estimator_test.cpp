@@ -429,5 +429,21 @@ TEST(LegInertialEstimator, OffItsFeetItRestsWhereItWasAndTurns) {
   }
 }
 
+// 4 m/s² for a tenth of a second, as hands set it down.
+TEST(LegInertialEstimator, OffItsFeetAJoltIsNoTilt) {
+  TurningRobot robot(KinematicErrors{}, {.duration = 6.0, .settle = 100.0});
+  LegInertialEstimator estimator(robot.description(), {}, TurningRobot::kPeriod);
+  TickContext context = standing();
+  context.off_its_feet = true;
+  RobotState state;
+  for (int i = 0; i < 440; ++i) {
+    SensorReading reading = robot.reading();
+    if (i >= 400) reading.accelerometer.x() += 4.0;
+    state = estimator.update(reading, context);
+    robot.tick();
+  }
+  EXPECT_LT(std::acos(state.R_WB()(2, 2)), 0.06);
+}
+
 }  // namespace
 }  // namespace surefoot::estimation

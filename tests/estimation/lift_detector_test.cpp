@@ -88,9 +88,9 @@ TEST(LiftDetector, ItIsDownWhenThreeFeetBearMostOfItForSomeTime) {
   EXPECT_FALSE(robot.detector.is_down());
   robot.feel(1.0, {150.0, 0.0, 0.0, 150.0}, kGravity);
   EXPECT_FALSE(robot.detector.is_down());
-  robot.feel(0.2, {100.0, 100.0, 0.0, 100.0}, kGravity);
+  robot.feel(0.1, {100.0, 100.0, 0.0, 100.0}, kGravity);
   EXPECT_FALSE(robot.detector.is_down());
-  robot.feel(0.2, {100.0, 100.0, 0.0, 100.0}, kGravity);
+  robot.feel(0.1, {100.0, 100.0, 0.0, 100.0}, kGravity);
   EXPECT_TRUE(robot.detector.is_down());
 }
 
