@@ -5,6 +5,7 @@ from surefoot_campaign.text import pretty, with_unit
 from surefoot_report.page import Cell, table
 
 IN_TITLE = {"succeeded", "reason", "seed", "version"}
+LEGEND = KEY.replace("`", "")
 HEAD = ["metric", "this run", "", "what it is", "required", "paper"]
 
 
@@ -45,7 +46,7 @@ def numbers(outcome):
     compared = [metric for metric in names(outcome) if is_compared(outcome, metric)]
     first = [metric for metric in names(outcome) if is_first(metric) and metric in outcome.metrics and metric not in compared]
     others = [metric for metric in names(outcome) if metric not in compared + first]
-    out = table(HEAD, [row(outcome, metric) for metric in compared + first], len(compared)) + f'<p class="soft">{KEY.replace('`', '')}.</p>\n'
+    out = table(HEAD, [row(outcome, metric) for metric in compared + first], len(compared)) + f'<p class="soft">{LEGEND}.</p>\n'
     if others:
         out += f"<details><summary>The other {len(others)} metrics</summary>\n{table(HEAD, [row(outcome, metric) for metric in others])}</details>\n"
     return out
