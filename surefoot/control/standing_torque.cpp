@@ -68,7 +68,7 @@ RobotState level_at_rest(const JointVector& q) {
 }
 
 JointVector standing_torque(model::RobotModel& model, const JointVector& q,
-                             const Righting& righting) noexcept {
+                            const Righting& righting) noexcept {
   RobotState state = level_at_rest(q);
   state.q_WB = righting.q_WB;
   const model::Dynamics& dynamics = model.update(state, Vec3::UnitZ());
