@@ -190,7 +190,7 @@ void RhythmicGait::advance_clock(const Body& body) {
 void RhythmicGait::move_leg(Leg k, const Situation& now, Body& body) {
   LegMotion& leg = body.legs[k];
   const double until_lift_off = clock_.until_lift_off(k);
-  if (clock_.lifts(k) && leg.down() && !stops_) {
+  if (clock_.lifts(k) && !stops_) {
     lift(k, now, body);
   } else if (leg.down() && !clock_.swings(k) && !stops_ &&
              until_lift_off < body.options.force.ramp_down) {
