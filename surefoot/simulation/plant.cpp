@@ -255,6 +255,15 @@ void Plant::push(const Push& push) {
 
 std::vector<std::string> Plant::bodies() const { return implementation_->pushes.bodies(); }
 
+void Plant::fail(const SensorFault& fault) {
+  PlantOptions with_fault = implementation_->options;
+  SensorFault& valid = with_fault.sensors.faults.emplace_back(fault);
+  valid.num_legs = static_cast<int>(implementation_->touched.size());
+  valid.time = std::max(fault.time, implementation_->data.time);
+  check_options(with_fault);
+  implementation_->link.add(valid);
+}
+
 const GroundTruth& Plant::truth() const { return implementation_->truth; }
 
 double Plant::time() const { return implementation_->truth.time; }

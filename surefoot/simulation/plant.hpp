@@ -30,6 +30,10 @@ class Plant final : public robot::RobotPort {
   /// Names of the bodies that can be pushed.
   [[nodiscard]] std::vector<std::string> bodies() const;
 
+  /// Between two ticks: adds a sensor fault; a past start time means now. Throws Error on one that
+  /// makes no sense.
+  void fail(const SensorFault& fault);
+
   [[nodiscard]] const GroundTruth& truth() const;
   [[nodiscard]] double time() const;
   /// The compiled physics model as MJCF text, for the log.

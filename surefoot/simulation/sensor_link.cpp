@@ -3,17 +3,11 @@
 #include "surefoot/math/numbers.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace surefoot::simulation {
 
 namespace {
-
-int usual_delay(FaultySensor sensor, const SensorOptions& options) {
-  if (sensor == FaultySensor::encoders) return options.encoders.delay_ticks;
-  if (sensor == FaultySensor::joint_torques) return options.joint_torques.delay_ticks;
-  if (sensor == FaultySensor::foot_force) return options.foot_force.delay_ticks;
-  return options.imu.delay_ticks;
-}
 
 /// A spike lasts for one tick.
 double duration_of(const SensorFault& fault, double control_period) {
@@ -50,19 +44,41 @@ void take_time(const SensorFault& fault, SensorReading& reading, const SensorRea
 }  // namespace
 
 SensorLink::SensorLink(const SensorOptions& options, double control_period)
-    : encoder_delay_(options.encoders.delay_ticks),
+    : control_period_(control_period),
+      encoder_delay_(options.encoders.delay_ticks),
       torque_delay_(options.joint_torques.delay_ticks),
       imu_delay_(options.imu.delay_ticks),
       foot_delay_(options.foot_force.delay_ticks) {
-  int longest = std::max({encoder_delay_, torque_delay_, imu_delay_, foot_delay_});
-  for (const SensorFault& fault : options.faults) {
-    const int late = fault.kind == FaultKind::late ? static_cast<int>(fault.size) : 0;
-    const int delay = usual_delay(fault.sensor, options) + late;
-    faults_.push_back(
-        {.options = fault, .end = fault.time + duration_of(fault, control_period), .delay = delay});
-    longest = std::max(longest, delay);
+  keep(std::max({encoder_delay_, torque_delay_, imu_delay_, foot_delay_}));
+  for (const SensorFault& fault : options.faults) add(fault);
+}
+
+int SensorLink::usual_delay(FaultySensor sensor) const {
+  if (sensor == FaultySensor::encoders) return encoder_delay_;
+  if (sensor == FaultySensor::joint_torques) return torque_delay_;
+  return sensor == FaultySensor::foot_force ? foot_delay_ : imu_delay_;
+}
+
+void SensorLink::add(const SensorFault& fault) {
+  const int late = fault.kind == FaultKind::late ? static_cast<int>(fault.size) : 0;
+  const int delay = usual_delay(fault.sensor) + late;
+  keep(delay);
+  faults_.push_back({.options = fault,
+                     .end = fault.time + duration_of(fault, control_period_),
+                     .delay = delay,
+                     .before = received_});
+}
+
+void SensorLink::keep(int ticks) {
+  const std::size_t size = static_cast<std::size_t>(ticks) + 1;
+  if (size <= sent_.size()) return;
+  std::vector<SensorReading> longer(size);
+  // Before the oldest sample it is repeated.
+  for (std::size_t ago = 0; ago < std::min(size, num_sent_); ++ago) {
+    const auto known = static_cast<int>(std::min(ago, sent_.size() - 1));
+    longer[(num_sent_ - 1 - ago) % size] = sent(known);
   }
-  sent_.resize(static_cast<std::size_t>(longest) + 1);
+  sent_ = std::move(longer);
 }
 
 void SensorLink::transmit(const SensorReading& sampled) noexcept {

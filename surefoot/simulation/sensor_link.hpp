@@ -16,6 +16,9 @@ class SensorLink {
  public:
   SensorLink(const SensorOptions& options, double control_period);
 
+  /// Adds a fault between two ticks. Allocates.
+  void add(const SensorFault& fault);
+
   /// Sends the samples of a control tick. Does not allocate.
   void transmit(const SensorReading& sampled) noexcept;
   /// The reading that arrives at this tick.
@@ -28,10 +31,14 @@ class SensorLink {
     int delay;                  ///< of the samples of a `late` fault [ticks]
     SensorReading before = {};  ///< the last reading without the fault
   };
+  [[nodiscard]] int usual_delay(FaultySensor sensor) const;
+  /// Keeps samples so old from now on.
+  void keep(int ticks);
   [[nodiscard]] const SensorReading& sent(int ticks_ago) const noexcept;
   void delay(const SensorReading& sampled) noexcept;
   void apply(Fault& fault) noexcept;
 
+  double control_period_;  // [s]
   int encoder_delay_, torque_delay_, imu_delay_, foot_delay_;
   std::vector<Fault> faults_;
   std::vector<SensorReading> sent_;  // ring

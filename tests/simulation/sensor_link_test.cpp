@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -156,6 +157,36 @@ TEST(SensorLink, makes_late_samples_later_than_the_usual_delay) {
     EXPECT_EQ(reading.encoder_time, sample * kPeriod) << tick;
   };
   at_each_tick(options, expect, 6);
+}
+
+TEST(SensorLink, takes_a_fault_while_it_runs) {
+  for (const FaultKind kind : {FaultKind::stops, FaultKind::repeats, FaultKind::jump}) {
+    const SensorFault later = fault(FaultySensor::encoders, kind, 5.0);
+    const std::vector<SensorReading> planned = received(with_fault(later));
+    SensorLink link({}, kPeriod);
+    for (int tick = 0; tick < kTicks; ++tick) {
+      if (tick == 10) link.add(later);
+      link.transmit(sampled_at(tick));
+      const SensorReading& expected = planned[static_cast<std::size_t>(tick)];
+      EXPECT_TRUE(link.received().q.array().isNaN().all() || link.received().q == expected.q)
+          << tick;
+      EXPECT_EQ(link.received().q.hasNaN(), expected.q.hasNaN()) << tick;
+      EXPECT_EQ(link.received().encoder_time, expected.encoder_time) << tick;
+    }
+  }
+}
+
+TEST(SensorLink, becomes_late_while_it_runs_without_samples_that_were_never_kept) {
+  SensorOptions options;
+  options.encoders.delay_ticks = 2;
+  SensorLink link(options, kPeriod);
+  for (int tick = 0; tick < kTicks; ++tick) {
+    if (tick == 10) link.add(fault(FaultySensor::encoders, FaultKind::late, 3.0));
+    link.transmit(sampled_at(tick));
+    const int sample = active(tick) ? std::max(tick - 5, 7) : tick - 2;
+    if (tick < 2) continue;
+    EXPECT_EQ(link.received().q[0], 1000.0 + sample) << tick;
+  }
 }
 
 TEST(SensorLink, spoils_one_joint_alone_where_it_is_named) {
