@@ -1,11 +1,10 @@
 #pragma once
 
+#include "python/numbers.hpp"
 #include "surefoot/evaluation/alignment_fields.hpp"  // fields() must be known where signal() calls it
 #include "surefoot/evaluation/truth_fields.hpp"
 #include "surefoot/logging/message_codec.hpp"
 
-#include <nanobind/nanobind.h>
-#include <nanobind/ndarray.h>
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/string_view.h>
@@ -22,41 +21,14 @@
 
 namespace surefoot::python {
 
-namespace nb = nanobind;
-
-/// A NumPy array that looks into a struct; it keeps the struct's Python object alive.
-template <long... kSizes>
-using View = nb::ndarray<nb::numpy, double, nb::shape<kSizes...>>;
-
 /// An event, with what names its leg.
 struct NamedEvent : GaitEvent {
   int num_legs = kNumLegs;
 };
 
-/// Throws Error on a NaN or an infinity in a command.
-inline void check_finite(double value, const std::string& name) {
-  if (!std::isfinite(value)) {
-    throw Error(name + " is " + std::to_string(value) + "; a finite number would be valid");
-  }
-}
-
 /// "joint positions [rad]" → "joint positions [rad], shape (number of joints,)"
 inline std::string with_shape(std::string_view description, const std::string& shape) {
   return std::string(description) + ", shape (" + shape + ")";
-}
-
-/// Writes numbers over a vector of the same length. Those of a command are finite.
-template <typename Vector>
-void assign(Vector& values, const std::vector<double>& numbers, const std::string& name,
-            bool is_command) {
-  if (static_cast<Eigen::Index>(numbers.size()) != values.size()) {
-    throw Error(name + " has " + std::to_string(values.size()) + " numbers; " +
-                std::to_string(numbers.size()) + " were given");
-  }
-  for (std::size_t i = 0; i < numbers.size(); ++i) {
-    if (is_command) check_finite(numbers[i], name + "[" + std::to_string(i) + "]");
-  }
-  std::ranges::copy(numbers, values.data());
 }
 
 /// Gives a class one property for each field of its struct, by the functions `fields` that also
@@ -135,7 +107,14 @@ class FieldProperties {
     for (const std::string_view text : logged::names(Member())) {
       valid += (valid.empty() ? "" : ", ") + std::string(text);
     }
-    type_.def_prop_ro(name, get, (doc + (doc.empty() ? "" : ": ") + valid).c_str());
+    const auto set = [place, name, valid](Self self, const std::string& word) {
+      const auto names = logged::names(Member());
+      const auto found = std::ranges::find(names, std::string_view(word));
+      if (found == names.end())
+        throw UnknownNameError(std::string(name) + " is \"" + word + "\"; valid are: " + valid);
+      place.in(self) = static_cast<Member>(found - names.begin());
+    };
+    type_.def_prop_rw(name, get, set, (doc + (doc.empty() ? "" : ": ") + valid).c_str());
   }
 
   void add(const char* name, Place<PlanEvent> place, const std::string& doc) {
@@ -171,7 +150,11 @@ class FieldProperties {
                               [](void* data) noexcept { delete[] static_cast<double*>(data); });
       return nb::ndarray<nb::numpy, const double, nb::shape<4>>(copy, {4}, owner);
     };
-    type_.def_prop_ro(name, get, nb::rv_policy::automatic, with_shape(doc, "4,").c_str());
+    const auto set = [place, name](Self self, const std::vector<double>& numbers) {
+      place.in(self) = quaternion(numbers, name);
+    };
+    type_.def_prop_rw(name, get, set, nb::for_getter(nb::rv_policy::automatic),
+                      with_shape(doc, "4,").c_str());
   }
 
   template <int kRows>

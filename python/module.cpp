@@ -1,12 +1,10 @@
-// The compiled part of the Python package `surefoot`: scenario, plant, controller and solver under
-// the names that they have in C++. One translation unit.
+// The compiled part of the Python package `surefoot`, under the names of C++.
 
-#include "python/explaining.hpp"
-#include "python/signals.hpp"
-#include "python/solving.hpp"
-#include "python/walking.hpp"
+#include "python/bindings.hpp"
 #include "surefoot/base/build_info.hpp"
 #include "surefoot/base/error.hpp"
+
+#include <nanobind/stl/string_view.h>
 
 namespace surefoot::python {
 namespace {
@@ -31,7 +29,14 @@ NB_MODULE(_core, module) {
   bind_errors(module);
   bind_signals(module);
   bind_level(module);
-  bind_walking(module);
+  bind_robot(module);
+  bind_doctor(module);
+  bind_stack(module);
+  bind_scenario(module);
+  bind_plant(module);
+  bind_parts(module);
+  bind_controller(module);
+  bind_evaluation(module);
   bind_explaining(module);
   bind_solving(module);
 }

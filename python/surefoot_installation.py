@@ -12,16 +12,16 @@ PACKAGES = ["surefoot", "surefoot_campaign", "surefoot_log", "surefoot_report"]
 LEAST_PYTHON = (3, 11)
 
 
-def trouble():
+def trouble() -> str | None:
     """A sentence that says what to do, or None."""
     return other_python() or two_versions() or missing_packages()
 
 
-def this_python():
+def this_python() -> str:
     return f"Python {sys.version_info.major}.{sys.version_info.minor}"
 
 
-def other_python():
+def other_python() -> str | None:
     if sys.version_info < LEAST_PYTHON:
         return f"this is {this_python()}, and Surefoot needs {'.'.join(map(str, LEAST_PYTHON))} or newer, as MuJoCo does"
     modules = {file.name for file in (SITE / "surefoot").glob("_core.*so")}
@@ -31,7 +31,7 @@ def other_python():
     return None
 
 
-def two_versions():
+def two_versions() -> str | None:
     """Parts of two installations in one process would not fit each other."""
     places = {name: pathlib.Path(spec.origin).resolve().parents[1] for name in PACKAGES if (spec := importlib.util.find_spec(name)) and spec.origin}
     here = pathlib.Path(__file__).resolve().parent
@@ -42,16 +42,16 @@ def two_versions():
     return None
 
 
-def version_in(place):
+def version_in(place: pathlib.Path) -> str:
     found = [one.version for one in importlib.metadata.distributions(name="surefoot", path=[str(place)])]
     return f" {found[0]}" if found else ""
 
 
-def missing_packages():
+def missing_packages() -> str | None:
     """Those that the wheel asks for; a build tree asks for none."""
     mine = next(iter(importlib.metadata.distributions(name="surefoot", path=[str(SITE)])), None)
     for requirement in (mine.requires or []) if mine else []:
-        name, exact = re.match(r"([\w-]+)(?:\[.*?\])?\s*(?:==\s*([\w.]+))?", requirement).groups()
+        [(name, exact)] = re.findall(r"^([\w-]+)(?:\[.*?\])?\s*(?:==\s*([\w.]+))?", requirement)
         try:
             version = importlib.metadata.version(name)
         except importlib.metadata.PackageNotFoundError:

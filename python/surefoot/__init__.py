@@ -1,29 +1,66 @@
+"""Whole-body control of legged robots by strict task hierarchies.
+
+The loop, at 400 Hz:
+
+    scenario = surefoot.load_scenario("walk_flat")
+    plant = surefoot.Plant(scenario)
+    controller = surefoot.Controller(scenario, plant)
+    while plant.time < scenario.duration:
+        plant.write(controller.step(plant.read(), scenario.user(plant.time)))
+
+Where to look: Robot and doctor (robots, dynamics), Stack and tasks (hierarchies), Controller (with or without a Plant), run, campaign and
+Evaluator (how good it was), read (logs), explain (why), solve (a hierarchy by itself).
+
+Units are SI. Frames stand in the names: p_WB is the position of the base B in the world W. Arrays look into the object that they come from;
+objects are snapshots and don't change."""
+
 import os as _os
+import pathlib as _pathlib
 from typing import TYPE_CHECKING as _TYPE_CHECKING
 
 import surefoot_installation as _installation
 
 try:
-    import surefoot._core
+    import surefoot._core as _compiled
 except ImportError as error:
     raise ImportError(_installation.trouble() or str(error)) from error
 if _trouble := _installation.two_versions():
     raise ImportError(_trouble)
 
 from surefoot._core import *
-from surefoot._core import __doc__ as __doc__
-from surefoot._core import __version__ as __version__
+from surefoot import tasks as tasks
+from surefoot._errors import told_as_error as _told_as_error
+from surefoot.control import Controller as Controller
+from surefoot.control import load_scenario as load_scenario
+from surefoot.running import Campaign as Campaign
+from surefoot.running import campaign as campaign
+from surefoot.running import run as run
+from surefoot.stack import OwnTask as OwnTask
+from surefoot.stack import StackLevel as StackLevel
+from surefoot.stack import Stack as Stack
+from surefoot.stack import Task as Task
 
 if _TYPE_CHECKING:
     from surefoot_log.recorded import Recorded
 
 
+__version__: str = getattr(_compiled, "__version__")
+
+
+def _find_program() -> None:
+    """Logs and campaigns need the program: that of the wheel, or of the build that this module belongs to."""
+    here = _pathlib.Path(__file__).absolute().parent
+    for program in (here / "bin/surefoot", here.parents[1] / "bin/surefoot"):
+        if program.is_file():
+            _os.environ.setdefault("SUREFOOT_PROGRAM", str(program))
+
+
 def read(path: "str | _os.PathLike[str]") -> "Recorded":
-    """Reads the log of a run: `read("run.mcap")["state.p_WB.x"]` is a NumPy array."""
-    from surefoot_campaign.errors import InputError
+    """Reads the log of a run: `read("run.mcap")["state.p_WB.x"]` is a NumPy array. A topic is read when something of it is asked for."""
     from surefoot_log.recorded import Recorded
 
-    try:
+    with _told_as_error():
         return Recorded(path)
-    except InputError as error:
-        raise Error(str(error)) from None
+
+
+_find_program()

@@ -126,6 +126,9 @@ class LogFile:
     def topics(self):
         return self._channels.keys()
 
+    def num_messages(self, topic):
+        return self._index.statistics.channel_message_counts.get(self._channels[topic].id, 0)
+
     def messages(self, topics=None):
         """All messages, or those on some topics, in the order of the file."""
         wanted = {channel.id: topic for topic, channel in self._channels.items() if topics is None or topic in topics}

@@ -107,6 +107,18 @@ def make_film(log, path, size, rate, speed, first=None, last=None, stream=None):
     return scene.notes
 
 
+def make_picture(log, time, size):
+    """The robot at a time, as an image."""
+    run = read_frames(log)
+    begin, end = run.frames[0].time, run.last
+    if not begin <= time <= end:
+        raise InputError(f"no tick lies at {time:g} s; the log goes from {begin:g} s to {end:g} s")
+    scene, captions = dressed(log, run, size, detail=0.005), Captions(size[1], run.header)
+    shown = min(run.frames, key=lambda frame: abs(frame.time - time))
+    with painter(scene, run.header, size) as artist:
+        return captions.draw(artist.paint(shown, Camera(run.frames)), shown, f"{run.header['scenario']}, seed {run.header['seed']}")
+
+
 def make_report_pictures(log, folder):
     """Writes strip.jpg and clip.mp4 into a folder. Returns the times [s] of the strip's moments and whether something pushes the robot in them, the span [s]
     that the clip shows, and notes."""

@@ -1,30 +1,65 @@
-"""A recorded run in Python: its channels as NumPy arrays."""
+"""A recorded run in Python: its channels as NumPy arrays, its pictures and plots."""
 
+from __future__ import annotations
+
+import os
+import pathlib
+from collections.abc import Iterator
+from contextlib import contextmanager
 from functools import cached_property
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
+import numpy.typing as npt
 import pyarrow as pa
 
-from surefoot_campaign.errors import valid_names
+from surefoot_campaign.errors import InputError, valid_names
+from surefoot_log.figures import figure_of
 from surefoot_log.log_file import LogFile
 from surefoot_log.table import Table
 from surefoot_log.worlds import in_world, transforms, world_of
 
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+    from PIL.Image import Image
 
+Array = npt.NDArray[Any]
 ERRORS = ["com", "height", "base", "heading"]  # of /alignment
+KEPT = 1 << 28  # bytes: of a larger topic only the channels asked for stay in memory
+
+
+@contextmanager
+def told_as_error() -> Iterator[None]:
+    from surefoot import Error
+
+    try:
+        yield
+    except InputError as error:
+        raise Error(str(error)) from None
 
 
 class Recorded:
     """A recorded run. `run["state.p_WB.x"]` is a channel, a number a tick; `run["state.p_WB"]` all that begin so, a column each; `run.time` their times [s].
-    A topic ("state", "plan", "command", …) is read when something of it is asked for, and kept. What is in W, the controller's world, and what is in
-    S, the simulator's, can't be subtracted: `aligned_error("com")` is their difference."""
 
-    def __init__(self, path):
-        self._log, self._tables = LogFile(path), {}
-        self.header: dict = self._log.header
+    A topic ("state", "plan", "command", …) is read when something of it is asked for; of a long log only that stays in memory.
+    What is in W, the controller's world, and what is in S, the simulator's, can't be subtracted: `aligned_error("com")` is their difference."""
 
-    def __repr__(self):
+    def __init__(self, path: str | os.PathLike[str]) -> None:
+        self._log = LogFile(path)
+        self._tables: dict[str, pa.Table] = {}
+        self._columns: dict[str, Array] = {}
+        self.header: dict[str, Any] = self._log.header
+
+    def __repr__(self) -> str:
         return f"<run of {self.header['scenario']}, seed {self.header['seed']}, {len(self.channels)} channels: {self._log.path}>"
+
+    @property
+    def path(self) -> pathlib.Path:
+        return pathlib.Path(self._log.path)
+
+    @property
+    def topics(self) -> list[str]:
+        return [topic.removeprefix("/") for topic in self._log.topics()]
 
     @cached_property
     def channels(self) -> dict[str, str]:
@@ -32,23 +67,46 @@ class Recorded:
         return {field.name: field.metadata[b"unit"].decode() for field in Table(self._log).schema}
 
     @property
-    def events(self) -> list[dict]:
+    def events(self) -> list[dict[str, Any]]:
         """What happened, in order."""
-        return self._log.events
+        return list(self._log.events)
 
     @cached_property
-    def time(self) -> np.ndarray:
+    def time(self) -> Array:
         """Of the ticks [s]."""
-        return self.table("state")["time"].to_numpy()
+        return self._column("state", "time")
+
+    def parts(self, topic: str) -> Iterator[pa.RecordBatch]:
+        """A topic's channels a few hundred ticks at a time, for logs of any length."""
+        self._check_topic(topic)
+        yield from Table(self._log, {f"/{topic}"}).parts()
 
     def table(self, topic: str) -> pa.Table:
         """A topic's channels, a row a tick; `.to_pandas()` makes a data frame of it."""
+        self._check_topic(topic)
         if topic not in self._tables:
             table = Table(self._log, {f"/{topic}"})
             self._tables[topic] = pa.Table.from_batches(table.parts(), schema=table.schema)
         return self._tables[topic]
 
-    def _alignment(self, member: str) -> np.ndarray:
+    def frame(self, topic: str) -> Any:
+        """The same as a pandas data frame with the times as index, where pandas is installed."""
+        from surefoot.running import data_frame
+
+        return data_frame(self.table(topic)).set_index("time")
+
+    def __getitem__(self, name: str) -> Array:
+        topic = name.partition(".")[0]
+        names = self._names(topic)
+        if name in names:
+            return self._in_world(self._column(topic, name), [name])
+        inside = [column for column in names if column.startswith(f"{name}.")]
+        if not inside:
+            members = list(dict.fromkeys(".".join(column.split(".")[:2]) for column in names if column != "time"))
+            raise KeyError(f"{self._log.path} has no channel {name}; {valid_names(name, members)}")
+        return self._in_world(np.column_stack([self._column(topic, column) for column in inside]), inside)
+
+    def _alignment(self, member: str) -> Array:
         if "/alignment" not in self._log.topics() or len(self.table("alignment").column_names) < 2:
             raise KeyError(f"{self._log.path} has no /alignment: its version is {self.header['log_version']}, logs have it from 3.0 on; record the run anew")
         return np.asarray(self[f"alignment.{member}"])
@@ -57,14 +115,14 @@ class Recorded:
     def _worlds(self) -> dict[str, str]:
         return {field.name: world_of(field.metadata[b"about"].decode()) for field in Table(self._log).schema}
 
-    def X_WS(self, at: str = "feet") -> np.ndarray:
+    def X_WS(self, at: str = "feet") -> Array:
         """Of each tick the 4×4 matrix that takes the simulator's world S to the controller's W: by the "feet" that stand, as plans are compared with
         the truth, or as at the "start", by which the estimate's drift is counted."""
         if at not in ("feet", "start"):
             raise KeyError(f"X_WS is by the feet or as at the start; {valid_names(at, ['feet', 'start'])}")
         return transforms(self._alignment(f"{at}.p_WS"), self._alignment(f"{at}.q_WS"))
 
-    def in_W(self, name: str, at: str = "feet") -> np.ndarray:
+    def in_W(self, name: str, at: str = "feet") -> Array:
         """A vector of the truth in the controller's world: `in_W("truth.p_SCom")`."""
         values = self[name]
         if getattr(values, "world", "") != "S" or values.ndim != 2 or values.shape[1] != 3:
@@ -74,23 +132,80 @@ class Recorded:
         is_place = any(part == "point" or part.startswith("p_") for part in name.split("."))
         return in_world(turned + X[:, :3, 3] if is_place else turned, "W")
 
-    def aligned_error(self, name: str) -> np.ndarray:
+    def aligned_error(self, name: str) -> Array:
         """Of each tick an error with both worlds aligned: of the plan "com" (x and y, truth minus plan) and "height", by the feet that stand; of the
         estimate "base" (estimate minus truth) and "heading", since the start."""
         if name not in ERRORS:
             raise KeyError(f"there is no aligned error {name}; {valid_names(name, ERRORS)}")
         return self._alignment(f"{name}_error")
 
-    def __getitem__(self, name: str) -> np.ndarray:
-        topic, topics = name.partition(".")[0], [each.removeprefix("/") for each in self._log.topics()]
-        if topic not in topics:
-            raise KeyError(f"{self._log.path} has no topic {topic}; {valid_names(topic, topics)}")
-        table = self.table(topic)
-        if name in table.column_names:
-            return in_world(table[name].to_numpy(), self._worlds[name])
-        inside = [column for column in table.column_names if column.startswith(f"{name}.")]
-        if not inside:
-            members = list(dict.fromkeys(".".join(column.split(".")[:2]) for column in table.column_names if column != "time"))
-            raise KeyError(f"{self._log.path} has no channel {name}; {valid_names(name, members)}")
-        worlds = {self._worlds[column] for column in inside}
-        return in_world(np.column_stack([table[column].to_numpy() for column in inside]), worlds.pop() if len(worlds) == 1 else "")
+    def plot(self, *names: str, path: str | os.PathLike[str] | None = None) -> Figure:
+        """A figure of the report, as "com_tracking" (the paper's Fig. 4) or "terrain_adaptation" (Fig. 6), or channels over time, those of one unit
+        in one plot. path: where to write it too, as .pdf, .svg or .png. Without a name it draws "com_tracking"."""
+        with told_as_error():
+            figure: Figure = figure_of(self, names or ("com_tracking",))
+            if path is not None:
+                figure.savefig(os.fspath(path))
+        return figure
+
+    @property
+    def figures(self) -> list[str]:
+        """Names of the report's figures for plot()."""
+        from surefoot_report.report import FIGURES
+
+        return list(FIGURES)
+
+    def picture(self, time: float, path: str | os.PathLike[str] | None = None, size: tuple[int, int] = (1280, 720)) -> Image:
+        """The robot at a time [s], drawn without a screen."""
+        from surefoot_log.pictures import make_picture
+
+        with told_as_error():
+            image = make_picture(self._log, time, size)
+        if path is not None:
+            image.save(os.fspath(path))
+        return image
+
+    def film(
+        self,
+        path: str | os.PathLike[str],
+        first: float | None = None,
+        last: float | None = None,
+        *,
+        size: tuple[int, int] = (1280, 720),
+        rate: int = 25,
+        speed: float = 1.0,
+    ) -> pathlib.Path:
+        """A film in MP4 of the run, or of its part between two times [s]."""
+        from surefoot_log.pictures import make_film
+
+        with told_as_error():
+            make_film(self._log, pathlib.Path(path), size, rate, speed, first, last)
+        return pathlib.Path(path)
+
+    def report(self, folder: str | os.PathLike[str], pictures: bool = True) -> pathlib.Path:
+        """The page that `surefoot run --report` makes; returns its path."""
+        from surefoot_report.report import write_report
+
+        with told_as_error():
+            return pathlib.Path(write_report(self._log.path, folder, pictures))
+
+    def _in_world(self, values: Array, names: list[str]) -> Array:
+        """Marked with its world, so that it can't be subtracted from another's."""
+        worlds = {self._worlds[name] for name in names}
+        marked: Array = in_world(values, worlds.pop() if len(worlds) == 1 else "")
+        return marked
+
+    def _check_topic(self, topic: str) -> None:
+        if topic not in self.topics:
+            raise KeyError(f"{self._log.path} has no topic {topic}; {valid_names(topic, self.topics)}")
+
+    def _names(self, topic: str) -> list[str]:
+        self._check_topic(topic)
+        return [name for name in Table(self._log, {f"/{topic}"}).schema.names]
+
+    def _column(self, topic: str, name: str) -> Array:
+        if topic in self._tables or self._log.num_messages(f"/{topic}") * 8 * len(self._names(topic)) < KEPT:
+            return np.asarray(self.table(topic)[name].to_numpy())
+        if name not in self._columns:
+            self._columns[name] = np.concatenate([part.column(name).to_numpy(zero_copy_only=False) for part in self.parts(topic)])
+        return self._columns[name]

@@ -30,8 +30,9 @@ MOTION = [("com_tracking", motion_figures.com_figure, captions.com), ("terrain_a
 FORCES = [("torques", motion_figures.torque_figure, captions.TORQUES), ("forces", motion_figures.force_figure, captions.FORCES)]
 LEVELS = [("residuals", hierarchy_figures.residual_figure, captions.residuals), ("active_limits", hierarchy_figures.active_rows_figure, captions.ACTIVE)]
 TIMES = [("tick_times", hierarchy_figures.timing_figure, captions.timing)]
+FIGURES = {name: draw for name, draw, _ in MOTION + FORCES + LEVELS + TIMES}
 STRIP = "strip.jpg"
-FILES = [STRIP, *(f"{name}.{form}" for name, *_ in MOTION + FORCES + LEVELS + TIMES for form in ("svg", "pdf"))]
+FILES = [STRIP, *(f"{name}.{form}" for name in FIGURES for form in ("svg", "pdf"))]
 NONE_ACTED = '<p class="soft">No inequality acted but where a foot was lifted or set down.</p>\n'
 
 

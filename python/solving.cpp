@@ -1,11 +1,11 @@
-#pragma once
-
-#include "python/explaining.hpp"
-#include "python/field_properties.hpp"
+#include "python/bindings.hpp"
+#include "python/explanation.hpp"
 #include "python/level_dict.hpp"
 #include "python/level_outcome.hpp"
+#include "python/numbers.hpp"
 #include "surefoot/config/hierarchy_json.hpp"
 #include "surefoot/control/solver_options.hpp"
+#include "surefoot/explain/explain.hpp"
 #include "surefoot/runtime/steady_clock.hpp"
 #include "surefoot/solver/cascade_solver.hpp"
 #include "surefoot/solver/certificate.hpp"
@@ -21,6 +21,7 @@
 #include <vector>
 
 namespace surefoot::python {
+namespace {
 
 /// `Solution` in Python.
 struct NamedSolution {
@@ -33,8 +34,8 @@ struct NamedSolution {
   std::optional<std::string> verdict;
 };
 
-inline void append(const Block& block, solver::Level& level, std::vector<std::string>& row_names,
-                   std::vector<double>& weights) {
+void append(const Block& block, solver::Level& level, std::vector<std::string>& row_names,
+            std::vector<double>& weights) {
   solver::Rows rows = level.add(block.A.rows(), static_cast<int>(level.num_rows()));
   rows.A = block.A;
   rows.lower = block.lower;
@@ -47,14 +48,12 @@ inline void append(const Block& block, solver::Level& level, std::vector<std::st
 }
 
 /// Names of rows that are counted.
-inline void append_names(const std::string& what, Eigen::Index count,
-                         std::vector<std::string>& names) {
+void append_names(const std::string& what, Eigen::Index count, std::vector<std::string>& names) {
   for (Eigen::Index i = 0; i < count; ++i) names.push_back(what + "[" + std::to_string(i) + "]");
 }
 
 /// What x is to be close to; none: nothing.
-inline std::optional<Eigen::VectorXd> read_reference(const nb::object& given,
-                                                     Eigen::Index unknowns) {
+std::optional<Eigen::VectorXd> read_reference(const nb::object& given, Eigen::Index unknowns) {
   if (given.is_none()) return std::nullopt;
   const Array numbers =
       numbers_of(given, "x_ref", 1, [](const std::string& message) { throw Error(message); });
@@ -75,8 +74,8 @@ inline std::optional<Eigen::VectorXd> read_reference(const nb::object& given,
 }
 
 /// Every row has one element for each unknown; returns how many there are.
-inline Eigen::Index check_unknowns(const std::vector<LevelDict>& levels,
-                                   const std::vector<std::vector<Block>>& blocks) {
+Eigen::Index check_unknowns(const std::vector<LevelDict>& levels,
+                            const std::vector<std::vector<Block>>& blocks) {
   Eigen::Index unknowns = 0;
   for (std::size_t k = 0; k < levels.size(); ++k) {
     for (const Block& block : blocks[k]) {
@@ -92,8 +91,8 @@ inline Eigen::Index check_unknowns(const std::vector<LevelDict>& levels,
   return unknowns;
 }
 
-inline void append_level(const LevelDict& level, const std::vector<Block>& blocks,
-                         const Eigen::VectorXd& x_ref, config::NamedHierarchy& result) {
+void append_level(const LevelDict& level, const std::vector<Block>& blocks,
+                  const Eigen::VectorXd& x_ref, config::NamedHierarchy& result) {
   Eigen::Index rows = 0;
   for (const Block& block : blocks) rows += block.A.rows();
   const double damping = level.damping();
@@ -109,8 +108,7 @@ inline void append_level(const LevelDict& level, const std::vector<Block>& block
   weights.resize(names.size(), 1.0);
 }
 
-inline config::NamedHierarchy read_hierarchy(const nb::list& given,
-                                             const nb::object& given_reference) {
+config::NamedHierarchy read_hierarchy(const nb::list& given, const nb::object& given_reference) {
   std::vector<LevelDict> levels;
   std::vector<std::vector<Block>> blocks;
   for (const nb::handle level : given) {
@@ -133,7 +131,7 @@ inline config::NamedHierarchy read_hierarchy(const nb::list& given,
   return result;
 }
 
-inline void check_method(const std::string& method, double budget) {
+void check_method(const std::string& method, double budget) {
   const bool is_cascade = method == name(control::SolverMethod::cascade);
   if (!is_cascade && method != name(control::SolverMethod::lexicographic)) {
     throw Error("unknown method \"" + method + "\"; there are: lexicographic, cascade");
@@ -144,8 +142,8 @@ inline void check_method(const std::string& method, double budget) {
   }
 }
 
-inline solver::Solution solve(const solver::Hierarchy& hierarchy, const std::string& method,
-                              double budget) {
+solver::Solution solve(const solver::Hierarchy& hierarchy, const std::string& method,
+                       double budget) {
   const nb::gil_scoped_release others_may_run;
   if (method == name(control::SolverMethod::cascade))
     return solver::solve_in_even_units<solver::CascadeSolver>(
@@ -157,7 +155,7 @@ inline solver::Solution solve(const solver::Hierarchy& hierarchy, const std::str
 }
 
 /// Where the search ended early: levels below were not reached, so nothing is known of them.
-inline void tell_end(NamedSolution& result) {
+void tell_end(NamedSolution& result) {
   const solver::Solution& solution = result.solution;
   const auto num_levels = static_cast<int>(result.levels.size());
   if (solution.status == solver::SolveStatus::optimal || solution.failed_level < 0 ||
@@ -174,7 +172,7 @@ inline void tell_end(NamedSolution& result) {
 }
 
 /// Of the levels that are finished.
-inline void tell_certificates(NamedSolution& result) {
+void tell_certificates(NamedSolution& result) {
   const solver::Hierarchy& hierarchy = result.question.hierarchy;
   const std::size_t finished =
       result.failed_level ? static_cast<std::size_t>(*result.failed_level) : hierarchy.num_levels();
@@ -193,8 +191,8 @@ inline void tell_certificates(NamedSolution& result) {
   result.verdict = std::string(name(worst));
 }
 
-inline NamedSolution solve_levels(const nb::list& levels, const nb::object& x_ref,
-                                  const std::string& method, double budget, bool is_certified) {
+NamedSolution solve_levels(const nb::list& levels, const nb::object& x_ref,
+                           const std::string& method, double budget, bool is_certified) {
   check_method(method, budget);
   config::NamedHierarchy question = read_hierarchy(levels, x_ref);
   solver::Solution solution = solve(question.hierarchy, method, budget);
@@ -212,7 +210,7 @@ inline NamedSolution solve_levels(const nb::list& levels, const nb::object& x_re
   return result;
 }
 
-inline Explanation explain(const NamedSolution& solved) {
+Explanation explained(const NamedSolution& solved) {
   const nb::gil_scoped_release others_may_run;
   explain::SolutionExplanation told = explain::explain_solution(solved.question, solved.solution);
   told.certificates = solved.certificates;
@@ -220,7 +218,9 @@ inline Explanation explain(const NamedSolution& solved) {
   return Explanation::of(told);
 }
 
-inline void bind_solving(nb::module_& module) {
+}  // namespace
+
+void bind_solving(nb::module_& module) {
   nb::class_<NamedSolution>(module, "Solution", "The lexicographic optimum of a hierarchy.")
       .def_prop_ro(
           "x",
@@ -246,7 +246,7 @@ inline void bind_solving(nb::module_& module) {
       .def_ro("verdict", &NamedSolution::verdict,
               "the worst of all levels, with certify=True: proven, not judged or not proven; a\n"
               "search that ended early is not proven")
-      .def("explain", &explain,
+      .def("explain", &explained,
            "Why each level came out as it did, as `surefoot solve --explain` tells it: what it\n"
            "missed, which rows above hold it back, and what they cost, in the level's unit. Takes\n"
            "one solve for each row that may hold a level back.")
@@ -259,7 +259,7 @@ inline void bind_solving(nb::module_& module) {
       "solve", &solve_levels, nb::arg("levels"), nb::kw_only(), nb::arg("x_ref") = nb::none(),
       nb::arg("method") = std::string(name(control::SolverMethod::lexicographic)),
       nb::arg("budget") = std::numeric_limits<double>::infinity(), nb::arg("certify") = false,
-      nb::sig("def solve(levels: list[dict], *, x_ref: list[float] | None = None, "
+      nb::sig("def solve(levels: list[dict[str, typing.Any]], *, x_ref: list[float] | None = None, "
               "method: str = 'lexicographic', budget: float = float('inf'), certify: bool = False) "
               "-> Solution"),
       "Solves a strict hierarchy exactly, highest priority first (Eqs. 8–13).\n\n"

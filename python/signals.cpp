@@ -1,7 +1,8 @@
-#pragma once
-
+#include "python/bindings.hpp"
 #include "python/field_properties.hpp"
+#include "python/joint_command.hpp"
 #include "surefoot/signals/plan_event.hpp"
+#include "surefoot/signals/tick_context.hpp"
 
 #include <nanobind/stl/array.h>
 #include <nanobind/stl/optional.h>
@@ -13,19 +14,9 @@
 
 namespace surefoot::python {
 
-using JointNumbers = std::vector<double>;
+namespace {
 
-inline JointCommand joint_command(const JointNumbers& torque) {
-  if (torque.size() > kMaxJoints)
-    throw Error("torque has " + std::to_string(torque.size()) + " numbers; a robot has at most " +
-                std::to_string(kMaxJoints) + " joints");
-  JointCommand command;
-  command.torque.resize(static_cast<Eigen::Index>(torque.size()));
-  assign(command.torque, torque, "torque", true);
-  return command;
-}
-
-inline SensorReading sensor_reading(int num_joints) {
+SensorReading sensor_reading(int num_joints) {
   if (num_joints < kNumLegJoints || num_joints > kMaxJoints)
     throw Error("num_joints is " + std::to_string(num_joints) + "; a robot has " +
                 std::to_string(kNumLegJoints) + " to " + std::to_string(kMaxJoints) + " joints");
@@ -34,7 +25,44 @@ inline SensorReading sensor_reading(int num_joints) {
   return reading;
 }
 
-inline void bind_signals(nb::module_& module) {
+RobotState robot_state(int num_joints, int num_legs) {
+  RobotState state;
+  state.q = state.qd = state.torque = sensor_reading(num_joints).q;
+  state.size_legs(num_legs);
+  state.foot_force = per_leg<Vec3>(Vec3::Constant(kNaN), num_legs);
+  return state;
+}
+
+void bind_context(nb::module_& module) {
+  nb::class_<FootContact>(module, "FootContact", "A foot at the tick before.")
+      .def_ro("carries", &FootContact::carries, "the plan lets it carry load")
+      .def_ro("normal_force", &FootContact::normal_force, "estimated [N]")
+      .def_ro("slips", &FootContact::slips, "it is believed to slide");
+  nb::class_<TickContext> context(module, "TickContext",
+                                  "What a state estimator knows besides the readings.");
+  context
+      .def_prop_ro(
+          "contacts",
+          [](const TickContext& self) {
+            nb::typed<nb::dict, std::string, FootContact> legs;
+            const auto num_legs = static_cast<int>(self.contacts.size());
+            for (const Leg leg : self.contacts.legs())
+              legs[nb::cast(leg_name(leg, num_legs))] = nb::cast(self.contacts[index(leg)]);
+            return legs;
+          },
+          "by leg, at the tick before")
+      .def_ro("joint_lag", &TickContext::joint_lag, "age of the joint samples [s]")
+      .def_ro("imu_lag", &TickContext::imu_lag, "age of the IMU's [s]")
+      .def_ro("restarts", &TickContext::restarts,
+              "all feet stand: begin anew, but keep position and heading")
+      .def_ro("off_its_feet", &TickContext::off_its_feet, "lifted, or lying");
+  def_view(context, "joint_velocity", &TickContext::joint_velocity,
+           "from the encoders, observed [rad/s]");
+}
+
+}  // namespace
+
+void bind_signals(nb::module_& module) {
   signal<SensorReading>(module, "SensorReading", "What the robot's sensors give at one tick.")
       .def(
           "__init__",
@@ -91,7 +119,15 @@ inline void bind_signals(nb::module_& module) {
 
   signal<GroupHealth>(module, "GroupHealth", "How one group of sensors is at one tick.");
   signal<SensorHealth>(module, "SensorHealth", "How the readings of one tick are.");
-  signal<RobotState>(module, "RobotState", "The state that the controller believes.");
+  signal<RobotState>(module, "RobotState", "The state that the controller believes.")
+      .def(
+          "__init__",
+          [](RobotState* self, int num_joints, int num_legs) {
+            new (self) RobotState(robot_state(num_joints, num_legs));
+          },
+          nb::arg("num_joints") = kNumLegJoints, nb::arg("num_legs") = kNumLegs,
+          "All unknown, for an estimator to fill in.");
+  bind_context(module);
   signal<FootPlan>(module, "FootPlan", "Reference of one foot F, the centre of its sphere, in W.");
   signal<TorsoPlan>(module, "TorsoPlan", "Reference of the torso.");
   signal<ArmPlan>(module, "ArmPlan", "Reference of the tip of an arm, in W.");
@@ -99,7 +135,15 @@ inline void bind_signals(nb::module_& module) {
   signal<NamedEvent, GaitEvent>(module, "GaitEvent", "Something that happened at a tick.")
       .def_prop_ro(
           "name", [](const NamedEvent& self) { return name(self.kind); }, "`event` in words");
-  signal<MotionPlan>(module, "MotionPlan", "Everything that the tasks follow at one tick.");
+  signal<MotionPlan>(module, "MotionPlan", "Everything that the tasks follow at one tick.")
+      .def(
+          "__init__",
+          [](MotionPlan* self, int num_legs) {
+            new (self) MotionPlan();
+            self->feet.resize(num_legs);
+          },
+          nb::arg("num_legs") = kNumLegs, "All zero; standing_plan() is a plan to begin with.")
+      .def("__copy__", [](const MotionPlan& self) { return self; });
   signal<ModelRecord>(module, "ModelRecord",
                       "What the controller's model says of the robot at one tick.");
   signal<TickTiming>(module, "TickTiming", "Wall-clock time of the stages of one tick [µs].");

@@ -1,7 +1,6 @@
-#pragma once
-
+#include "python/bindings.hpp"
+#include "python/explanation.hpp"
 #include "python/level_dict.hpp"
-#include "surefoot/base/printable.hpp"
 #include "surefoot/explain/explain.hpp"
 
 #include <nanobind/stl/filesystem.h>
@@ -11,15 +10,9 @@
 #include <string>
 
 namespace surefoot::python {
+namespace {
 
-/// Of a tick of a log, or of a solved hierarchy; `Explanation` in Python.
-struct Explanation {
-  std::string text, json;
-
-  static Explanation of(const auto& told) { return {printable(told.text(), "\n"), told.json()}; }
-};
-
-inline Explanation explain_log(const std::filesystem::path& log, double time, bool exact) {
+Explanation explain_log(const std::filesystem::path& log, double time, bool exact) {
   if (!std::isfinite(time)) throw Error("time is " + text(time) + "; expected seconds of the log");
   const nb::gil_scoped_release others_may_run;
   const auto stops = [] {
@@ -31,7 +24,9 @@ inline Explanation explain_log(const std::filesystem::path& log, double time, bo
       log, time, exact ? explain::Costs::exact : explain::Costs::estimated, stops));
 }
 
-inline void bind_explaining(nb::module_& module) {
+}  // namespace
+
+void bind_explaining(nb::module_& module) {
   using Self = Explanation;
   nb::class_<Self>(module, "Explanation", "What gave way to what, and at what cost.")
       .def_ro("text", &Self::text, "for people, in lines")
@@ -41,6 +36,7 @@ inline void bind_explaining(nb::module_& module) {
             return nb::cast<nb::dict>(
                 nb::module_::import_("json").attr("loads")(nb::str(self.json.c_str())));
           },
+          nb::sig("def facts(self) -> dict[str, typing.Any]"),
           "the same, whole, as `--json` of the program has it: SI units, and of costs and "
           "residuals "
           "the level's")
@@ -48,6 +44,8 @@ inline void bind_explaining(nb::module_& module) {
 
   module.def(
       "explain", &explain_log, nb::arg("log"), nb::arg("time"), nb::arg("exact") = false,
+      nb::sig("def explain(log: str | os.PathLike[str], time: float, exact: bool = False) -> "
+              "Explanation"),
       "Explains the tick of a log next to a time [s], as `surefoot explain` does.\n\n"
       "exact=True computes the log's controller again up to the tick, for what the rows that held\n"
       "levels back really cost; otherwise their costs are the control loop's estimates. Where it\n"

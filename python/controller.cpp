@@ -1,0 +1,149 @@
+#include "python/controller.hpp"
+
+#include "python/bindings.hpp"
+#include "python/level_outcome.hpp"
+#include "python/numbers.hpp"
+#include "python/parts.hpp"
+#include "surefoot/config/stack_file.hpp"
+#include "surefoot/config/stack_text.hpp"
+#include "surefoot/control/stack_reach.hpp"
+#include "surefoot/simulation/make_estimator.hpp"
+#include "surefoot/simulation/plant.hpp"
+
+#include <nanobind/stl/string.h>
+#include <nanobind/stl/vector.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace surefoot::python {
+namespace {
+
+/// Without a plant the state comes from the readings alone.
+std::unique_ptr<estimation::StateEstimator> estimator(const config::Scenario& scenario,
+                                                      const simulation::Plant* plant) {
+  const double period = scenario.controller.period;
+  if (plant != nullptr)
+    return simulation::make_estimator(scenario.estimation,
+                                      {scenario.robot, period, *plant, scenario.estimator});
+  if (scenario.estimation == estimation::Estimation::truth) {
+    throw Error("the scenario " + scenario.name +
+                " has estimation: truth, which needs the plant that knows it; give the plant, or "
+                "set=[\"estimation=sensors\"]");
+  }
+  return std::make_unique<estimation::LegInertialEstimator>(scenario.robot, scenario.estimator,
+                                                            period);
+}
+
+bool set_stack(BoundController& self, const std::string& text, const std::string& name,
+               double duration, const nb::list& own) {
+  const control::StackOptions stack =
+      config::parse_stack(text, name, self.robot().scale, own_tasks(own));
+  control::check_reach(stack, control::reach_of(model::RobotModel(self.robot())));
+  return self->set_stack(stack, duration);
+}
+
+void bind_changes(nb::class_<BoundController>& type) {
+  using Self = BoundController;
+  type.def("set_stack_text", &set_stack, nb::arg("text"), nb::arg("name"), nb::arg("duration"),
+           nb::arg("own") = nb::list(), "As set_stack(), for the text of a stack file.")
+      .def(
+          "switch_levels",
+          [](Self& self, const std::vector<std::string>& add,
+             const std::vector<std::string>& remove, double duration) {
+            return self->switch_levels(
+                {.time = 0.0, .add = add, .remove = remove, .duration = duration});
+          },
+          nb::kw_only(), nb::arg("add") = std::vector<std::string>(),
+          nb::arg("remove") = std::vector<std::string>(), nb::arg("duration") = 0.5,
+          "Between two ticks: adds and removes levels of the stack; the torques fade over "
+          "`duration` "
+          "[s].\nFalse, and without effect, during another switch.")
+      .def(
+          "set_friction", [](Self& self, double friction) { self->set_friction(friction); },
+          nb::arg("friction"),
+          "Between two ticks: the friction coefficient that the controller counts on.")
+      .def(
+          "explain_levels", [](Self& self, bool wanted) { self->explain_levels(wanted); },
+          nb::arg("wanted") = true,
+          "From the next tick on, finds out which rows hold each level back, at a cost of some "
+          "microseconds.");
+}
+
+}  // namespace
+
+void bind_controller(nb::module_& module) {
+  using Self = BoundController;
+  nb::class_<Self> type(
+      module, "ControllerBase",
+      "The whole-body controller: one step() a tick turns readings into torques.");
+  type.def(
+          "__init__",
+          [](Self* self, const config::Scenario& scenario, const simulation::Plant* plant,
+             const nb::object& own_estimation, const nb::object& planner) {
+            new (self)
+                Self(scenario.robot,
+                     std::make_unique<control::Controller>(
+                         scenario.robot, scenario.controller,
+                         own_estimation.is_none()
+                             ? estimator(scenario, plant)
+                             : own_estimator(SharedObject(own_estimation), scenario.robot),
+                         planner.is_none() ? nullptr
+                                           : own_planner(SharedObject(planner), scenario.robot)));
+          },
+          nb::arg("scenario"), nb::arg("plant") = nb::none(), nb::arg("estimator") = nb::none(),
+          nb::arg("planner") = nb::none(),
+          nb::sig("def __init__(self, scenario: Scenario, plant: Plant | None = None, estimator: "
+                  "Estimator | None = None, planner: Planner | None = None) -> None"),
+          nb::keep_alive<1, 3>())
+      .def(
+          "step",
+          [](Self& self, const SensorReading& reading, const UserCommand& user) {
+            {
+              const nb::gil_scoped_release others_may_run;
+              self->step(reading, user);
+            }
+            if (const std::string fault = self.new_fault(); !fault.empty())
+              if (PyErr_WarnEx(PyExc_RuntimeWarning, fault.c_str(), 1) != 0)
+                throw nb::python_error();
+            return self->record().command;
+          },
+          nb::arg("reading"), nb::arg("user"),
+          "One tick. Always gives finite torques inside the limits, and never raises; what goes "
+          "wrong in "
+          "a task,\nplanner or estimator of your own is a RuntimeWarning, once, and stays in "
+          "`fault`.")
+      .def("__repr__",
+           [](const Self& self) {
+             return "<controller of " + self.robot().name + ", " +
+                    std::to_string(self->level_names().size()) + " levels, after " +
+                    std::to_string(self->steps_taken()) + " steps>";
+           })
+      .def(
+          "levels", [](Self& self) { return outcomes(*self); },
+          "The hierarchy at the last tick, highest priority first.")
+      .def_prop_ro(
+          "state", [](const Self& self) { return self->record().state; },
+          "as believed at the last tick")
+      .def_prop_ro(
+          "health", [](const Self& self) { return self->record().health; },
+          "of the sensors at the last tick: what is wrong, and for how long")
+      .def_prop_ro(
+          "plan", [](const Self& self) { return self->record().plan; }, "of the last tick")
+      .def_prop_ro(
+          "model", [](const Self& self) { return self->record().model; },
+          "centre of mass, feet and contact forces at the last tick")
+      .def_prop_ro(
+          "command", [](const Self& self) { return self->record().command; }, "of the last tick")
+      .def_prop_ro("timing", &Self::timing, "of the last tick")
+      .def_prop_ro("level_names", [](const Self& self) { return self->level_names(); })
+      .def_prop_ro("steps_taken", [](const Self& self) { return self->steps_taken(); })
+      .def_prop_ro(
+          "fault", [](const Self& self) { return self->fault(); },
+          "what a part of your own did wrong last; empty if nothing")
+      .def_prop_ro("notes", [](const Self& self) { return self->notes(); }, "Lines worth telling.");
+  bind_changes(type);
+}
+
+}  // namespace surefoot::python

@@ -1,0 +1,315 @@
+#include "python/robot.hpp"
+
+#include "python/bindings.hpp"
+#include "python/dynamics.hpp"
+#include "python/numbers.hpp"
+#include "surefoot/config/data_file.hpp"
+#include "surefoot/config/robot_file.hpp"
+
+#include <nanobind/stl/map.h>
+#include <nanobind/stl/optional.h>
+#include <nanobind/stl/shared_ptr.h>
+#include <nanobind/stl/string.h>
+#include <nanobind/stl/string_view.h>
+#include <nanobind/stl/vector.h>
+
+#include <array>
+#include <filesystem>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace surefoot::python {
+
+Robot::Robot(const std::string& name_or_path) : file_(name_or_path) {
+  const std::string kind = std::filesystem::path(name_or_path).extension();
+  const bool is_description = kind == ".urdf" || kind == ".xml";
+  if (is_description) {
+    guess(doctor::examine(name_or_path));
+  } else {
+    file_ = config::find_data_file("robots", name_or_path);
+    description_ = config::load_robot(file_);
+  }
+}
+
+Robot::Robot(const doctor::Diagnosis& diagnosis) { guess(diagnosis); }
+
+Robot::Robot(model::RobotDescription description)
+    : description_(std::move(description)), file_(description_.name) {}
+
+void Robot::guess(const doctor::Diagnosis& diagnosis) {
+  if (!diagnosis.robot) {
+    std::string errors;
+    for (const doctor::Finding& finding : diagnosis.findings) {
+      if (finding.severity == doctor::Severity::error)
+        errors += "\n  " + finding.subject + ": " + finding.what;
+    }
+    throw Error(diagnosis.given + " can't be made to walk:" + errors +
+                "\nprint(surefoot.doctor(…)) says all");
+  }
+  guessed_ = std::make_shared<doctor::GuessedFile>(diagnosis);
+  file_ = guessed_->path();
+  description_ = *diagnosis.robot;
+}
+
+model::RobotModel& Robot::model_with(const std::string& link) {
+  const auto found = models_.find(link);
+  if (found != models_.end()) return found->second;
+  model::RobotDescription description = description_;
+  // An arm without joints of its own: its tip is the frame.
+  if (!link.empty()) description.arms.push_back({.name = link, .joints = {}, .tip_frame = link});
+  return models_.emplace(link, model::RobotModel(std::move(description))).first->second;
+}
+
+namespace {
+
+using Numbers = std::optional<std::vector<double>>;
+
+std::string joints_of(const model::RobotDescription& robot) {
+  const std::vector<std::string> names = robot.joint_names();
+  return std::to_string(names.size()) + " numbers, one for each joint from " + names.front() +
+         " to " + names.back();
+}
+
+template <typename Vector>
+void take(const Numbers& given, Vector&& values, const std::string& name,
+          const std::string& expected) {
+  if (!given) return;
+  if (static_cast<Eigen::Index>(given->size()) != values.size()) {
+    throw Error(name + " has " + expected + "; " + std::to_string(given->size()) + " were given");
+  }
+  assign(values, *given, name, true);
+}
+
+NamedDynamics at(const std::shared_ptr<Robot>& robot, const RobotState& state,
+                 const Vec3& terrain_normal) {
+  model::RobotModel& model = robot->model();
+  if (state.q.size() != robot->description().num_joints())
+    throw Error("the state has " + std::to_string(state.q.size()) + " joints; " +
+                robot->description().name + " has " + joints_of(robot->description()));
+  if (!state.p_WB.allFinite() || !state.q_WB.coeffs().allFinite() || !state.u().allFinite() ||
+      !state.q.allFinite())
+    throw Error("the state has NaN or infinite numbers in p_WB, q_WB, v_WB, w_WB_B, q or qd");
+  return {robot, model.update(state, terrain_normal)};
+}
+
+NamedDynamics dynamics(const std::shared_ptr<Robot>& robot, const Numbers& q, const Numbers& u,
+                       const std::vector<double>& p_WB, const std::vector<double>& q_WB,
+                       const std::vector<double>& terrain_normal) {
+  const model::RobotDescription& description = robot->description();
+  const int n = description.num_joints();
+  RobotState state;
+  assign(state.p_WB, p_WB, "p_WB", true);
+  state.q_WB = quaternion(q_WB, "q_WB");
+  state.q = description.q_nominal;
+  take(q, state.q, "q", joints_of(description));
+  GeneralizedVector velocity = GeneralizedVector::Zero(6 + n);
+  take(u, velocity, "u",
+       std::to_string(6 + n) + " numbers, v_WB, w_WB_B and a rate for each joint");
+  state.v_WB = velocity.head<3>();
+  state.w_WB_B = velocity.segment<3>(3);
+  state.qd = velocity.tail(n);
+  state.size_legs(description.num_legs());
+  Vec3 normal;
+  assign(normal, terrain_normal, "terrain_normal", true);
+  if (normal.norm() < 1e-9)
+    throw Error("terrain_normal is zero; a vector out of the ground is valid");
+  return at(robot, state, normal.normalized());
+}
+
+RobotState state_of(const model::Dynamics& dynamics) {
+  const Eigen::Index n = dynamics.num_joints();
+  RobotState state;
+  state.p_WB = dynamics.base.p;
+  state.q_WB = Quat(dynamics.base_rotation.R);
+  state.q = dynamics.q;
+  state.v_WB = dynamics.u.head<3>();
+  state.w_WB_B = dynamics.u.segment<3>(3);
+  state.qd = dynamics.u.tail(n);
+  state.size_legs(dynamics.num_legs());
+  return state;
+}
+
+model::FrameKinematics frame(const NamedDynamics& self, const std::string& link) {
+  model::RobotModel& model = self.robot->model_with(link);
+  return model.update(state_of(self.values), Vec3::UnitZ()).arm_tips.back();
+}
+
+std::vector<double> gravity(const NamedDynamics& self) {
+  RobotState at_rest = state_of(self.values);
+  at_rest.v_WB.setZero();
+  at_rest.w_WB_B.setZero();
+  at_rest.qd.setZero();
+  const GeneralizedVector& h = self.robot->model().update(at_rest, Vec3::UnitZ()).h;
+  return {h.begin(), h.end()};
+}
+
+template <typename T>
+nb::object by_leg(const PerLeg<T>& values, nb::handle owner) {
+  nb::dict legs;
+  for (const Leg leg : values.legs())
+    legs[nb::cast(leg_name(leg, static_cast<int>(values.size())))] =
+        nb::cast(&values[index(leg)], nb::rv_policy::reference_internal, owner);
+  return legs;
+}
+
+using PointsByLeg = nb::typed<nb::dict, std::string, model::PointKinematics>;
+
+PointsByLeg points(nb::handle_t<NamedDynamics> self,
+                   PerLeg<model::PointKinematics> model::Dynamics::* member) {
+  return nb::borrow<PointsByLeg>(by_leg(nb::inst_ptr<NamedDynamics>(self)->values.*member, self));
+}
+
+void bind_points(nb::module_& module) {
+  nb::class_<model::PointKinematics> point(
+      module, "Point",
+      "A point of the robot: v = J u, its acceleration is J u̇ + Jdot_u; all in W.");
+  def_view(point, "p", &model::PointKinematics::p, "position [m], shape (3,)");
+  def_view(point, "v", &model::PointKinematics::v, "velocity [m/s], shape (3,)");
+  def_view(point, "J", &model::PointKinematics::J, "Jacobian, shape (3, number of velocities)");
+  def_view(point, "Jdot_u", &model::PointKinematics::Jdot_u, "J̇ u [m/s²], shape (3,)");
+  nb::class_<model::RotationKinematics> rotation(
+      module, "Rotation", "A body's orientation: w = J u, its rate is J u̇ + Jdot_u; all in W.");
+  def_view(rotation, "R", &model::RotationKinematics::R,
+           "takes its coordinates to W, shape (3, 3)");
+  def_view(rotation, "w", &model::RotationKinematics::w, "angular velocity [rad/s], shape (3,)");
+  def_view(rotation, "J", &model::RotationKinematics::J,
+           "Jacobian, shape (3, number of velocities)");
+  def_view(rotation, "Jdot_u", &model::RotationKinematics::Jdot_u, "J̇ u [rad/s²], shape (3,)");
+  nb::class_<model::FrameKinematics>(module, "Frame", "A frame of the robot.")
+      .def_ro("point", &model::FrameKinematics::point, "its origin")
+      .def_ro("rotation", &model::FrameKinematics::rotation);
+}
+
+void bind_dynamics(nb::module_& module) {
+  bind_points(module);
+  using Self = NamedDynamics;
+  const auto look = [](auto model::Dynamics::* member) {
+    return [member](nb::handle_t<Self> self) {
+      return view(nb::inst_ptr<Self>(self)->values.*member, self);
+    };
+  };
+  const auto part = [](auto model::Dynamics::* member) {
+    return [member](Self& self) -> auto& { return self.values.*member; };
+  };
+  nb::class_<Self>(module, "Dynamics",
+                   "A robot at one state, with u = (v_WB in W, w_WB_B in B, q̇):\n\n"
+                   "    M u̇ + h = Sᵀ τ + Σ J_Cᵀ λ      (Eq. 2)\n\n"
+                   "J_C is contacts[leg].J, S takes the joints' part.")
+      .def("__repr__",
+           [](const Self& self) {
+             return "<dynamics of " + self.robot->description().name + ", " +
+                    std::to_string(self.values.num_velocities()) + " velocities>";
+           })
+      .def_prop_ro("M", look(&model::Dynamics::M), "mass matrix, shape (velocities, velocities)")
+      .def_prop_ro("h", look(&model::Dynamics::h),
+                   "gravity, centrifugal and Coriolis terms [N], [N·m], shape (velocities,)")
+      .def_prop_ro(
+          "gravity",
+          [](const Self& self) {
+            return nb::module_::import_("numpy").attr("array")(gravity(self));
+          },
+          nb::sig("def gravity(self) -> numpy.typing.NDArray[numpy.float64]"),
+          "h at rest, shape (velocities,)")
+      .def_prop_ro("u", look(&model::Dynamics::u), "shape (velocities,)")
+      .def_prop_ro("q", look(&model::Dynamics::q), "joint positions [rad], shape (joints,)")
+      .def_prop_ro(
+          "mass", [](const Self& self) { return self.values.mass; }, "[kg]")
+      .def_prop_ro("base", part(&model::Dynamics::base), nb::rv_policy::reference_internal)
+      .def_prop_ro("base_rotation", part(&model::Dynamics::base_rotation),
+                   nb::rv_policy::reference_internal)
+      .def_prop_ro("com", part(&model::Dynamics::com), nb::rv_policy::reference_internal,
+                   "centre of mass")
+      .def_prop_ro(
+          "hips", [](nb::handle_t<Self> self) { return points(self, &model::Dynamics::hip); },
+          "by leg")
+      .def_prop_ro(
+          "feet", [](nb::handle_t<Self> self) { return points(self, &model::Dynamics::foot); },
+          "centres of the foot spheres, by leg")
+      .def_prop_ro(
+          "contacts",
+          [](nb::handle_t<Self> self) { return points(self, &model::Dynamics::contact); },
+          "lowest points of the foot spheres along the terrain normal, by leg")
+      .def("frame", &frame, nb::arg("link"),
+           "A link of the URDF by its name, at this state. Raises Error with the links.");
+}
+
+}  // namespace
+
+void bind_robot(nb::module_& module) {
+  bind_dynamics(module);
+  using Self = Robot;
+  nb::class_<Self> robot(module, "Robot",
+                         "A robot: what its URDF and its robot file say, and its dynamics.");
+  robot
+      .def(
+          nb::new_([](const std::string& name_or_path) {
+            return std::make_shared<Robot>(name_or_path);
+          }),
+          nb::arg("name_or_path"),
+          "By the name of a robot that ships, or as a path of a robot file (.yaml), a URDF (.urdf) "
+          "or an MJCF (.xml).\nOf the latter two, what the doctor guesses stands in for what they "
+          "lack: see doctor().")
+      .def("__repr__",
+           [](const Self& self) {
+             const model::RobotDescription& given = self.description();
+             return "<robot " + given.name + ", " + std::to_string(given.num_legs()) + " legs, " +
+                    std::to_string(given.num_joints()) + " joints>";
+           })
+      .def_prop_ro("name", [](const Self& self) { return self.description().name; })
+      .def_prop_ro("file", &Self::file, "its robot file, for `load_scenario(…, robot=…)`")
+      .def_prop_ro("urdf", [](const Self& self) { return self.description().urdf_path; })
+      .def_prop_ro("legs",
+                   [](const Self& self) {
+                     std::vector<std::string> names;
+                     const int count = self.description().num_legs();
+                     for (const Leg leg : self.description().legs.legs())
+                       names.emplace_back(leg_name(leg, count));
+                     return names;
+                   })
+      .def_prop_ro("arms",
+                   [](const Self& self) {
+                     std::vector<std::string> names;
+                     for (const model::ArmDescription& arm : self.description().arms)
+                       names.push_back(arm.name);
+                     return names;
+                   })
+      .def_prop_ro(
+          "joint_names", [](const Self& self) { return self.description().joint_names(); },
+          "in the order of every array of joints: HAA, HFE, KFE of each leg, then arms")
+      .def_prop_ro(
+          "mass", [](Self& self) { return self.model().mass(); }, "[kg]")
+      .def_prop_ro(
+          "notes", [](Self& self) { return self.model().notes(); },
+          "what is ignored of the URDF, a line each")
+      .def(
+          "dynamics", &dynamics, nb::arg("q") = nb::none(), nb::arg("u") = nb::none(),
+          nb::kw_only(), nb::arg("p_WB") = std::vector<double>{0, 0, 0},
+          nb::arg("q_WB") = std::vector<double>{1, 0, 0, 0},
+          nb::arg("terrain_normal") = std::vector<double>{0, 0, 1},
+          "Its dynamics at joint positions q [rad], by default the nominal stance, and velocities\n"
+          "u = (v_WB, w_WB_B, q̇), by default at rest.")
+      .def(
+          "dynamics",
+          [](const std::shared_ptr<Robot>& self, const RobotState& state) {
+            return at(self, state, Vec3::UnitZ());
+          },
+          nb::arg("state"), "The same at a state, as that of a controller.");
+  const auto limit = [&robot](const char* name, JointVector model::RobotDescription::* member,
+                              const char* doc) {
+    robot.def_prop_ro(
+        name,
+        [member](const Self& self) {
+          return std::vector<double>((self.description().*member).begin(),
+                                     (self.description().*member).end());
+        },
+        doc);
+  };
+  limit("torque_limit", &model::RobotDescription::torque_limit, "|torque| ≤ limit [N·m]");
+  limit("velocity_limit", &model::RobotDescription::velocity_limit, "[rad/s]");
+  limit("q_min", &model::RobotDescription::q_min, "[rad]");
+  limit("q_max", &model::RobotDescription::q_max, "[rad]");
+  limit("q_nominal", &model::RobotDescription::q_nominal, "of the nominal stance [rad]");
+}
+
+}  // namespace surefoot::python

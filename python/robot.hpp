@@ -1,0 +1,38 @@
+#pragma once
+
+#include "surefoot/doctor/guessed_file.hpp"
+#include "surefoot/model/robot_model.hpp"
+
+#include <map>
+#include <memory>
+#include <string>
+
+namespace surefoot::python {
+
+/// `Robot` in Python: a description, and the models that are asked for.
+class Robot {
+ public:
+  /// By the name or path of a robot file, or from a URDF or MJCF, with guesses for what it lacks.
+  explicit Robot(const std::string& name_or_path);
+  explicit Robot(const doctor::Diagnosis& diagnosis);
+  explicit Robot(model::RobotDescription description);
+  Robot(const Robot&) = delete;
+  Robot& operator=(const Robot&) = delete;
+
+  [[nodiscard]] const model::RobotDescription& description() const { return description_; }
+  /// That a scenario can name; it goes with the object if it was guessed.
+  [[nodiscard]] const std::string& file() const { return file_; }
+  [[nodiscard]] model::RobotModel& model() { return model_with(""); }
+  /// With the frame of a link as the last of its tips; "": none.
+  [[nodiscard]] model::RobotModel& model_with(const std::string& link);
+
+ private:
+  void guess(const doctor::Diagnosis& diagnosis);
+
+  model::RobotDescription description_;
+  std::string file_;
+  std::shared_ptr<const doctor::GuessedFile> guessed_;
+  std::map<std::string, model::RobotModel> models_;
+};
+
+}  // namespace surefoot::python

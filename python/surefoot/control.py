@@ -1,0 +1,83 @@
+"""Scenarios and controllers from robots, stacks and options."""
+
+from __future__ import annotations
+
+import os
+import pathlib
+import tempfile
+from collections.abc import Sequence
+
+from surefoot import _core
+from surefoot._core import Error, Estimator, Planner, Plant, Robot, Scenario
+from surefoot.stack import Stack
+
+PLAIN = "walk_flat"  # whose options a controller of a robot alone has
+
+
+def load_scenario(
+    name: str | os.PathLike[str],
+    seed: int = 0,
+    set: Sequence[str] = (),
+    *,
+    robot: Robot | str | None = None,
+    stack: Stack | str | None = None,
+) -> Scenario:
+    """Reads a scenario, by its name or as a path that ends in .yaml.
+
+    seed: 0 is the nominal run; any other draws what `randomise:` lists.
+    set: "path.to.key=value", laid over the file; `surefoot list options` has all keys.
+    robot, stack: others than the file's.
+    Raises Error, naming file, line and key, on everything that is unknown or out of range."""
+    if isinstance(set, str):
+        raise Error(f"set is the text {set!r}; a list of texts, [{set!r}], would be valid")
+    words = list(set)
+    if robot is not None:
+        robot = Robot(robot) if isinstance(robot, str) else robot
+        words.append(f"robot={robot.file}")
+    if not isinstance(stack, Stack):
+        return _core.read_scenario(os.fspath(name), seed, words + [f"stack={stack}"] * (stack is not None))
+    with tempfile.TemporaryDirectory(prefix="surefoot_") as folder:
+        file = pathlib.Path(folder) / f"{stack.name}.yaml"
+        file.write_text(stack.text(robot or robot_of(name, seed, words)))
+        try:
+            return _core.read_scenario(os.fspath(name), seed, [*words, f"stack={file}"], stack.own_tasks)
+        except Error as error:
+            raise type(error)(str(error).replace(str(file), f"stack {stack.name}")) from None
+
+
+def robot_of(name: str | os.PathLike[str], seed: int, words: list[str]) -> Robot:
+    """By the scenario, which must be whole without the stack."""
+    return _core.read_scenario(os.fspath(name), seed, words).robot_model
+
+
+class Controller(_core.ControllerBase):
+    """The whole-body controller: one step() a tick, 400 times a second, turns sensor readings into joint torques.
+
+    of: a scenario, or a robot (or its name), whose controller then has the options of the scenario walk_flat, changed by `stack` and `set`.
+    estimator, planner: your own, in place of the library's. Tasks of your own come with the stack.
+    plant: needed only where the scenario says `estimation: truth`. Without it readings may come from anywhere: from a real robot."""
+
+    def __init__(
+        self,
+        of: Scenario | Robot | str,
+        plant: Plant | None = None,
+        *,
+        stack: Stack | str | None = None,
+        set: Sequence[str] = (),
+        estimator: Estimator | None = None,
+        planner: Planner | None = None,
+    ) -> None:
+        if isinstance(of, Scenario):
+            if stack is not None or set:
+                raise Error("a scenario has its stack and options; give them to load_scenario(…, stack=…, set=…)")
+            scenario = of
+        else:
+            scenario = load_scenario(PLAIN, set=set, robot=of, stack=stack)
+        super().__init__(scenario, plant, estimator, planner)
+        self.scenario = scenario
+
+    def set_stack(self, stack: Stack | str, duration: float = 0.3) -> bool:
+        """Between two ticks: another stack with the same levels, in any order and with any gains. The torques fade to the new ones over
+        `duration` [s]. False, and without effect, during another change."""
+        made = stack if isinstance(stack, Stack) else Stack(stack)
+        return self.set_stack_text(made.text(self.scenario.robot_model), made.name, duration, made.own_tasks)

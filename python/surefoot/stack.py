@@ -1,0 +1,287 @@
+"""A hierarchy of tasks, put together line by line."""
+
+from __future__ import annotations
+
+import copy
+import json
+import os
+import pathlib
+import re
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass, replace
+
+import numpy.typing as npt
+
+from surefoot import _core
+from surefoot._core import Error, Robot, TaskTick, UnknownNameError
+
+
+Rows = tuple[npt.ArrayLike, npt.ArrayLike] | tuple[npt.ArrayLike, npt.ArrayLike, npt.ArrayLike]
+
+
+class Task:
+    """One objective or limit of a stack. Those of the library are in `surefoot.tasks`; derive OwnTask for one of your own.
+
+    task: its name in the catalog. name: of its level. weight: of its rows, within a level of several tasks. Parameters that are None
+    keep their defaults, which go with the robot's size."""
+
+    def __init__(self, task: str, name: str | None = None, *, weight: float = 1.0, **parameters: float | str | None) -> None:
+        self.task, self.name, self.weight = task, task if name is None else name, weight
+        self.parameters = {key: value for key, value in parameters.items() if value is not None}
+        check_name(self.name)
+
+    def __repr__(self) -> str:
+        words = [repr(self.task)] + [repr(self.name)] * (self.name != self.task)
+        words += [f"weight={self.weight:g}"] * (self.weight != 1.0)
+        return f"Task({', '.join(words + [f'{key}={value!r}' for key, value in self.parameters.items()])})"
+
+
+class OwnTask(Task):
+    """A task of your own, written in Python; the same semantics as those of the library, and slower by some tens of microseconds.
+
+    >>> class Still(surefoot.OwnTask):
+    ...     max_rows, unit = 3, "m/s²"
+    ...     def rows(self, tick):
+    ...         base = tick.dynamics.base
+    ...         return base.J, -20 * base.v - base.Jdot_u   # A u̇ = b
+
+    max_rows: the largest number of rows that rows() gives. unit: of them. row_names: what they are called. What rows() raises, or gives of a
+    wrong size or as NaN, makes the controller hold its posture, then sit down, and say so."""
+
+    max_rows: int = 0
+    unit: str = "–"
+    row_names: Sequence[str] = ()
+
+    def __init__(self, name: str, *, weight: float = 1.0) -> None:
+        super().__init__(name, name, weight=weight)
+
+    def rows(self, tick: TaskTick) -> Rows | None:
+        """The rows of a tick, lower ≤ A x ≤ upper over x = (u̇, τ): (A, lower, upper), (A, b) for A x = b, or None for
+        none. A has a column for each acceleration, or for each of tick.unknowns with the torques."""
+        raise NotImplementedError(f"{type(self).__name__} has no rows(); write it")
+
+
+def check_name(name: str) -> None:
+    if not isinstance(name, str) or not name or any(letter in name for letter in "\n\"'{}[]:#,"):
+        raise Error(f"{name!r} is no name of a level; a text without quotes, brackets, colons and commas is valid")
+
+
+@dataclass(frozen=True)
+class StackLevel:
+    """A level of a stack: its name and its tasks, which share it by their weights. damping d adds the rows d x = 0 for singularities."""
+
+    name: str
+    tasks: tuple[Task, ...]
+    damping: float = 0.0
+
+    def __post_init__(self) -> None:
+        check_name(self.name)
+        object.__setattr__(self, "tasks", tuple(self.tasks))
+        wrong = [task for task in self.tasks if not isinstance(task, Task)]
+        if wrong or not self.tasks:
+            raise Error(f"level {self.name}: {f'{wrong[0]!r} is no task' if wrong else 'has no task'}; one of surefoot.tasks or an OwnTask is valid")
+
+    def __str__(self) -> str:
+        shown = [words_of(task) for task in self.tasks]
+        line = f"{self.name}: " if len(shown) > 1 or self.name != self.tasks[0].task else ""
+        return line + " + ".join(shown) + (f", damping {self.damping:g}" if self.damping else "")
+
+
+def words_of(task: Task) -> str:
+    weight = f" × {task.weight:g}" if task.weight != 1.0 else ""
+    return " ".join([task.task + weight, *(f"{key}={value:g}" if isinstance(value, float | int) else f"{key}={value}" for key, value in task.parameters.items())])
+
+
+Step = Callable[[list[StackLevel]], list[StackLevel]]
+
+
+def as_level(given: Task | StackLevel) -> StackLevel:
+    if isinstance(given, StackLevel):
+        return given
+    if isinstance(given, Task):
+        return StackLevel(given.name, (given,))
+    raise Error(f"{given!r} is neither a task nor a level; surefoot.tasks.ComXy(kp=300) or surefoot.StackLevel(name, [tasks]) would be valid")
+
+
+def place_of(levels: Sequence[StackLevel], name: str) -> int:
+    names = [level.name for level in levels]
+    if name not in names:
+        from surefoot_campaign.errors import valid_names
+
+        raise UnknownNameError(f"the stack has no level {name!r}; {valid_names(name, names)}")
+    return names.index(name)
+
+
+class Stack:
+    """A strict hierarchy, highest priority first: `Stack("terrain_adaptation")`, or one that begins empty. What changes it returns another stack:
+
+    >>> Stack("terrain_adaptation").before("torso_yaw", surefoot.tasks.FramePosition("gripper", kp=100, kd=20)).without("torso_height")
+
+    base: name or path of a stack file; surefoot.stacks() lists those that there are. Its numbers, and all defaults, go with the robot's
+    size; numbers that you give are as they stand. print(stack) shows it line by line with all gains."""
+
+    def __init__(self, base: str | os.PathLike[str] | None = None, name: str | None = None) -> None:
+        self._base = None if base is None else os.fspath(base)
+        self.name = name or ("own" if self._base is None else pathlib.Path(self._base).stem)
+        self._steps: tuple[Step, ...] = ()
+        self._weighted_from: str | None = None
+        check_name(self.name)
+        self.levels()
+
+    def levels(self, robot: Robot | None = None) -> list[StackLevel]:
+        """With the numbers of the base for this robot; without one for ANYmal B."""
+        found = [] if self._base is None else _core.stack_levels(self._base, robot)
+        levels = [StackLevel(name, tuple(Task(task, name, weight=weight, **parameters) for task, weight, parameters in tasks), damping)
+                  for name, damping, tasks in found]  # fmt: skip
+        for step in self._steps:
+            levels = step(levels)
+        return levels
+
+    def before(self, level: str, *new: Task | StackLevel) -> Stack:
+        """With new levels of their own just above another."""
+        return self._with(lambda levels: insert(levels, place_of(levels, level), new))
+
+    def after(self, level: str, *new: Task | StackLevel) -> Stack:
+        """With new levels just below another."""
+        return self._with(lambda levels: insert(levels, place_of(levels, level) + 1, new))
+
+    def first(self, *new: Task | StackLevel) -> Stack:
+        """With new levels above all."""
+        return self._with(lambda levels: insert(levels, 0, new))
+
+    def last(self, *new: Task | StackLevel) -> Stack:
+        """With new levels below all."""
+        return self._with(lambda levels: insert(levels, len(levels), new))
+
+    def without(self, *names: str) -> Stack:
+        """Without these levels."""
+
+        def left(levels: list[StackLevel]) -> list[StackLevel]:
+            places = {place_of(levels, name) for name in names}
+            return [level for place, level in enumerate(levels) if place not in places]
+
+        return self._with(left)
+
+    def replace(self, level: str, *new: Task | StackLevel) -> Stack:
+        """With others in place of a level."""
+
+        def put(levels: list[StackLevel]) -> list[StackLevel]:
+            place = place_of(levels, level)
+            return insert(levels[:place] + levels[place + 1 :], place, new)
+
+        return self._with(put)
+
+    def tune(self, task: str, *, weight: float | None = None, **parameters: float | str) -> Stack:
+        """With other parameters of a task, wherever it is: `stack.tune("com_xy", kp=300)`."""
+
+        def tuned(levels: list[StackLevel]) -> list[StackLevel]:
+            names = [each.task for level in levels for each in level.tasks]
+            if task not in names:
+                from surefoot_campaign.errors import valid_names
+
+                raise UnknownNameError(f"the stack has no task {task!r}; {valid_names(task, names)}")
+            return [replace(level, tasks=tuple(changed(each) for each in level.tasks)) for level in levels]
+
+        def changed(each: Task) -> Task:
+            if each.task != task:
+                return each
+            made = copy.copy(each)
+            made.weight, made.parameters = each.weight if weight is None else weight, each.parameters | parameters
+            return made
+
+        return self._with(tuned)
+
+    def weighted_from(self, level: str, **weights: float) -> Stack:
+        """With this level and all below it in one, in which weights replace the order: `stack.weighted_from("com_xy", com_xy=100)`."""
+        place_of(self.levels(), level)
+        made = self
+        for name, weight in weights.items():
+            made = made._with(lambda levels, name=name, weight=weight: weighed(levels, name, weight))  # type: ignore[misc]
+        return made._with(list, weighted_from=level)
+
+    def text(self, robot: Robot | None = None) -> str:
+        """As a stack file (stacks/*.yaml), complete in itself, for this robot."""
+        lines = [f"name: {self.name}", "levels:", *(f"  - {yaml_of(level)}" for level in self.levels(robot))]
+        return "\n".join(lines + [f"weighted_from: {self._weighted_from}"] * (self._weighted_from is not None)) + "\n"
+
+    def write(self, path: str | os.PathLike[str]) -> None:
+        """Writes that file."""
+        pathlib.Path(path).write_text(self.text())
+
+    @property
+    def own_tasks(self) -> list[OwnTask]:
+        """Of the user, in its order."""
+        return [task for level in self.levels() for task in level.tasks if isinstance(task, OwnTask)]
+
+    @property
+    def level_names(self) -> list[str]:
+        return [level.name for level in self._parsed()]
+
+    def __iter__(self) -> Iterator[StackLevel]:
+        return iter(self._parsed())
+
+    def __len__(self) -> int:
+        return len(self._parsed())
+
+    def __str__(self) -> str:
+        return "\n".join([f"stack {self.name}", *(f"{number:3} {level}" for number, level in enumerate(self._parsed(), 1))])
+
+    def __repr__(self) -> str:
+        return f"<stack {self.name}: {' > '.join(self.level_names)}>"
+
+    def _with(self, step: Step, weighted_from: str | None = None) -> Stack:
+        """Throws at once what the program would refuse."""
+        made = Stack.__new__(Stack)
+        made._base, made.name, made._steps = self._base, self.name, (*self._steps, step)
+        made._weighted_from = weighted_from or self._weighted_from
+        levels = made.levels()
+        names = [level.name for level in levels]
+        twice = [name for name in names if names.count(name) > 1]
+        if twice:
+            raise Error(f"two levels have the name {twice[0]!r}; a name of its own, as Task(…, {twice[0] + '_2'!r}), would be valid")
+        if levels:
+            made._parsed()
+        return made
+
+    def _parsed(self) -> list[StackLevel]:
+        if not self.levels():
+            return []
+        try:
+            found = _core.parse_stack(self.text(), f"stack {self.name}", own=self.own_tasks)
+        except Error as error:
+            raise type(error)(re.sub(r":\d+: levels\.(\d+)\.", self._level_of, str(error))) from None
+        return [StackLevel(name, tuple(Task(task, name, weight=weight, **parameters) for task, weight, parameters in tasks), damping)
+                for name, damping, tasks in found]  # fmt: skip
+
+    def _level_of(self, found: re.Match[str]) -> str:
+        """Of a place in the text that nobody has seen."""
+        return f", level {self.levels()[int(found[1])].name}: "
+
+
+def insert(levels: list[StackLevel], place: int, new: Sequence[Task | StackLevel]) -> list[StackLevel]:
+    if not new:
+        raise Error("no level was given; a task of surefoot.tasks would be valid")
+    return [*levels[:place], *map(as_level, new), *levels[place:]]
+
+
+def weighed(levels: list[StackLevel], name: str, weight: float) -> list[StackLevel]:
+    place_of(levels, name)
+
+    def of(task: Task) -> Task:
+        made = copy.copy(task)
+        made.weight = task.weight * weight
+        return made
+
+    return [replace(level, tasks=tuple(map(of, level.tasks))) if level.name == name else level for level in levels]
+
+
+def yaml_of(level: StackLevel) -> str:
+    def entries(task: Task) -> list[str]:
+        weight = [f"weight: {task.weight!r}"] * (task.weight != 1.0)
+        return [f"task: {task.task}", *weight, *(f"{key}: {json.dumps(value)}" for key, value in task.parameters.items())]
+
+    damping = [f"damping: {level.damping!r}"] * (level.damping != 0.0)
+    if len(level.tasks) == 1:
+        return "{" + ", ".join([f"name: {level.name}", *damping, *entries(level.tasks[0])]) + "}"
+    tasks = ", ".join("{" + ", ".join(entries(task)) + "}" for task in level.tasks)
+    return "{" + ", ".join([f"name: {level.name}", *damping, f"tasks: [{tasks}]"]) + "}"

@@ -1,0 +1,207 @@
+"""Tasks, planners and estimators written in Python, and what becomes of a walk when they go wrong."""
+
+import numpy as np
+import pytest
+
+import surefoot
+from surefoot import OwnTask, Stack, tasks
+
+
+class Height(OwnTask):
+    """The library's torso_height, in Python."""
+
+    max_rows, unit, row_names = 1, "m/s²", ["height"]
+    kp, kd, max_error = 200.0, 28.0, 0.02
+
+    def rows(self, tick):
+        base, torso = tick.dynamics.base, tick.plan.torso
+        error = np.clip(torso.height - base.p[2], -self.max_error, self.max_error)
+        b = torso.height_acceleration + self.kd * (torso.height_rate - base.v[2]) + self.kp * error - base.Jdot_u[2]
+        return base.J[2:3], [b]
+
+
+def standing(task, duration=1.5):
+    stack = Stack("terrain_adaptation").replace("torso_height", task)
+    return surefoot.load_scenario("walk_flat_ideal", stack=stack, set=[f"duration={duration}"])
+
+
+def test_a_task_in_python_gives_what_the_librarys_gives():
+    ours = surefoot.run(standing(Height("torso_height_in_python"), duration=3))
+    theirs = surefoot.run("walk_flat_ideal", stack="terrain_adaptation", set=["duration=3"])
+    assert ours["com_error_max_m"] == pytest.approx(theirs["com_error_max_m"], rel=0.02)
+    assert ours["steps_taken"] == theirs["steps_taken"] > 0 and not ours["fell"]
+
+
+def test_its_rows_have_their_names_and_it_can_be_weighted_and_moved():
+    class Limit(Height):
+        def rows(self, tick):
+            return tick.dynamics.base.J[2:3], [-0.01], [np.inf]
+
+    stack = Stack("terrain_adaptation").before("com_xy", Limit("limit")).weighted_from("torso_yaw", torso_yaw=2)
+    assert "limit" in stack.level_names and [task.name for task in stack.own_tasks] == ["limit"]
+    scenario = surefoot.load_scenario("walk_flat_ideal", stack=stack)
+    plant = surefoot.Plant(scenario)
+    controller = surefoot.Controller(scenario, plant)
+    rows = set()
+    for _ in range(40):
+        plant.write(controller.step(plant.read(), scenario.user(0.0)))
+        rows |= {row for level in controller.levels() for row, _ in level.active}
+    assert controller.fault == "" and "height" in rows
+
+
+def raising(tick):
+    raise ValueError("no idea")
+
+
+BAD = {
+    "raises": (raising, "ValueError: no idea (test_own_parts.py, line "),
+    "nan": (lambda tick: (tick.dynamics.base.J[2:3], [np.nan]), "NaN"),
+    "columns": (lambda tick: (np.zeros((1, 7)), [0]), "A with 7 columns; 18, one for each acceleration, or 30 with the torques would be valid"),
+    "bounds": (lambda tick: (np.zeros((1, 18)), [0, 1]), "rows() gave 1 rows, but 2 lower and 2 upper bounds"),
+    "too many": (lambda tick: (np.zeros((3, 18)), [0, 0, 0]), "rows() gave 3 rows, and max_rows is 1"),
+    "no rows": (lambda tick: 7, "rows() gave 7; (A, b) for A x = b, (A, lower, upper) or None would be valid"),
+    "flat": (lambda tick: ([1.0] * 18, [0]), "rows() gave A of shape (18,)"),
+    "text": (lambda tick: ("A", "b"), "ValueError"),
+}
+
+
+@pytest.mark.parametrize("wrong, said", BAD.values(), ids=BAD)
+def test_a_task_that_goes_wrong_ends_in_a_safe_posture_and_a_message_that_names_it(wrong, said):
+    class Odd(Height):
+        def rows(self, tick):
+            return wrong(tick) if tick.plan.time > 0.2 else super().rows(tick)
+
+    scenario = standing(Odd("odd"))
+    plant = surefoot.Plant(scenario)
+    controller, modes = surefoot.Controller(scenario, plant), []
+    with pytest.warns(RuntimeWarning, match='"odd"') as warned:
+        while plant.time < 1.0:
+            command = controller.step(plant.read(), scenario.user(plant.time))
+            modes.append(command.mode)
+            assert np.isfinite(command.torque).all()
+            plant.write(command)
+    assert len(warned) == 1 and modes[0] == "optimal" and modes[-1] == "sit" and "hold" in modes
+    assert '"odd"' in controller.fault and (said in controller.fault or said == "NaN" and "finite" in controller.fault), controller.fault
+    assert plant.truth.p_SB[2] > 0.2, "it does not fall"
+
+
+def test_of_a_run_the_reason_names_the_task():
+    result = surefoot.run(standing(type("Bad", (Height,), {"rows": lambda self, tick: raising(tick)})("bad")))
+    assert not result.succeeded and '"bad"' in result.reason
+
+
+@pytest.mark.parametrize("make, said", [
+    (lambda: type("Sizeless", (OwnTask,), {})("sizeless"), "max_rows is 0; the largest number of rows that rows"),
+    (lambda: Height("com_xy"), "com_xy"),
+    (lambda: Height("a: b"), "is no name of a level"),
+])  # fmt: skip
+def test_a_task_that_can_be_none_is_refused_at_set_up(make, said):
+    with pytest.raises(surefoot.Error, match=said):
+        surefoot.load_scenario("walk_flat_ideal", stack=Stack("terrain_adaptation").last(make()))
+
+
+def test_a_force_of_the_ground_can_be_part_of_a_task():
+    class Light(OwnTask):
+        max_rows, unit = 3, "N"
+
+        def rows(self, tick):
+            force = tick.force("LF")
+            return force[:, :-1], [-50, -50, 0] - force[:, -1], [50, 50, 60] - force[:, -1]
+
+    stack = Stack("terrain_adaptation").before("com_xy", Light("light"))
+    scenario = surefoot.load_scenario("walk_flat_ideal", stack=stack, set=["user=[{time: 0}]"])
+    plant = surefoot.Plant(scenario)
+    controller = surefoot.Controller(scenario, plant)
+    for _ in range(200):
+        plant.write(controller.step(plant.read(), scenario.user(plant.time)))
+    assert controller.fault == "" and controller.model.force[0][2] == pytest.approx(60, abs=0.1)
+
+
+class Still(surefoot.Planner):
+    plan = None
+
+    def update(self, user, state, dynamics, last):
+        self.plan = self.plan or surefoot.standing_plan(dynamics)
+        self.plan.time = state.time
+        return self.plan
+
+
+class Walks(surefoot.Planner):
+    def update(self, user, state, dynamics, last):
+        return super().update(user, state, dynamics, last)
+
+
+def test_a_planner_of_ones_own_is_followed_and_can_ask_the_librarys():
+    scenario = surefoot.load_scenario("walk_flat_ideal", set=["duration=2"])
+    still = surefoot.run(scenario, planner=Still())
+    assert still["steps_taken"] == 0 and still["fallback_ticks"] == 0 and not still["fell"]
+    assert surefoot.run(scenario, planner=Walks(scenario)).torques_hash == surefoot.run(scenario).torques_hash
+
+
+@pytest.mark.parametrize("wrong, said", [(lambda: 1 / 0, "ZeroDivisionError"), (lambda: None, "returned None; a MotionPlan would be valid")])
+def test_a_planner_that_goes_wrong_is_told_and_the_robot_sits_down(wrong, said):
+    class Odd(Still):
+        def update(self, user, state, dynamics, last):
+            return wrong() if state.time > 0.2 else super().update(user, state, dynamics, last)
+
+    scenario = surefoot.load_scenario("walk_flat_ideal", set=["duration=1"])
+    plant = surefoot.Plant(scenario)
+    controller = surefoot.Controller(scenario, plant, planner=Odd())
+    with pytest.warns(RuntimeWarning, match="planner"):
+        while plant.time < 1.0:
+            command = controller.step(plant.read(), scenario.user(plant.time))
+            plant.write(command)
+    assert said in controller.fault and command.mode == "sit" and plant.truth.p_SB[2] > 0.2
+    with pytest.raises(surefoot.Error, match="plans nothing by itself"):
+        surefoot.Planner().update(scenario.user(0), controller.state, scenario.robot_model.dynamics(), None or hierarchy_outcome())
+
+
+def hierarchy_outcome():
+    """As a planner is given it."""
+    kept = []
+
+    class Keeps(Still):
+        def update(self, user, state, dynamics, last):
+            kept.append(last)
+            return super().update(user, state, dynamics, last)
+
+    surefoot.run("walk_flat_ideal", set=["duration=0.01"], planner=Keeps())
+    return kept[0]
+
+
+class Asks(surefoot.Estimator):
+    def update(self, reading, context):
+        return super().update(reading, context)
+
+
+def test_an_estimator_of_ones_own_is_believed_and_can_ask_the_librarys():
+    scenario = surefoot.load_scenario("walk_flat", set=["duration=1"])
+    assert surefoot.run(scenario, estimator=Asks(scenario)).torques_hash == surefoot.run(scenario).torques_hash
+
+
+def test_an_estimator_that_goes_wrong_is_told_and_the_robot_sits_down():
+    class Odd(Asks):
+        def update(self, reading, context):
+            state = super().update(reading, context)
+            if reading.time > 0.2:
+                state.q_WB = [0, 0, 0, 0]
+            return state
+
+    scenario = surefoot.load_scenario("walk_flat", set=["duration=1"])
+    plant = surefoot.Plant(scenario)
+    controller = surefoot.Controller(scenario, plant, estimator=Odd(scenario))
+    with pytest.warns(RuntimeWarning, match="estimator"):
+        while plant.time < 1.0:
+            command = controller.step(plant.read(), scenario.user(plant.time))
+            plant.write(command)
+    assert "q_WB has the length 0" in controller.fault and command.mode in ("sit", "hold") and plant.truth.p_SB[2] > 0.2
+
+
+def test_a_plan_is_written_by_its_names():
+    plan = surefoot.MotionPlan()
+    plan.feet["LF"].phase = "swing"
+    plan.torso.q_WB = [1, 0, 0, 0]
+    assert plan.feet["LF"].phase == "swing" and plan.feet["RF"].phase == "stance"
+    with pytest.raises(surefoot.UnknownNameError, match='phase is "swinging"; valid are: stance, unloading, swing, search'):
+        plan.feet["LF"].phase = "swinging"
+    assert tasks.ComXy in vars(tasks).values()

@@ -1,0 +1,151 @@
+"""Runs, campaigns and controllers without a plant, from Python."""
+
+import threading
+
+import numpy as np
+import pytest
+
+import surefoot
+from program import run_result
+
+
+@pytest.fixture
+def scenario():
+    return surefoot.load_scenario("walk_flat_ideal", set=["duration=2"])
+
+
+def by_hand(scenario, controller, plant, evaluator=None):
+    while plant.time < scenario.duration - 1e-9:
+        command = controller.step(plant.read(), scenario.user(plant.time))
+        if evaluator is not None:
+            evaluator.add()
+        plant.write(command)
+
+
+def test_a_run_is_that_of_the_program_to_the_bit(scenario):
+    ours, theirs = surefoot.run(scenario), run_result("walk_flat_ideal", "--set", "duration=2")
+    assert format(ours.torques_hash, "016x") == theirs["torques_hash"]
+    assert ours["com_error_max_m"] == theirs["com_error_max_m"] and ours.reason == theirs["reason"]
+    assert [each.metric for each in ours.criteria] == [each["metric"] for each in theirs["criteria"]]
+    assert repr(ours).startswith("<run of walk_flat_ideal, ")
+    with pytest.raises(KeyError, match="com_error"):
+        ours["com_error"]
+
+
+def test_other_threads_go_on_while_a_run_runs(scenario):
+    counted, done = [0], threading.Event()
+
+    def count():
+        while not done.is_set():
+            counted[0] += 1
+
+    thread = threading.Thread(target=count)
+    thread.start()
+    before = counted[0]
+    surefoot.run(scenario)
+    after = counted[0]
+    done.set()
+    thread.join()
+    assert after - before > 1000
+
+
+def test_between_ticks_a_run_is_pushed_commanded_and_stopped(scenario, tmp_path):
+    times, sways = [], []
+
+    def tick(now):
+        times.append(now.time)
+        now.user = surefoot.UserCommand()
+        if now.time == 0:
+            now.plant.push([0, 80, 0], duration=0.2)
+        if now.time > 1 - 1e-9:
+            now.stop()
+        sways.append(now.plant.truth.v_SB[1])
+
+    result = surefoot.run(scenario, every_tick=tick, record=tmp_path / "run.mcap")
+    assert len(times) == 401 and max(sways) > 0.05 and result["steps_taken"] == 0
+    assert result.log and not (tmp_path / "run.mcap").exists(), "a run that was cut off keeps .partial"
+    with pytest.raises(ZeroDivisionError):
+        surefoot.run(scenario, every_tick=lambda now: 1 / 0)
+
+
+def test_a_loop_by_hand_is_judged_and_recorded_as_a_run(scenario, tmp_path):
+    plant = surefoot.Plant(scenario)
+    controller = surefoot.Controller(scenario, plant)
+    evaluator = surefoot.Evaluator(scenario, plant, controller, str(tmp_path / "run.mcap"))
+    with pytest.raises(surefoot.Error, match="after step"):
+        evaluator.add()
+    by_hand(scenario, controller, plant, evaluator)
+    evaluator.close()
+    whole = surefoot.run(scenario)
+    for metric in ("com_error_max_m", "steps_taken", "torque_max_nm"):
+        assert evaluator.metrics[metric] == whole[metric]
+    assert [each.passed for each in evaluator.criteria] == [each.passed for each in whole.criteria]
+    assert len(surefoot.read(tmp_path / "run.mcap").time) == 800
+
+
+def test_without_a_plant_a_controller_of_a_robot_steps_on_readings_from_anywhere():
+    scenario = surefoot.load_scenario("walk_flat", set=["duration=1"])
+    plant, body = surefoot.Plant(scenario), surefoot.Controller("anymal_b")
+    together = surefoot.Controller(scenario, plant)
+    for _ in range(100):
+        reading, user = plant.read(), scenario.user(plant.time)
+        torque = body.step(reading, user).torque
+        np.testing.assert_array_equal(torque, together.step(reading, user).torque)
+        plant.write(torque)
+    assert repr(body) == "<controller of anymal_b, 6 levels, after 0 steps>"
+    with pytest.raises(surefoot.Error, match="estimation: truth, which needs the plant"):
+        surefoot.Controller(surefoot.load_scenario("walk_flat_ideal"))
+    with pytest.raises(surefoot.Error, match="give them to load_scenario"):
+        surefoot.Controller(scenario, set=["duration=2"])
+    with pytest.raises(surefoot.Error, match="set is the text 'duration=2'; a list of texts"):
+        surefoot.load_scenario("walk_flat", set="duration=2")
+
+
+def test_sensors_fail_on_demand(scenario):
+    plant = surefoot.Plant(scenario)
+    plant.write(np.zeros(12))
+    right = plant.read().q[5]
+    plant.fail("encoders", "jump", size=0.1, element="RF_KFE", duration=0.004)
+    plant.write(np.zeros(12))
+    assert plant.read().q[5] - plant.truth.q[5] == pytest.approx(0.1, abs=0.01) and abs(right - plant.truth.q[5]) < 0.05
+    plant.write(np.zeros(12))
+    plant.write(np.zeros(12))
+    assert plant.read().q[5] == pytest.approx(plant.truth.q[5], abs=0.02)
+    plant.fail("imu", "late", size=3)
+    stamps = []
+    for _ in range(6):
+        plant.write(np.zeros(12))
+        stamps.append(plant.read().time - plant.read().imu_time)
+    assert stamps[-1] - stamps[0] >= 0 and stamps[-1] >= 3 * 0.0025 - 1e-9
+    for arguments, said in [(("imus",), 'sensor is "imus"; did you mean "imu"?'), (("imu", "breaks"), 'kind is "breaks"'),
+                            (("imu", "late", 1.0, 0.5), "a whole number of ticks"), (("foot_force",), "the robot has none")]:  # fmt: skip
+        with pytest.raises(surefoot.Error, match=said):
+            plant.fail(*arguments)
+
+
+def test_pushes_that_make_no_sense_are_refused(scenario):
+    plant = surefoot.Plant(scenario)
+    with pytest.raises(surefoot.Error, match="force is nan"):
+        plant.push([0, 0, float("nan")])
+    with pytest.raises(surefoot.Error, match="duration is -1"):
+        plant.push([0, 0, 1], duration=-1)
+    with pytest.raises(surefoot.UnknownNameError, match='"nobody"; the robot has: base'):
+        plant.push([0, 0, 1], body="nobody")
+    assert "LF_SHANK" in plant.bodies
+
+
+def test_a_campaign_gives_tables_and_compares_cases_seed_by_seed(tmp_path):
+    spec = {"name": "short", "scenario": "walk_flat_ideal", "seeds": [1, 2], "set": {"duration": 0.2},
+            "cases": {"as it is": {}, "heavier": {"disturbances.payload.mass": 5.0}}}  # fmt: skip
+    found = surefoot.campaign(spec, out=tmp_path / "results", jobs=1)
+    assert found.table.num_rows == 4 and set(found.table["case"].to_pylist()) == {"as it is", "heavier"}
+    assert found.points[0]["trials"] == 2 and found.pairs[0]["against"] == "as it is" and repr(found).startswith("<campaign short: ")
+    try:
+        import pandas  # noqa: F401
+    except ImportError:
+        with pytest.raises(ModuleNotFoundError, match="pandas is not installed"):
+            found.frame
+    else:
+        assert len(found.frame) == 4
+    with pytest.raises(surefoot.Error, match="seeds"):
+        surefoot.campaign({"scenario": "walk_flat"})

@@ -1,0 +1,116 @@
+"""Stacks put together in Python."""
+
+import pytest
+
+import surefoot
+from surefoot import StackLevel, Stack, tasks
+
+
+@pytest.fixture
+def stack():
+    return Stack("terrain_adaptation")
+
+
+def test_a_stack_is_written_line_by_line_with_gains(stack):
+    made = stack.before("torso_yaw", tasks.FramePosition("gripper", kp=100, kd=20)).without("torso_height")
+    names = made.level_names
+    assert names[names.index("torso_yaw") - 1] == "gripper" and "torso_height" not in names
+    assert "gripper: frame_position kd=20 kp=100" in str(made)
+    assert "torso_height" in stack.level_names, "what it was made from is as it was"
+    assert repr(made).startswith("<stack terrain_adaptation: equations_of_motion > no_contact_motion > ")
+
+
+def test_each_place_can_be_chosen(stack):
+    one, two = tasks.TorsoTiltLimits("tilt"), StackLevel("more", [tasks.Posture(joints="legs"), tasks.TorqueMinimisation(weight=0.1)], damping=0.5)
+    made = stack.after("com_xy", one).last(two).replace("torso_yaw", tasks.TorsoYaw(kp=50))
+    names = made.level_names
+    assert names[names.index("com_xy") + 1] == "tilt" and names[-1] == "more"
+    last = list(made)[-1]
+    assert (last.damping, last.tasks[1].weight, last.tasks[0].parameters["joints"]) == (0.5, 0.1, "legs")
+    assert [level.tasks[0].parameters["kp"] for level in made if level.name == "torso_yaw"] == [50]
+    assert [level.tasks[0].parameters["kp"] for level in stack.tune("com_xy", kp=300) if level.name == "com_xy"] == [300]
+
+
+def test_a_stack_of_nothing_but_tasks_is_one(tmp_path):
+    made = Stack(name="mine").last(tasks.EquationsOfMotion(), tasks.NoContactMotion(), tasks.TorqueLimits(), tasks.FrictionCone(), tasks.ComXy())
+    made.write(tmp_path / "mine.yaml")
+    assert list(map(str, Stack(tmp_path / "mine.yaml"))) == list(map(str, made)) and len(made) == 5
+
+
+def test_levels_below_one_can_be_weighted_instead(stack):
+    made = stack.weighted_from("com_xy", com_xy=100)
+    assert made.level_names[-1] == "weighted" and len(made) == 5
+    assert [task.weight for task in list(made)[-1].tasks if task.task == "com_xy"] == [100]
+
+
+def test_every_task_of_the_catalog_has_a_class_with_its_parameters():
+    for info in surefoot.catalog():
+        made = getattr(tasks, "".join(word.capitalize() for word in info["name"].split("_")))
+        assert made().task == info["name"] and info["summary"][1:] in made.__doc__
+        numbers = {each["name"]: each["default"] for each in info["numbers"]}
+        assert made("own", **numbers).parameters == numbers
+
+
+def test_numbers_of_the_base_go_with_the_robots_size_and_given_ones_do_not(stack):
+    small = surefoot.Robot("solo12")
+    made = stack.tune("com_xy", kp=300)
+    kp = {level.name: level.tasks[0].parameters.get("kp") for level in made.levels(small)}
+    assert kp["com_xy"] == 300 and kp["swing_foot"] > 800
+
+
+@pytest.mark.parametrize("change, said", [
+    (lambda s: s.before("torso_yow", tasks.Posture()), "has no level 'torso_yow'; did you mean \"torso_yaw\"?"),
+    (lambda s: s.before("torso_yaw"), "no level was given"),
+    (lambda s: s.last(3), "3 is neither a task nor a level"),
+    (lambda s: s.last(tasks.ComXy()), "two levels have the name 'com_xy'"),
+    (lambda s: s.last(tasks.ComXy("again", kp=-1)), "level again: kp: com_xy: kp is -1, but must be a number of at least 0"),
+    (lambda s: s.tune("com_xy", kp=float("nan")), 'level com_xy: kp: "NaN" is not a finite number'),
+    (lambda s: s.tune("com_xy", kpp=1), 'level com_xy: kpp: the task com_xy has no such parameter; did you mean "kp"?'),
+    (lambda s: s.tune("com_x", kp=1), "has no task 'com_x'; did you mean \"com_xy\"?"),
+    (lambda s: s.tune("limb_extension_limits", form="round"), 'form is "round", but must be one of: paper relative radial'),
+    (lambda s: s.weighted_from("torque_limits"), "keeps the physics and can't be weighted"),
+    (lambda s: s.last(StackLevel("empty", [])), "level empty: has no task"),
+    (lambda s: s.last(StackLevel("odd", ["com_xy"])), "'com_xy' is no task; one of surefoot.tasks or an OwnTask is valid"),
+    (lambda s: Stack("terrain"), 'unknown stack "terrain"; valid are: crouch_first'),
+    (lambda s: tasks.ComXy("a: b"), "'a: b' is no name of a level"),
+])  # fmt: skip
+def test_what_can_be_no_stack_is_refused_at_once(stack, change, said):
+    with pytest.raises(surefoot.Error) as error:
+        change(stack)
+    assert said in str(error.value)
+
+
+def test_a_scenario_and_a_controller_have_the_stack_and_take_another(stack):
+    short = stack.tune("com_xy", kp=300)
+    scenario = surefoot.load_scenario("walk_flat_ideal", set=["duration=0.1"], stack=short)
+    plant = surefoot.Plant(scenario)
+    controller = surefoot.Controller(scenario, plant)
+    assert controller.level_names == short.level_names
+    controller.step(plant.read(), scenario.user(0.0))
+    torso_first = stack.without("com_xy").last(tasks.ComXy(kp=500, kd=45))
+    assert controller.set_stack(torso_first, duration=0.01)
+    assert not controller.set_stack(stack), "the other change still goes on"
+    for _ in range(10):
+        plant.write(controller.step(plant.read(), scenario.user(plant.time)))
+    assert controller.level_names[-1] == "com_xy"
+    with pytest.raises(surefoot.Error, match="level"):
+        controller.set_stack(stack.without("com_xy"))
+    with pytest.raises(surefoot.Error, match="0.535|reach|at most"):
+        surefoot.load_scenario("walk_flat", stack=stack.tune("limb_extension_limits", max=3))
+
+
+def test_levels_are_taken_off_and_put_back_while_it_walks(stack):
+    scenario = surefoot.load_scenario("walk_flat_ideal", stack=stack)
+    plant = surefoot.Plant(scenario)
+    controller = surefoot.Controller(scenario, plant)
+    plant.write(controller.step(plant.read(), scenario.user(0.0)))
+    assert controller.switch_levels(remove=["torso_height"], duration=0.01)
+    for _ in range(8):
+        plant.write(controller.step(plant.read(), scenario.user(plant.time)))
+    left = {level.name: level.degrees_of_freedom_left for level in controller.levels()}
+    assert left["torso_height"] == left["torso_yaw"] and controller.switch_levels(add=["torso_height"], duration=0.01)
+    with pytest.raises(surefoot.Error, match="torso_heigt"):
+        controller.switch_levels(add=["torso_heigt"])
+    controller.set_friction(0.4)
+    with pytest.raises(surefoot.Error, match="friction"):
+        controller.set_friction(-1)
