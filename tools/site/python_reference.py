@@ -18,7 +18,7 @@ def pages(root):
     text = HEAD
     package = root / "python/surefoot"
     modules = {"surefoot": [stub, package / "__init__.py"]}
-    modules |= {f"surefoot.{file.stem}": [file] for file in sorted(package.glob("[!_]*.py"))}
+    modules |= {f"surefoot.{file.stem}": [file] for file in sorted([*package.glob("[!_]*.py"), stub.with_name("tasks.py")])}
     return {"reference/python.md": text + "".join(module(name, files) for name, files in modules.items())}
 
 

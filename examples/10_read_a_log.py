@@ -1,4 +1,4 @@
-"""From a log to the paper's Fig. 4 (balance) and Fig. 6 (terrain adaptation) as PDF: `python 10_figures_of_the_paper.py [RUN.mcap]`."""
+"""From a log to the paper's Fig. 4 (balance) and Fig. 6 (terrain adaptation) as PDF: `python 10_read_a_log.py [RUN.mcap]`."""
 
 import pathlib
 import sys
