@@ -26,6 +26,8 @@ NB_MODULE(_core, module) {
       "world W, p_SB the true one in the simulator's world S.\n"
       "Arrays look into the object that they come from; objects are snapshots and don't change.";
   module.attr("__version__") = build_info().version;
+  // Parts of the user's own may refer back to what holds them, which no collector sees at exit.
+  nb::set_leak_warnings(false);
   bind_errors(module);
   bind_signals(module);
   bind_level(module);
