@@ -4,7 +4,7 @@ import surefoot
 from surefoot import Stack, tasks
 
 strict = Stack("terrain_adaptation").without("limb_extension_limits").replace("torso_yaw", tasks.TorsoYaw(kp=200, kd=28))
-weighted = strict.weighted_from("com_xy", com_xy=10)
+weighted = strict.weighted_from("com_xy", com_xy=10, swing_foot=10, contact_force_minimisation=0.01)  # its rows are in N
 print(strict, weighted, sep="\n\n", end="\n\n")
 
 
