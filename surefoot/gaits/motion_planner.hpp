@@ -53,7 +53,7 @@ class MotionPlanner {
 /// The library's: `Planner` with its gaits. `period` of the control loop [s], `scale` of the robot.
 /// Throws Error on invalid options.
 [[nodiscard]] std::unique_ptr<MotionPlanner> make_planner(const PlannerOptions& options,
-                                                          double period, const Scale& scale,
+                                                          double period, const Scale& scale = {},
                                                           const std::vector<NamedGait>& gaits = {},
                                                           int first = UserCommand::kOwnGait);
 
