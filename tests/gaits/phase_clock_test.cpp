@@ -52,7 +52,7 @@ TEST(PhaseClock, starts_with_all_feet_down_for_the_time_asked) {
 
 TEST(PhaseClock, returns_to_a_landing_after_which_the_others_lift_off_once_more) {
   PhaseClock clock(trot());
-  clock.start(0.001);
+  clock.start(0.001, Leg::LF);
   for (int i = 0; i < 120; ++i) clock.advance(kTick);  // 0.3 s: the others are in the air
   EXPECT_TRUE(clock.swings(Leg::RF));
   clock.return_to_landing(Leg::LF, 0.02);

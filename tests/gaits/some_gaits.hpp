@@ -1,6 +1,7 @@
 #pragma once
 
 #include "surefoot/gaits/planner_options.hpp"
+#include "surefoot/signals/per_leg.hpp"
 
 #include <vector>
 
