@@ -48,7 +48,7 @@ class Names {
 Names names_in(const ConfigNode& tree, const ConfigNode* own) {
   Names names;
   const ConfigNode *listed = tree.find("gaits"), *user = tree.find("user");
-  if (listed != nullptr) {
+  if (listed != nullptr && listed->kind != ConfigNode::Kind::null) {  // as logs have it
     if (listed->kind != ConfigNode::Kind::list)
       fail_at(*listed, "gaits", "must be a list of names");
     for (const ConfigNode& gait : listed->items) names.add(&gait);
