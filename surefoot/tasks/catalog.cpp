@@ -87,7 +87,7 @@ void add_limits(Catalog& catalog) {
               "inside the friction cone (μ/√2) or around it (μ)")
       .choice("axes", &FrictionCone::Options::axes, {"control", "gravity"},
               "about the normal of the control frame or about the vertical")
-      .number("sole", &FrictionCone::Options::sole, "",
+      .number("sole", &FrictionCone::Options::sole, kNoUnit,
               "share of a flat foot that the centre of pressure may use")
       .add_to(catalog);
 }

@@ -55,7 +55,7 @@ TEST(TickText, ATickThatSolvedNothingShowsNeitherForcesNorLevelsNorLimits) {
   const std::string text = unsolved().text();
   EXPECT_TRUE(holds(text, "No hierarchy was solved: "));
   EXPECT_TRUE(holds(text, "because the torso tilted too far"));
-  EXPECT_TRUE(holds(text, "command   damping, as the torso tilted too far; largest torque"));
+  EXPECT_TRUE(holds(text, "command     damping, as the torso tilted too far; largest torque"));
   for (const char* absent : {"17522", "com_xy", "No limit acts", "stance", "nan"})
     EXPECT_FALSE(holds(text, absent));
 }
@@ -223,7 +223,7 @@ TEST(TickText, WhatPushesTheRobotIsToldInTextAndJson) {
   explanation.events = {{0.5, "pushed by 50 N", "", "outside"}};
   const std::string text = explanation.text();
   EXPECT_TRUE(holds(text,
-                    "pushed by 50 N, 90° from ahead to the left, on the base (truth: the "
+                    "pushed by   50 N, 90° from ahead to the left, on the base (truth: the "
                     "controller is not told)"));
   const auto json = explanation_json(explanation);
   EXPECT_EQ(json.at("pushed_by").at(0).at("body"), "base");
@@ -239,7 +239,7 @@ TEST(TickText, WhatTheRobotIsFoundToCarryIsToldWithItsPlace) {
   };
   const Vec3 at(0.05, -0.02, 0.2);
   EXPECT_TRUE(
-      holds(says(6.9, at), "weighs    6.9 kg more than described, at x 0.05, y -0.02, z 0.20 m"));
+      holds(says(6.9, at), "weighs      6.9 kg more than described, at x 0.05, y -0.02, z 0.20 m"));
   EXPECT_TRUE(holds(says(-2.0, at), "2.0 kg less than described\n"));
   for (const double nothing : {0.0, -0.2, kNaN})
     EXPECT_FALSE(holds(says(nothing, at), "weighs")) << nothing;

@@ -90,6 +90,6 @@ test("what was asked to walk does not go on in a run that begins again", () => {
   const drive = new DrivePanel(root as unknown as HTMLElement, askOf().ask, limits, () => {});
   drive.nudge("forward", 3);
   drive.restart();
-  drive.show({ command: { walk: false, velocity: [0, 0], yaw_rate: 0, height: 0, by: "scenario" }, ended: null } as unknown as Status);
+  drive.show({ command: { walk: false, velocity: [0, 0], yaw_rate: 0, height: 0, gait: "", by: "scenario" }, ended: null } as unknown as Status);
   assert.deepEqual([drive.walk.forward, drive.walk.left], [0, 0]);
 });
