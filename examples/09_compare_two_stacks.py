@@ -21,7 +21,7 @@ with tempfile.TemporaryDirectory() as folder:
             "scenario": "walk_flat_ideal",
             "seeds": list(range(1, SEEDS + 1)),
             "cases": {name: {"stack": str(file)} for name, file in files.items()},
-            "set": {"duration": 3.0, "disturbances.pushes.side.time": 1.5, "disturbances.pushes.side.force.y": 60.0},
+            "set": {"duration": 3.0, "judged_after": 3.0, "disturbances.pushes.side.time": 1.5, "disturbances.pushes.side.force.y": 60.0},
             "judge": "com_error_max_m",
         },
         out=pathlib.Path(folder) / "results",
@@ -34,4 +34,4 @@ with tempfile.TemporaryDirectory() as folder:
     p = min(1.0, 2 * sum(math.comb(SEEDS, k) for k in range(max(worse, SEEDS - worse), SEEDS + 1)) / 2**SEEDS)
     [pair] = found.pairs
     print(f"softer less as it is: median {1e3 * pair['difference']['median']:+.2f} mm, worse in {worse} of {SEEDS} seeds, sign test p = {p:.2g}")
-assert found.table.num_rows == 2 * SEEDS
+    assert found.table.num_rows == 2 * SEEDS

@@ -22,7 +22,6 @@ NOT_RUN = {
     "pip install": "tests/python/test_wheel.py does",
     "cmake --preset": "another build takes minutes",
     "SUREFOOT_FUZZ": "it needs that other build",
-    "PYTHONPATH=build/release/python": "it opens a prompt",
     "bash tools/": "benchmarks take half an hour",
     "ninja -C": "benchmarks take half an hour to run, ./test builds them",
     "build/release/benchmark": "they take half an hour",
