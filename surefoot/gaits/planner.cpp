@@ -12,8 +12,9 @@ namespace surefoot::gaits {
 
 namespace {
 
-constexpr double kBlendDuration = 0.2;  // of references, from gait to gait [s]
-constexpr double kChangeMargin = 1.1;   // of the speed in a change of gait, over the gait's
+constexpr double kBlendDuration = 0.2;    // of references, from gait to gait [s]
+constexpr double kMaxChangeSpeed = 0.65;  // at which gaits change: the feet stand for longer [m/s]
+constexpr double kChangeMargin = 1.1;     // of the speed in a change of gait, over the gait's
 
 /// Those of the gait of legs that step in turn, or the own ones.
 const PlannerOptions& of_crawl(const PlannerOptions& own, const std::vector<NamedGait>& gaits) {
@@ -137,13 +138,14 @@ UserCommand Planner::limit(const UserCommand& command) {
 
 // A gait that is slower than the present one begins when the robot is as slow.
 bool Planner::may_change() const {
-  return wanted_ != present_ &&
-         walk().speed() <= kChangeMargin * choice_.options(wanted_).rhythm.speed_max;
+  return wanted_ != present_ && walk().speed() <= kChangeMargin * speed_max();
 }
 
 double Planner::speed_max() const {
-  const double wanted = choice_.options(wanted_).rhythm.speed_max;
-  return walks_ ? std::min(wanted, choice_.options(present_).rhythm.speed_max) : wanted;
+  const RhythmOptions &wanted = choice_.options(wanted_).rhythm,
+                      &present = choice_.options(present_).rhythm;
+  if (!walks_ || wanted_ == present_) return wanted.enabled ? wanted.speed_max : kInfinity;
+  return std::min({wanted.speed_max, present.speed_max, body_.scale.speed() * kMaxChangeSpeed});
 }
 
 void Planner::change_gait(double time) {

@@ -4,11 +4,14 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <vector>
 
 namespace surefoot::gaits {
 namespace {
 
 constexpr double kPeriod = test::Puppet::kPeriod;
+constexpr double kCycle = 1.6;  // of the crawl, in which it sways [s]
 constexpr int kCrawl = 0, kTrot = 1, kFlight = 2, kPace = 3;
 
 test::Puppet walker(int gait, double speed) {
@@ -26,7 +29,7 @@ struct Smooth {
   void operator()() {
     const MotionPlan& now = puppet.plan();
     ASSERT_LT((now.com.v - before.com.v).norm(), 0.05) << puppet.time();
-    ASSERT_LT((now.com.a - before.com.a).norm(), 4.0) << puppet.time();
+    ASSERT_LT((now.com.a - before.com.a).norm(), 6.0) << puppet.time();
     ASSERT_LT(std::abs(now.torso.height - before.torso.height), 0.01) << puppet.time();
     ASSERT_LT(std::abs(now.torso.height_rate - before.torso.height_rate), 0.2) << puppet.time();
     for (std::size_t k = 0; k < kNumLegs; ++k)
@@ -44,9 +47,13 @@ TEST(GaitChange, happens_on_the_way_without_a_jump_between_any_two_gaits) {
       ASSERT_EQ(puppet.plan().gait, from);
       puppet.user.gait = to;
       double slowest = 1.0;
+      std::vector<double> places;
       puppet.run(4.0, [&, smooth = Smooth{puppet}]() mutable {
         smooth();
-        slowest = std::min(slowest, puppet.plan().com.v.x());
+        places.push_back(puppet.com().x());
+        const auto cycle = static_cast<std::size_t>(std::lround(kCycle / kPeriod));
+        if (places.size() > cycle)
+          slowest = std::min(slowest, (places.back() - *(places.end() - 1 - cycle)) / kCycle);
       });
       EXPECT_EQ(puppet.plan().gait, to) << from;
       EXPECT_GT(slowest, 0.05) << "it does not stop, from " << from << " to " << to;
@@ -59,14 +66,18 @@ TEST(GaitChange, waits_until_the_robot_is_slow_enough_for_the_next_gait) {
   test::Puppet puppet = walker(kTrot, 1.0);
   puppet.run(5.0);
   puppet.user.gait = kCrawl;
-  double fastest = 0.0;
-  puppet.run(4.0, [&] {
-    if (puppet.plan().gait == kCrawl) fastest = std::max(fastest, puppet.plan().com.v.x());
+  double first = 0.0;
+  puppet.run(3.0, [&] {
+    if (puppet.plan().gait == kCrawl && first == 0.0) first = puppet.plan().com.v.x();
   });
   EXPECT_EQ(puppet.plan().gait, kCrawl);
-  EXPECT_LT(fastest, 0.36);
+  EXPECT_LT(first, 0.36);
   EXPECT_FALSE(puppet.happenings(PlanEvent::too_fast).empty()) << "1 m/s is told";
-  EXPECT_NEAR(puppet.plan().com.v.x(), 0.3, 0.08);
+  const double begin = puppet.com().x();
+  puppet.run(2.0 * kCycle);
+  const double speed = (puppet.com().x() - begin) / (2.0 * kCycle);
+  EXPECT_GT(speed, 0.2) << "as its strides allow";
+  EXPECT_LT(speed, 0.31);
 }
 
 TEST(GaitChange, follows_the_speed_if_the_user_wants_it_so) {

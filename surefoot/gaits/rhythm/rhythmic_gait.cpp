@@ -38,10 +38,15 @@ void RhythmicGait::start_clock(const Situation& now, const Body& body) {
   clock_ = PhaseClock(gathers_ ? gathering_ : options_);
   const Leg first = first_leg(now, body);
   const double ramp = body.options.force.ramp_down;
-  const bool jumps = options_.flies && !gathers_;
-  clock_.start(jumps ? std::max(ramp, clock_.stance_duration(first)) : ramp, first);
+  clock_.start(jumps() ? std::max(ramp, clock_.stance_duration(first)) : ramp, first);
   begin_ = now.time;
   sway(now.time);
+}
+
+// Of feet that take turns some would stand for a whole cycle.
+bool RhythmicGait::jumps() const {
+  const auto differs = [&](double offset) { return offset != options_.offset[0]; };
+  return options_.flies && !gathers_ && std::ranges::none_of(options_.offset, differs);
 }
 
 // A body over one foot far from its middle, as in a pace with the feet of a trot, would tip.
@@ -143,7 +148,7 @@ void RhythmicGait::drive_com(const Situation& now) {
 
 void RhythmicGait::sway(double time) {
   if (gathers_) return void(sway_ = {Vec3::Zero(), Vec3::Zero(), Vec3::Zero()});
-  const double s = options_.flies ? 1.0 : std::min(1.0, (time - begin_) / options_.period);
+  const double s = jumps() ? 1.0 : std::min(1.0, (time - begin_) / options_.period);
   const double share = smoothstep(s), rate = 6.0 * s * (1.0 - s) / options_.period;
   const Motion<Vec3> whole = cycle_.at(clock_.phase());
   sway_ = {share * whole.p, share * whole.v + rate * whole.p,

@@ -45,6 +45,8 @@ class RhythmicGait final : public Gait {
   /// The rhythm in which feet that stand wide come closer: pairs take turns.
   [[nodiscard]] static RhythmOptions gathering(const PlannerOptions& options);
   [[nodiscard]] bool is_spread(const Situation& now) const;
+  /// Do all legs lift off at once, which needs a whole stance before?
+  [[nodiscard]] bool jumps() const;
   void start_clock(const Situation& now, const Body& body);
   [[nodiscard]] Leg first_leg(const Situation& now, const Body& body) const;
   void drive_com(const Situation& now);
