@@ -138,12 +138,12 @@ void drop_paper_of_another(ConfigNode& tree, const std::vector<std::string>& ass
     std::erase_if(tree.members, [](const auto& member) { return member.first == "paper"; });
 }
 
-/// Criteria of a scenario are about a run as long as the files have it, also where assignments make
+/// Criteria of a file are about a run as long as the files have it, also where assignments make
 /// it shorter.
 void keep_judged_duration(ConfigNode& tree, const std::vector<std::string>& assignments) {
   const ConfigNode* duration = tree.find("duration");
   if (duration == nullptr || tree.find("judged_after") != nullptr) return;
-  if (tree.find("criteria") == nullptr) return;
+  if (std::ranges::find(assignments, "criteria=none") != assignments.end()) return;
   const bool is_changed = std::ranges::any_of(assignments, [](const std::string& assignment) {
     return assigned_path(assignment) == "duration";
   });
