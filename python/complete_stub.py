@@ -1,8 +1,9 @@
 """Completes the stub that nanobind makes: numbers may be given as an array, too, which is no Sequence. `complete_stub.py RAW.pyi OUT.pyi`"""
 
 import pathlib
+import re
 import sys
 
 if __name__ == "__main__":
-    text = pathlib.Path(sys.argv[1]).read_text().replace("collections.abc.Sequence[float]", "numpy.typing.ArrayLike")
+    text = re.sub(r"\b(?:collections\.abc\.)?Sequence\[float\]", "numpy.typing.ArrayLike", pathlib.Path(sys.argv[1]).read_text())
     pathlib.Path(sys.argv[2]).write_text("import numpy.typing\n" * ("import numpy.typing\n" not in text) + text)

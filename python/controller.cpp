@@ -47,7 +47,10 @@ bool set_stack(BoundController& self, const std::string& text, const std::string
 void bind_changes(nb::class_<BoundController>& type) {
   using Self = BoundController;
   type.def("set_stack_text", &set_stack, nb::arg("text"), nb::arg("name"), nb::arg("duration"),
-           nb::arg("own") = nb::list(), "As set_stack(), for the text of a stack file.")
+           nb::arg("own") = nb::list(),
+           nb::sig("def set_stack_text(self, text: str, name: str, duration: float, own: "
+                   "typing.Sequence[typing.Any] = ()) -> bool"),
+           "As set_stack(), for the text of a stack file.")
       .def(
           "switch_levels",
           [](Self& self, const std::vector<std::string>& add,

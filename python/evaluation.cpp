@@ -283,11 +283,9 @@ class HandEvaluator {
     return metrics;
   }
   [[nodiscard]] std::vector<CriterionResult> criteria(const evaluation::Metrics& metrics) const {
-    const double left = scenario_.duration - metrics.duration_s;  // [s]
+    const bool is_short = metrics.duration_s < scenario_.judged_after - 1e-9;
     return evaluation::evaluate(scenario_.criteria, metrics,
-                                left < 1.5 * scenario_.controller.period
-                                    ? evaluation::Extent::whole
-                                    : evaluation::Extent::part);
+                                is_short ? evaluation::Extent::part : evaluation::Extent::whole);
   }
   void close() {
     if (!recorder_) return;

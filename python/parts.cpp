@@ -19,16 +19,21 @@
 namespace surefoot::python {
 namespace {
 
+std::string text_of(const nb::object& object) {
+  return nb::cast<std::string>(nb::str(nb::handle(object)));
+}
+
 /// "ValueError: no room (my_task.py, line 12)"
 std::string one_line(const nb::python_error& error) {
-  const auto name = nb::cast<std::string>(error.type().attr("__name__"));
-  const auto what = nb::cast<std::string>(nb::str(error.value()));
-  const nb::list frames(nb::module_::import_("traceback").attr("extract_tb")(error.traceback()));
+  const std::string name = text_of(error.type().attr("__name__"));
+  const std::string what = text_of(nb::borrow<nb::object>(error.value()));
+  if (!error.traceback().is_valid()) return name + ": " + what;  // raised by C
+  const nb::object frames = nb::module_::import_("traceback").attr("extract_tb")(error.traceback());
   if (nb::len(frames) == 0) return name + ": " + what;
-  const nb::object last = frames[nb::len(frames) - 1];
-  const nb::object file = nb::module_::import_("os.path").attr("basename")(last.attr("filename"));
-  return name + ": " + what + " (" + nb::cast<std::string>(file) + ", line " +
-         nb::cast<std::string>(nb::str(last.attr("lineno"))) + ")";
+  const nb::object last = frames[-1];
+  const std::string file = text_of(last.attr("filename"));
+  return name + ": " + what + " (" + file.substr(file.rfind('/') + 1) + ", line " +
+         text_of(last.attr("lineno")) + ")";
 }
 
 /// Calls with the interpreter's lock.
@@ -46,9 +51,8 @@ template <typename T>
 const T& result_of(nb::handle object, const char* method, const char* type, nb::handle result) {
   const T* found = nullptr;
   if (nb::try_cast<const T*>(result, found) && found != nullptr) return *found;
-  throw Error(nb::cast<std::string>(nb::str(object.type().attr("__name__"))) + "." + method +
-              " returned " + nb::cast<std::string>(nb::repr(result)) + "; a " + type +
-              " would be valid");
+  throw Error(text_of(object.type().attr("__name__")) + "." + method + " returned " +
+              text_of(nb::repr(result)) + "; a " + type + " would be valid");
 }
 
 // Estimator.
@@ -247,8 +251,7 @@ Array numbers(nb::handle given, const char* what) {
       nb::module_::import_("numpy").attr("ascontiguousarray")(given, nb::arg("dtype") = "float64");
   Array array;
   if (nb::try_cast<Array>(made, array)) return array;
-  throw Error(std::string("rows() gave ") + what + " of shape " +
-              nb::cast<std::string>(nb::str(made.attr("shape"))) +
+  throw Error(std::string("rows() gave ") + what + " of shape " + text_of(made.attr("shape")) +
               "; A of shape (rows, unknowns) and bounds of shape (rows,) would be valid");
 }
 
@@ -259,7 +262,7 @@ class PythonTask final : public tasks::Task {
     name_ = nb::cast<std::string>(task.attr("task"));
     const nb::object most = task.attr("max_rows");
     if (!nb::try_cast<int>(most, max_rows_) || max_rows_ < 1)
-      throw Error("task \"" + name_ + "\": max_rows is " + nb::cast<std::string>(nb::repr(most)) +
+      throw Error("task \"" + name_ + "\": max_rows is " + text_of(nb::repr(most)) +
                   "; the largest number of rows that rows() gives, at least 1, is valid");
     row_names_ = nb::cast<std::vector<std::string>>(task.attr("row_names"));
   }
@@ -284,7 +287,7 @@ class PythonTask final : public tasks::Task {
   void append(nb::handle given, Eigen::Index num_velocities, solver::Level& level) const {
     const std::size_t count = nb::isinstance<nb::tuple>(given) ? nb::len(given) : 0;
     if (count != 2 && count != 3)
-      throw Error("rows() gave " + nb::cast<std::string>(nb::repr(given)).substr(0, 60) +
+      throw Error("rows() gave " + text_of(nb::repr(given)).substr(0, 60) +
                   "; (A, b) for A x = b, (A, lower, upper) or None would be valid");
     const auto A = numbers<Numbers2>(given[0], "A");
     const auto lower = numbers<Numbers1>(given[1], "a bound");
@@ -361,6 +364,7 @@ tasks::OwnTasks own_tasks(const nb::list& list) {
   tasks::OwnTasks own;
   for (const nb::handle each : list) {
     const SharedObject object(nb::borrow<nb::object>(each));
+    (void)PythonTask(object);  // refuses one without rows
     own.add({.info = {.name = nb::cast<std::string>(each.attr("task")),
                       .unit = nb::cast<std::string>(each.attr("unit"))},
              .make = [object](const tasks::TaskParameters&) -> std::unique_ptr<tasks::Task> {

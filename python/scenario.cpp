@@ -102,6 +102,8 @@ void bind_scenario(nb::module_& module) {
   module.def(
       "read_scenario", &load, nb::arg("name"), nb::arg("seed") = 0,
       nb::arg("set") = std::vector<std::string>(), nb::arg("own") = nb::list(),
+      nb::sig("def read_scenario(name: str, seed: int = 0, set: typing.Sequence[str] = (), own: "
+              "typing.Sequence[typing.Any] = ()) -> Scenario"),
       "Reads a scenario, by its name or as a path that ends in .yaml.\n\n"
       "seed: 0 is the nominal run; any other draws what `randomise:` lists.\n"
       "set: \"path.to.key=value\", laid over the file.\n"

@@ -120,7 +120,8 @@ class Recorded:
         the truth, or as at the "start", by which the estimate's drift is counted."""
         if at not in ("feet", "start"):
             raise KeyError(f"X_WS is by the feet or as at the start; {valid_names(at, ['feet', 'start'])}")
-        return transforms(self._alignment(f"{at}.p_WS"), self._alignment(f"{at}.q_WS"))
+        found: Array = transforms(self._alignment(f"{at}.p_WS"), self._alignment(f"{at}.q_WS"))
+        return found
 
     def in_W(self, name: str, at: str = "feet") -> Array:
         """A vector of the truth in the controller's world: `in_W("truth.p_SCom")`."""
@@ -130,7 +131,8 @@ class Recorded:
         X = self.X_WS(at)
         turned = np.einsum("nij,nj->ni", X[:, :3, :3], np.asarray(values))
         is_place = any(part == "point" or part.startswith("p_") for part in name.split("."))
-        return in_world(turned + X[:, :3, 3] if is_place else turned, "W")
+        found: Array = in_world(turned + X[:, :3, 3] if is_place else turned, "W")
+        return found
 
     def aligned_error(self, name: str) -> Array:
         """Of each tick an error with both worlds aligned: of the plan "com" (x and y, truth minus plan) and "height", by the feet that stand; of the

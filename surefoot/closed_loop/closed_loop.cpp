@@ -240,6 +240,7 @@ class ClosedLoop {
     result.torques_hash = torques_.value();
     result.drawn = scenario_.drawn;
     result.notes = notes();
+    if (!controller_.fault().empty()) result.notes.push_back(controller_.fault());
     if (options_.steering != nullptr) result.changes = changes_;
     if (recorder_) close_log(result);
     return result;

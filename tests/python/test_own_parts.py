@@ -86,8 +86,18 @@ def test_a_task_that_goes_wrong_ends_in_a_safe_posture_and_a_message_that_names_
 
 
 def test_of_a_run_the_reason_names_the_task():
-    result = surefoot.run(standing(type("Bad", (Height,), {"rows": lambda self, tick: raising(tick)})("bad")))
+    class Bad(Height):
+        begin = 0.2
+
+        def rows(self, tick):
+            return raising(tick) if tick.plan.time >= self.begin else super().rows(tick)
+
+    result = surefoot.run(standing(Bad("bad")))
     assert not result.succeeded and '"bad"' in result.reason
+    never = Bad("never")
+    never.begin = 0.0
+    result = surefoot.run(standing(never, duration=0.2))
+    assert result["fallback_ticks"] == 80 and any('"never"' in note for note in result.notes)
 
 
 @pytest.mark.parametrize("make, said", [

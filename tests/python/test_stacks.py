@@ -103,7 +103,8 @@ def test_levels_are_taken_off_and_put_back_while_it_walks(stack):
     scenario = surefoot.load_scenario("walk_flat_ideal", stack=stack)
     plant = surefoot.Plant(scenario)
     controller = surefoot.Controller(scenario, plant)
-    plant.write(controller.step(plant.read(), scenario.user(0.0)))
+    for _ in range(40):
+        plant.write(controller.step(plant.read(), scenario.user(0.0)))
     assert controller.switch_levels(remove=["torso_height"], duration=0.01)
     for _ in range(8):
         plant.write(controller.step(plant.read(), scenario.user(plant.time)))
