@@ -47,6 +47,7 @@ struct Body {
     for (const Leg k : legs.all()) legs[k].use(given, time);
     footholds.use(given.stance, given.foothold);
     com.use(given.force);
+    grip.use(given.grip, given.force.friction);
   }
   /// Fits the terrain plane to the footholds.
   void fit_plane() {

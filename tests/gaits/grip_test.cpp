@@ -30,6 +30,20 @@ TEST(Grip, AFootThatSlidesIsGivenLessThanTheRatioAtWhichItDoes) {
   EXPECT_EQ(grip.friction(Leg::LF), kConfigured);
 }
 
+TEST(Grip, AnotherGaitBringsItsFrictionButForOneThatTheUserHasSet) {
+  GripOptions options;
+  Grip grip(options, kConfigured, kPeriod);
+  grip.use(options, 0.4);
+  EXPECT_EQ(grip.friction(Leg::LF), 0.4);
+  grip.use(options, kConfigured);
+  EXPECT_EQ(grip.friction(Leg::LF), 0.4);  // recovers as after a slip
+  for (int i = 0; i < 4000; ++i) grip.update(standing(), kUp);
+  EXPECT_EQ(grip.friction(Leg::LF), kConfigured);
+  grip.expect(0.7);
+  grip.use(options, 0.4);
+  EXPECT_EQ(grip.friction(Leg::LF), 0.7);
+}
+
 TEST(Grip, TheRatioIsAboutThePyramidOfTheFoot) {
   Grip grip(GripOptions{}, kConfigured, kPeriod);
   const Vec3 normal = Vec3(0.2, 0.0, 1.0).normalized();

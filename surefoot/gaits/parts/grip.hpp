@@ -23,13 +23,21 @@ class Grip {
         friction_(num_legs, friction),
         slid_(num_legs, false),
         began_(num_legs, false) {
-    expect(friction);
+    configured_ = friction;
   }
 
-  /// Sets the configured friction coefficient, and that of every foot.
+  /// Sets the configured friction coefficient, and that of every foot, whatever the gait.
   void expect(double friction) {
+    is_told_ = true;
     configured_ = friction;
     friction_.fill(friction);
+  }
+  /// Goes on with another gait's options: a higher coefficient recovers as after a slip.
+  void use(const GripOptions& options, double friction) {
+    options_ = options;
+    if (is_told_) return;
+    configured_ = friction;
+    for (double& foot : friction_) foot = std::min(foot, friction);
   }
 
   /// One tick. True if a foot began or stopped sliding: its foothold has moved.
@@ -52,6 +60,7 @@ class Grip {
   Scale scale_;
   PerLeg<double> friction_;
   PerLeg<bool> slid_, began_;
+  bool is_told_ = false;  // the friction, by the user
 };
 
 }  // namespace surefoot::gaits
