@@ -76,7 +76,7 @@ export class DrivePanel {
       h("label", { class: "field" }, "Direction in the world", h("span", { class: "with-unit" }, this.direction, this.directionText)),
       h("button", { id: "push", class: "primary", title: "push (p)", onclick: () => this.push() }, "Push"),
       h("h2", {}, "Walk"), this.asked,
-      h("div", { class: "row", role: "group", "aria-label": "gait", hidden: gaits.length === 0 }, ...this.gaitButtons),
+      h("div", { class: "gaits", role: "group", "aria-label": "gait" }, ...this.gaitButtons),
       this.axis("forward", "Forward", "m/s", "w", "s"), this.axis("left", "To the left", "m/s", "a", "d"),
       this.axis("turn", "Turn left", "rad/s", "q", "e"), this.axis("height", "Torso height", "m", "PgUp", "PgDn"),
       h("div", { class: "row" },
