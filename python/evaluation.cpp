@@ -147,22 +147,32 @@ void bind_result(nb::module_& module) {
 
 /// What a run's callback is given before each tick; `Tick` in Python.
 struct Tick {
-  simulation::Plant* plant;
+  simulation::Plant* plant;  // null: the run has ended
   BoundController controller;
   UserCommand user;
   bool stops = false;
 };
 
+Tick& in_run(Tick& tick) {
+  if (tick.plant == nullptr) throw Error("the run of this tick has ended");
+  return tick;
+}
+
 void bind_tick(nb::module_& module) {
   nb::class_<Tick>(module, "Tick", "A run between two ticks; it ends with the run.")
       .def("__repr__",
-           [](const Tick& self) { return formatted("<tick at %.4f s>", self.plant->time()); })
+           [](Tick& self) {
+             return self.plant == nullptr ? std::string("<tick of a run that has ended>")
+                                          : formatted("<tick at %.4f s>", self.plant->time());
+           })
       .def_prop_ro(
-          "time", [](const Tick& self) { return self.plant->time(); }, "[s]")
+          "time", [](Tick& self) { return in_run(self).plant->time(); }, "[s]")
       .def_prop_ro(
-          "plant", [](Tick& self) -> simulation::Plant& { return *self.plant; },
+          "plant", [](Tick& self) -> simulation::Plant& { return *in_run(self).plant; },
           nb::rv_policy::reference_internal)
-      .def_ro("controller", &Tick::controller, "as it was after the tick before")
+      .def_prop_ro(
+          "controller", [](Tick& self) -> BoundController& { return in_run(self).controller; },
+          nb::rv_policy::reference_internal, "as it was after the tick before")
       .def_rw("user", &Tick::user, "the scenario's command; write another into it")
       .def("stop", [](Tick& self) { self.stops = true; }, "Ends the run before this tick.");
 }
@@ -172,6 +182,12 @@ class TickHook final : public closed_loop::RunSteering {
  public:
   TickHook(const config::Scenario& scenario, nb::callable every_tick)
       : scenario_(scenario), every_tick_(std::move(every_tick)) {}
+  TickHook(const TickHook&) = delete;
+  TickHook& operator=(const TickHook&) = delete;
+  ~TickHook() override {
+    const nb::gil_scoped_acquire python;
+    if (tick_.is_valid()) nb::cast<Tick&>(tick_).plant = nullptr;
+  }
 
   void begin(const closed_loop::RunParts& parts) override {
     const nb::gil_scoped_acquire python;

@@ -204,8 +204,10 @@ void bind_planner(nb::module_& module) {
       .def(
           "__init__",
           [](Self* self, const config::Scenario& scenario) {
-            new (self) Self{gaits::make_planner(scenario.controller.planner,
-                                                scenario.controller.period, scenario.robot.scale)};
+            const control::ControllerOptions& options = scenario.controller;
+            new (self)
+                Self{gaits::make_planner(options.planner, options.period, scenario.robot.scale,
+                                         options.gaits, options.first_gait)};
           },
           nb::arg("scenario"), "With the library's, which super().update() then asks.")
       .def(

@@ -17,15 +17,21 @@ namespace surefoot::python {
 namespace {
 
 SensorReading sensor_reading(int num_joints) {
-  if (num_joints < kNumLegJoints || num_joints > kMaxJoints)
-    throw Error("num_joints is " + std::to_string(num_joints) + "; a robot has " +
-                std::to_string(kNumLegJoints) + " to " + std::to_string(kMaxJoints) + " joints");
+  if (num_joints < 1 || num_joints > kMaxJoints)
+    throw Error("num_joints is " + std::to_string(num_joints) + "; a robot has 1 to " +
+                std::to_string(kMaxJoints) + " joints");
   SensorReading reading;
   reading.q = reading.torque = JointVector::Constant(num_joints, kNaN);
   return reading;
 }
 
+void check_num_legs(int num_legs) {
+  if (num_legs == 2 || num_legs == 4 || num_legs == 6) return;
+  throw Error("num_legs is " + std::to_string(num_legs) + "; a robot has 2, 4 or 6 legs");
+}
+
 RobotState robot_state(int num_joints, int num_legs) {
+  check_num_legs(num_legs);
   RobotState state;
   state.q = state.qd = state.torque = sensor_reading(num_joints).q;
   state.size_legs(num_legs);
@@ -139,6 +145,7 @@ void bind_signals(nb::module_& module) {
       .def(
           "__init__",
           [](MotionPlan* self, int num_legs) {
+            check_num_legs(num_legs);
             new (self) MotionPlan();
             self->feet.resize(num_legs);
           },

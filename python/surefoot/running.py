@@ -13,7 +13,7 @@ from types import SimpleNamespace
 from typing import TYPE_CHECKING, Any
 
 from surefoot import _core
-from surefoot._core import Estimator, Planner, Result, Robot, Scenario, Tick
+from surefoot._core import Error, Estimator, Planner, Result, Robot, Scenario, Tick
 from surefoot._errors import told_as_error
 from surefoot.control import load_scenario
 from surefoot.stack import Stack
@@ -43,6 +43,8 @@ def run(
 
     estimator, planner: your own, in place of the library's.
     seed, set, robot, stack: as for load_scenario(), where the scenario is a name. Other threads go on meanwhile; Ctrl-C ends it."""
+    if isinstance(scenario, Scenario) and (seed, [*set], robot, stack) != (0, [], None, None):
+        raise Error("seed, set, robot and stack are for a scenario's name: give them to load_scenario()")
     given = scenario if isinstance(scenario, Scenario) else load_scenario(scenario, seed, set, robot=robot, stack=stack)
     return _core.run_scenario(given, None if record is None else os.fspath(record), every_tick, estimator, planner)
 

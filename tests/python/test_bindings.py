@@ -220,8 +220,10 @@ def test_a_reading_has_the_joints_of_a_robot_with_an_arm():
     reading = surefoot.SensorReading(num_joints=len(scenario.joint_names))
     assert reading.q.shape == reading.torque.shape == (18,)
     assert np.isnan(reading.q).all()
-    with pytest.raises(surefoot.Error, match="num_joints is 3; a robot has 12 to 32 joints"):
-        surefoot.SensorReading(num_joints=3)
+    with pytest.raises(surefoot.Error, match="num_joints is 33; a robot has 1 to 32 joints"):
+        surefoot.SensorReading(num_joints=33)
+    with pytest.raises(surefoot.Error, match="num_legs is 12; a robot has 2, 4 or 6 legs"):
+        surefoot.MotionPlan(num_legs=12)
 
 
 def test_torques_of_ones_own_are_applied(scenario):

@@ -149,3 +149,17 @@ def test_a_campaign_gives_tables_and_compares_cases_seed_by_seed(tmp_path):
         assert len(found.frame) == 4
     with pytest.raises(surefoot.Error, match="seeds"):
         surefoot.campaign({"scenario": "walk_flat"})
+
+
+def test_a_tick_that_is_kept_says_that_its_run_has_ended():
+    ticks = []
+    surefoot.run("walk_flat_ideal", set=["duration=0.01"], every_tick=ticks.append)
+    assert "ended" in repr(ticks[-1])
+    for name in ("time", "plant", "controller"):
+        with pytest.raises(surefoot.Error, match="the run of this tick has ended"):
+            getattr(ticks[-1], name)
+
+
+def test_what_is_for_a_name_is_refused_for_a_scenario():
+    with pytest.raises(surefoot.Error, match="are for a scenario's name"):
+        surefoot.run(surefoot.load_scenario("walk_flat_ideal"), seed=1)
