@@ -58,14 +58,16 @@ const RobotState& LegInertialEstimator::update(const SensorReading& reading,
     gyro_before_ = reading.gyro;
     stand_at({0.0, 0.0, height_over_feet()});
   } else if (context.restarts && is_complete) {
-    start(reading, {.gyro_bias = mean_gyro_, .specific_force = mean_force_}, yaw(filter_.R_WB()));
+    start(reading, state_at_restart(), yaw(filter_.R_WB()));
     stand_at(p_before);
   } else {
     take_over(context.kinematics, reading.q);
     advance(reading, dt, is_complete);
     add_turn_uncertainty();
+    has_stood_ = true;
     for (const Leg leg : feet_.legs()) update_foot(leg, context.contacts[index(leg)], dt);
   }
+  hung_ = hangs;
   write_joints(reading, context);
   write_base(reading);
   if (options_.predict) predict(context);
@@ -73,7 +75,7 @@ const RobotState& LegInertialEstimator::update(const SensorReading& reading,
 }
 
 void LegInertialEstimator::restart() noexcept {
-  started_ = false;
+  started_ = hung_ = has_stood_ = false;
   standing_start_.restart();
   chains_ = described_;
   const auto num_legs = static_cast<int>(feet_.size());
@@ -121,6 +123,15 @@ void LegInertialEstimator::hang(const SensorReading& reading, double dt) {
   update_kinematics(reading);
   p_WB.z() = ground + height_over_feet();
   stand_at(p_WB);
+}
+
+// A robot that has just stood up still sways: its turning is no bias, and its acceleration no tilt.
+StandingStart::State LegInertialEstimator::state_at_restart() const {
+  StandingStart::State result{.gyro_bias = mean_gyro_, .specific_force = mean_force_};
+  if (!hung_) return result;
+  result.specific_force = kGravity * filter_.R_WB().row(2);
+  if (has_stood_) result.gyro_bias = filter_.gyro_bias();
+  return result;
 }
 
 void LegInertialEstimator::start(const SensorReading& reading, const StandingStart::State& standing,

@@ -71,6 +71,7 @@ class LegInertialEstimator final : public StateEstimator {
                             const JointVector& joint_velocity) noexcept;
   /// One tick of a robot off its feet.
   void hang(const SensorReading& reading, double dt);
+  [[nodiscard]] StandingStart::State state_at_restart() const;
   void start(const SensorReading& reading, const StandingStart::State& standing, double heading);
   void stand_at(const Vec3& p_WB);
   /// Mean height of the base above the ground at the feet [m].
@@ -104,6 +105,8 @@ class LegInertialEstimator final : public StateEstimator {
   double farthest_ = 0.0;             // the base's largest distance from there [m]
   RobotState state_;
   bool started_ = false;
+  bool hung_ = false;       // at the last tick
+  bool has_stood_ = false;  // so the gyroscope's bias is known
   StandingStart standing_start_;
 };
 

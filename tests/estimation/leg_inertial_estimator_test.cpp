@@ -429,6 +429,31 @@ TEST(LegInertialEstimator, OffItsFeetItRestsWhereItWasAndTurns) {
   }
 }
 
+// A torso that sways on its soft legs after it was set down: neither bias nor tilt.
+TEST(LegInertialEstimator, SetDownItKeepsWhatItKnowsOfTheGyroscopeAndOfTheTilt) {
+  const Vec3 bias(0.02, -0.01, 0.005);
+  TurningRobot robot(KinematicErrors{}, {.duration = 6.0, .settle = 100.0});
+  LegInertialEstimator estimator(robot.description(), {}, TurningRobot::kPeriod);
+  TickContext context = standing();
+  RobotState state;
+  SensorReading reading;
+  for (int i = 0; i < 1200; ++i) {
+    context.off_its_feet = i >= 400;
+    const double phase = 25.0 * std::max(0, i - 1120) * TurningRobot::kPeriod;  // two seconds later
+    reading = robot.reading();
+    reading.gyro += bias + 0.3 * std::sin(phase) * Vec3::UnitX();
+    reading.accelerometer.y() += std::sin(phase);
+    state = estimator.update(reading, context);
+    robot.tick();
+  }
+  const Mat3 R_WB = state.R_WB();
+  context.off_its_feet = false;
+  context.restarts = true;
+  state = estimator.update(reading, context);
+  EXPECT_LT((reading.gyro - state.w_WB_B - bias).norm(), 0.002);
+  EXPECT_LT(state.R_WB().row(2).cross(R_WB.row(2)).norm(), 1e-9);
+}
+
 // 4 m/s² for a tenth of a second, as hands set it down.
 TEST(LegInertialEstimator, OffItsFeetAJoltIsNoTilt) {
   TurningRobot robot(KinematicErrors{}, {.duration = 6.0, .settle = 100.0});
