@@ -78,7 +78,7 @@ def written(block, folder):
     elif FRAGMENT.match(block):
         base = "" if block.startswith("base:") else f"base: {'reach' if 'reach:' in block else 'step_down'}.yaml\n"
         (folder / "fragment.yaml").write_text(base + block)
-        tried(["bash", "-c", "bin/surefoot run fragment.yaml"], folder)
+        tried(["bash", "-c", "surefoot run fragment.yaml"], folder)
 
 
 @pytest.mark.parametrize("page", [page for page in PAGES if page.name != "your_robot.md"], ids=lambda page: page.relative_to(ROOT).as_posix())

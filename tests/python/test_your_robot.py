@@ -1,5 +1,6 @@
 """docs/your_robot.md is followed to the letter: its commands run, its files are written, and what it quotes is printed."""
 
+import os
 import re
 import subprocess
 import sys
@@ -19,7 +20,8 @@ def follow(folder):
     printed = ""
     for kind, block in BLOCK.findall(PAGE.read_text()):
         if kind == "sh":
-            printed = subprocess.run(["bash", "-c", block], cwd=folder, capture_output=True, text=True).stdout
+            environment = os.environ | {"PATH": f"{folder}/bin:{os.environ['PATH']}"}
+            printed = subprocess.run(["bash", "-c", block], cwd=folder, env=environment, capture_output=True, text=True).stdout
         elif kind == "yaml":
             (folder / re.match(r"# (\S+)", block)[1]).write_text(block)
         else:
