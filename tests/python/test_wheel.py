@@ -9,15 +9,16 @@ import subprocess
 import sys
 import sysconfig
 import urllib.request
+import warnings
 import zipfile
 
 import pytest
 from program import ROOT
 
+sys.path.insert(0, str(ROOT / "tools"))
+import wheels
+
 pytestmark = pytest.mark.slow
-# As the tree's own build, so that ccache has every object already.
-COMPILERS = {"CC": "/usr/bin/cc", "CXX": "/usr/bin/c++"}
-SETTINGS = ["--config-settings=cmake.define.SUREFOOT_WARNINGS_AS_ERRORS=ON"]
 LIBRARIES = pathlib.Path(sysconfig.get_path("platlib"))
 
 
@@ -29,27 +30,32 @@ def tool(*command, **options):
 
 @pytest.fixture(scope="module")
 def wheel(tmp_path_factory):
-    folder = tmp_path_factory.mktemp("wheel")
-    tool(sys.executable, "-m", "pip", "wheel", "--no-deps", "--no-build-isolation", *SETTINGS, "--wheel-dir", folder, ".",
-         cwd=ROOT, env=os.environ | COMPILERS)  # fmt: skip
-    [file] = folder.glob("*.whl")
-    return file
+    return wheels.build("{}.{}".format(*sys.version_info), sys.executable, tmp_path_factory.mktemp("wheel"))
 
 
-@pytest.fixture(scope="module")
-def site(wheel, tmp_path_factory):
-    """An environment with the wheel. The packages that it depends on are those of this one, beside it as pip would lay them."""
-    environment = tmp_path_factory.mktemp("environment") / "venv"
-    tool(sys.executable, "-m", "venv", "--without-pip", environment)
+def installed(wheel, python, folder, own=()):
+    """The packages' folder of an environment with the wheel. The packages that it depends on are those of this one, beside it as pip would lay
+    them, but for `own`, which are fetched for this Python."""
+    environment = folder / "venv"
+    tool(python, "-m", "venv", *[] if own else ["--without-pip"], environment)
     [site] = environment.glob("lib/python*/site-packages")
+    pip = [environment / "bin/python", "-m", "pip"] if own else [sys.executable, "-m", "pip", "--python", environment / "bin/python"]
+    if own:
+        wanted = re.findall(rf"^(?:{'|'.join(own)})==.*", (ROOT / "dependencies/python.txt").read_text(), re.MULTILINE)
+        tool(*pip, "install", "--no-deps", *wanted)
     for entry in LIBRARIES.iterdir():
-        if entry.name != "pip":
+        if not entry.name.startswith("pip") and not (site / entry.name).exists():
             (site / entry.name).symlink_to(entry)
     robots = site / "example_robot_data-6.0.0.dist-info"  # tools/setup.sh unpacks what it needs of this one
     robots.mkdir()
     (robots / "METADATA").write_text("Metadata-Version: 2.1\nName: example-robot-data\nVersion: 6.0.0\n")
-    tool(sys.executable, "-m", "pip", "--python", environment / "bin/python", "install", "--no-deps", "--no-index", wheel)
+    tool(*pip, "install", "--no-deps", "--no-index", wheel)
     return site
+
+
+@pytest.fixture(scope="module")
+def site(wheel, tmp_path_factory):
+    return installed(wheel, sys.executable, tmp_path_factory.mktemp("environment"))
 
 
 class Installed:
@@ -219,3 +225,18 @@ def test_two_versions_in_one_process_are_refused(surefoot, other_site):
     shutil.rmtree(other_site / "surefoot")
     for told in (refused(surefoot, *IMPORT, PYTHONPATH=str(other_site)), refused(surefoot, "surefoot", "list", "robots", PYTHONPATH=str(other_site))):
         assert "two versions of Surefoot lie side by side" in told and str(other_site) in told
+
+
+def test_other_pythons_that_are_here_walk_with_their_wheel(tmp_path_factory):
+    pythons, missing = wheels.found()
+    if missing:
+        warnings.warn(f"no Python {', '.join(missing)} here: its wheel is not tried", stacklevel=1)
+    folder, code = tmp_path_factory.mktemp("wheel"), "import mujoco, surefoot; print(surefoot.run('walk_flat_ideal', set=['duration=0.2'])['fell'])"
+    for version, python in pythons.items():
+        if version == "{}.{}".format(*sys.version_info):
+            continue
+        site = installed(wheels.build(version, python, folder), python, tmp_path_factory.mktemp(version), ["numpy", "mujoco-core"])
+        surefoot = Installed(site, tmp_path_factory.mktemp("empty"))
+        assert "experiments" in surefoot("demo", "--help").lower()
+        assert "fell" in surefoot("run", "walk_flat_ideal", "--set", "duration=0.2", "criteria=none")
+        assert surefoot.run("python", "-c", f"import sys; assert '%d.%d' % sys.version_info[:2] == '{version}'; {code}").strip() == "False"
