@@ -3,6 +3,8 @@
 #include "cli/exit_code.hpp"
 #include "cli/progress.hpp"
 #include "surefoot/base/printable.hpp"
+#include "surefoot/config/data_file.hpp"
+#include "surefoot/config/robot_file.hpp"
 #include "surefoot/doctor/picture.hpp"
 #include "surefoot/doctor/report.hpp"
 #include "surefoot/doctor/robot_file_text.hpp"
@@ -10,11 +12,19 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <filesystem>
 #include <iostream>
 #include <memory>
 
 namespace surefoot::cli {
 namespace {
+
+/// The file to examine: a robot that ships is known by its name.
+std::string file_of(const std::string& given) {
+  const std::vector<std::string> ours = config::list_data("robots");
+  const bool is_name = !std::filesystem::exists(given) && std::ranges::count(ours, given) > 0;
+  return is_name ? config::load_robot(given).urdf_path : given;
+}
 
 /// Guesses stand in for what the robot file lacks.
 std::vector<doctor::Trial> walk(const doctor::Diagnosis& robot) {
@@ -48,7 +58,7 @@ void write_files(const doctor::Diagnosis& robot, const std::string& file) {
 
 int doctor_command(const DoctorArguments& arguments) {
   runtime::watch_for_interrupt();
-  const doctor::Diagnosis robot = doctor::examine(arguments.urdf, arguments.name);
+  const doctor::Diagnosis robot = doctor::examine(file_of(arguments.urdf), arguments.name);
   const bool can_walk = robot.robot.has_value();
   if (!arguments.out.empty()) write_files(robot, arguments.out);
   if (arguments.walk && !can_walk)

@@ -16,6 +16,8 @@
 #include "surefoot/config/scaling.hpp"
 #include "surefoot/config/stack_file.hpp"
 #include "surefoot/logging/json_text.hpp"
+#include "surefoot/model/proportions.hpp"
+#include "surefoot/model/robot_model.hpp"
 #include "surefoot/tasks/catalog.hpp"
 
 #include <algorithm>
@@ -28,21 +30,24 @@ using Table = std::vector<std::vector<std::string>>;
 
 std::string number(double value) { return formatted("%g", value); }
 
-/// A robot's URDF, or why there is none: descriptions come with other packages.
-std::string description_of(const std::string& robot) {
+/// What a robot is and its URDF, or why there is none: descriptions come with other packages.
+std::vector<std::string> described_robot(const std::string& name) {
   try {
-    return config::load_robot(robot).urdf_path;
+    const model::RobotDescription robot = config::load_robot(name);
+    model::RobotModel model(robot);
+    return {name, std::to_string(robot.num_legs()) + " legs",
+            std::to_string(robot.num_joints()) + " joints",
+            formatted("%.3g kg", model::proportions_of(model).mass), robot.urdf_path};
   } catch (const Error& error) {
     const std::string text = error.what();
-    return text.substr(0, text.find("; "));
+    return {name, text.substr(0, text.find("; "))};
   }
 }
 
 Table robots() {
   Table table;
-  for (const std::string& name : config::list_data("robots")) {
-    table.push_back({name, description_of(name)});
-  }
+  for (const std::string& name : config::list_data("robots"))
+    table.push_back(described_robot(name));
   return table;
 }
 
@@ -153,8 +158,6 @@ int list_schema_command(const std::string& kind) {
   return kPassed;
 }
 
-}  // namespace
-
 const std::vector<std::string>& listable() {
   static const std::vector<std::string> kListable{"robots",         "stacks",  "gaits",
                                                   "scenarios",      "tasks",   "metrics",
@@ -162,7 +165,13 @@ const std::vector<std::string>& listable() {
   return kListable;
 }
 
+}  // namespace
+
 int list_command(const std::string& what, const ListFilter& filter) {
+  const std::vector<std::string>& all = listable();
+  if (std::ranges::find(all, what) == all.end())
+    throw Error((what.empty() ? "say what to list; " : "there is no list \"" + what + "\"; ") +
+                config::valid_names(what, all));
   if (what == "options") return list_options_command(filter);
   if (what == "schema") return list_schema_command(filter.about);
   if (!filter.about.empty()) throw Error("only of options and schemas there is a part to list");

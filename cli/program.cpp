@@ -223,10 +223,9 @@ void add_list(CLI::App& app, Command& chosen) {
   list->footer(kListFooter);
   const auto what = std::make_shared<std::string>();
   const auto filter = std::make_shared<ListFilter>();
-  list->add_option("what", *what,
-                   "robots, stacks, gaits, scenarios, randomisations, tasks, options or schema")
-      ->required()
-      ->check(CLI::IsMember(listable()));
+  list->add_option(
+      "what", *what,
+      "robots, stacks, gaits, scenarios, randomisations, tasks, metrics, options or schema");
   list->add_option("about", filter->about,
                    "How keys of options begin; or the kind of file that a schema is of");
   list->add_flag("--json", filter->json, "Print options or metrics as JSON");
@@ -241,7 +240,9 @@ void add_doctor(CLI::App& app, Command& chosen) {
   CLI::App* doctor = app.add_subcommand("doctor", "Examine a URDF and make the robot file of it");
   doctor->footer(kDoctorFooter);
   const auto arguments = std::make_shared<DoctorArguments>();
-  doctor->add_option("description", arguments->urdf, "URDF or MJCF: a file, or a package:// name")
+  doctor
+      ->add_option("description", arguments->urdf,
+                   "URDF or MJCF: a file, a package:// name, or the name of a robot that ships")
       ->required();
   doctor->add_option("--out", arguments->out, "Write the robot file here (YAML)")
       ->check(some_name());

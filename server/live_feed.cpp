@@ -92,7 +92,7 @@ void LiveFeed::begin_again(ViewRun begun) {
   changes_ = 0;
   past_.clear();
   history_.clear();
-  start_.reset();
+  aligner_ = {};
   calibrates_till_.reset();
   ended_.clear();
   tick_ = 0;
@@ -231,13 +231,13 @@ void LiveFeed::keep(const std::vector<SharedBlock>& blocks) {
 }
 
 void LiveFeed::take(const ViewTick& tick, std::string& bytes) {
-  if (!start_) start_ = evaluation::start_alignment(tick.truth, tick.record.state);
-  if (evaluation::estimate_restarts(tick.record)) start_.reset();
+  const evaluation::Alignment& alignment = aligner_.update(tick.truth, tick.record);
+  const auto& start = aligner_.start();
   see_calibration(tick.record);
   logging::HierarchyNamer namer(names_);
   const logged::Timing timing = logged::timing_of(tick.timing, names_.levels);
   to_frame({tick.number, tick.record, namer.name(tick.record.hierarchy), cone_, &tick.truth,
-            &timing, start_ ? &*start_ : nullptr},
+            &timing, &alignment, start ? &*start : nullptr},
            session_.channels, frame_);
   for (const std::string& event : finder_->see(frame_)) add_event(frame_.time, event);
   pack(frame_, bytes);

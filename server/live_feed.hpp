@@ -120,7 +120,7 @@ class LiveFeed final : public WebContent {
   std::string ended_, recording_;
   ViewFrame frame_;
   std::optional<tasks::FrictionCone> cone_;  // of the run's stack
-  std::optional<evaluation::StartAlignment> start_;
+  evaluation::Aligner aligner_;
   const double calibration_;               // its duration [s]
   std::optional<double> calibrates_till_;  // none: the robot does not calibrate [s]
   std::uint32_t tick_ = 0;

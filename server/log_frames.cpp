@@ -1,6 +1,7 @@
 #include "server/log_frames.hpp"
 
 #include "surefoot/base/error.hpp"
+#include "surefoot/evaluation/alignment_fields.hpp"
 #include "surefoot/evaluation/truth_fields.hpp"
 #include "surefoot/logging/log_reader.hpp"
 #include "surefoot/logging/mcap_format.hpp"
@@ -28,6 +29,7 @@ struct GrowingTick {
   TickRecord record;
   logged::Hierarchy hierarchy;
   simulation::GroundTruth truth;
+  evaluation::Alignment alignment;  // a log from before it has none
   bool has_begin = false, has_end = false, has_truth = false, is_damaged = false;
 
   /// A tick begins with its readings and ends with its command; either may be lost.
@@ -48,6 +50,7 @@ struct GrowingTick {
       logged::check_joints(truth, robot.joint_names.size());
     }
     has_truth = has_truth || topic == "/truth";
+    if (topic == "/alignment") logged::Decoder::decode(message.data, alignment);
   }
 };
 
@@ -222,6 +225,7 @@ LogChunk LogFrames::decode(std::size_t number) {
               .cone = cone_,
               .truth = tick.has_truth ? &tick.truth : nullptr,
               .timing = timing == decoded.timings.end() ? nullptr : &timing->second,
+              .alignment = &tick.alignment,
               .start = start_ ? &*start_ : nullptr},
              channels_, chunk.frames.emplace_back());
   }

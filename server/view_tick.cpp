@@ -1,5 +1,6 @@
 #include "server/view_tick.hpp"
 
+#include "surefoot/evaluation/alignment_fields.hpp"
 #include "surefoot/evaluation/estimate_fields.hpp"
 #include "surefoot/evaluation/truth_fields.hpp"
 #include "surefoot/explain/seen_level.hpp"
@@ -122,6 +123,14 @@ void add_rows(const logged::Hierarchy& hierarchy, const ViewChannels& channels, 
   }
 }
 
+/// What a run without truth lacks: the last channels.
+void add_truth(const KnownTick& tick, const simulation::GroundTruth& truth,
+               logged::ChannelWriter& writer) {
+  writer.add(truth);
+  writer.add(tick.alignment == nullptr ? evaluation::Alignment() : *tick.alignment);
+  if (tick.start != nullptr) writer.add(evaluation::aligned(*tick.start, truth, tick.record.state));
+}
+
 }  // namespace
 
 ViewChannels tick_channels(const logging::LogHeader& header, const simulation::GroundTruth& truth) {
@@ -148,6 +157,7 @@ ViewChannels tick_channels(const logging::LogHeader& header, const simulation::G
       channel.values = texts_of(channel.name, channels.joint_names);
   lister.add("timings", logged::Timing());
   lister.add("truth", truth);
+  lister.add("alignment", evaluation::Alignment());
   lister.add("estimate", evaluation::AlignedEstimate());
   return channels;
 }
@@ -169,9 +179,7 @@ void to_frame(const KnownTick& tick, const ViewChannels& channels, ViewFrame& fr
   writer.add(forces);
   writer.add(told(tick, forces, channels));
   writer.add(tick.timing == nullptr ? no_timing() : *tick.timing);
-  if (tick.truth != nullptr) writer.add(*tick.truth);
-  if (tick.truth != nullptr && tick.start != nullptr)
-    writer.add(evaluation::aligned(*tick.start, *tick.truth, tick.record.state));
+  if (tick.truth != nullptr) add_truth(tick, *tick.truth, writer);
   add_rows(tick.hierarchy, channels, frame);
   frame.events.clear();
   for (const GaitEvent& event : tick.record.plan.events)

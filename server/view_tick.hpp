@@ -2,7 +2,7 @@
 
 #include "server/frame_block.hpp"
 #include "server/view_channels.hpp"
-#include "surefoot/evaluation/start_alignment.hpp"
+#include "surefoot/evaluation/alignment.hpp"
 #include "surefoot/explain/commanded_force.hpp"
 #include "surefoot/logging/hierarchy_namer.hpp"
 #include "surefoot/signals/tick_record.hpp"
@@ -68,6 +68,7 @@ struct KnownTick {
   const std::optional<tasks::FrictionCone>& cone;  ///< of its stack
   const simulation::GroundTruth* truth = nullptr;
   const logged::Timing* timing = nullptr;
+  const evaluation::Alignment* alignment = nullptr;
   const evaluation::StartAlignment* start = nullptr;
 };
 

@@ -31,6 +31,8 @@ class Aligner {
  public:
   /// Truth and tick must be of the same time.
   const Alignment& update(const simulation::GroundTruth& truth, const TickRecord& tick);
+  /// Empty: not known, or the estimate has begun anew.
+  [[nodiscard]] const std::optional<StartAlignment>& start() const { return start_; }
 
  private:
   void compare_plan(const simulation::GroundTruth& truth, const MotionPlan& plan);

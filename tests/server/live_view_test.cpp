@@ -163,6 +163,23 @@ TEST(LiveView, the_estimate_is_counted_from_the_first_tick) {
     EXPECT_EQ(log.frame(tick)->floats.back(), static_cast<float>(turned[tick]));
 }
 
+TEST(LiveView, plan_and_truth_are_aligned_as_in_the_log) {
+  LiveTestRun run({"duration=2", "estimation=sensors", "initial.x=3", "initial.yaw=0.7"});
+  run.record();
+  LogFrames log(run.log, logging::LogReader(run.log).header());
+  const std::vector<ViewChannel>& channels = log.channels().channels;
+  for (const std::string name :
+       {"alignment.com_error", "alignment.feet.p_WS", "alignment.base_error"}) {
+    const auto channel = std::ranges::find(channels, name, &ViewChannel::name);
+    ASSERT_NE(channel, channels.end());
+    const auto live = run.of(name);
+    for (const std::uint32_t tick : {0u, 400u, 799u}) {
+      EXPECT_LT(std::abs(live[tick]), name == "alignment.feet.p_WS" ? 10.0 : 0.03);
+      EXPECT_EQ(log.frame(tick)->floats[channel->offset], static_cast<float>(live[tick])) << name;
+    }
+  }
+}
+
 TEST(LiveView, what_is_counted_from_the_start_is_not_known_where_the_first_tick_is_not) {
   LiveTestRun run({"duration=3", "estimation=sensors"});
   run.record();

@@ -59,6 +59,14 @@ test("a base that stands where it began is not told as to the left or right of t
   assert.equal(new Map(sentences(frame)).get("Base, true"), "x 0.000 m, y 0.000 m, z 0.420 m, heading 0.00°");
 });
 
+test("how far the true centre of mass is off its plan is told in the controller's world, where it is known", () => {
+  const schema = schemaOf({ "alignment.com_error": 2 });
+  const of = (...values: number[]): string | undefined =>
+    new Map(sentences({ schema, tick: 0, time: 0, values: Float32Array.from(values), active: [], blocking: [] })).get("Centre of mass off plan");
+  assert.equal(of(0.003, -0.004), "5.00 mm, (3.0, −4.0) mm in W, the controller's world");
+  assert.equal(of(NaN, NaN), "");
+});
+
 /** Pushed by these forces, one a body, of which the first is the world, heading to the left of S. */
 function pushed(...forces: [number, number, number][]): string | undefined {
   const schema = schemaOf({ "truth.q_SB": 4, "truth.xfrc_applied": 6 * forces.length }, { bodies: ["base", "LF_HIP"] });

@@ -50,7 +50,7 @@ export function search(schema: Schema, typed: string): Match[] {
 }
 
 /** Topics in the order of interest, for channels that match equally well. */
-const TOPICS = ["command", "readings", "state", "truth", "plan", "model"];
+const TOPICS = ["command", "readings", "state", "truth", "alignment", "plan", "model"];
 
 /** Smaller is better: exact names, then names that contain the words, then descriptions. */
 function rankOf(name: string, words: string[]): number {

@@ -69,6 +69,13 @@ function estimateError(frame: Frame): string {
   return `${digits(100 * distance)} cm and ${digits((Math.abs(heading) * 180) / Math.PI)}° in heading since the start`;
 }
 
+/** Distance of the true centre of mass from the planned one. */
+function comError(frame: Frame): string {
+  const off = [0, 0];
+  if (!read(frame, "alignment.com_error", off)) return "";
+  return `${digits(1000 * Math.hypot(...off))} mm, (${off.map((part) => fixed(1000 * part, 1)).join(", ")}) mm in W, the controller's world`;
+}
+
 /** Friction use of each foot that carries. */
 function pyramidUses(frame: Frame): string {
   const uses = frame.schema.legs.map((leg) => [leg.name, pyramidUse(frame, leg)] as const);
@@ -93,6 +100,7 @@ export function sentences(frame: Frame, account = accountAt(frame)): [string, st
     ["Pyramid used", pyramidUses(frame)],
     [truth === "" ? "Base, believed" : "Base, true", truth || whereabouts(frame, "state")],
     ["Estimate drifted by", estimateError(frame)],
+    ["Centre of mass off plan", comError(frame)],
     ["Velocity, true", speedText(frame, "truth")],
     ["Velocity, believed", speedText(frame, "state")],
     ["Pushed by", pushText(frame)],
