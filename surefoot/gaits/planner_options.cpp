@@ -176,7 +176,9 @@ Group fields(SwingOptions& o) {
       {"search_depth_max", &o.search_depth_max, kNotNegative, "m", "below the expected ground"},
       {"reach_max", &o.reach_max, kPositive, "m", "hip to swing foot, short of a straight leg"},
       {"speed_max", &o.speed_max, kPositive, "m/s", "of a swing; longer strides walk slower"},
-      {"armed_after", &o.armed_after, kShare, "", "of the swing: touchdown is believed from"}}
+      {"armed_after", &o.armed_after, kShare, "", "of the swing: touchdown is believed from"},
+      {"lead", &o.lead, kNotNegative, "s",
+       "of the asked acceleration, for drives that answer late"}}
       .with([&o](const Given& given) {
         if (o.horizontal_end <= o.horizontal_start)
           given.fail("horizontal_end", "must be above horizontal_start");

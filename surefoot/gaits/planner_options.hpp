@@ -78,7 +78,7 @@ struct SwingOptions {
   double horizontal_start = 0.15, horizontal_end = 0.85;
   double touchdown_speed = 0.2, search_speed = 0.0, search_depth_max = 0.30;
   double hip_height_min = 0.25, reach_max = 0.56;
-  double speed_max = 1.4, armed_after = 0.5;
+  double speed_max = 1.4, armed_after = 0.5, lead = 0.0;
 };
 
 /// When a foot counts as down, as up, or as lost.

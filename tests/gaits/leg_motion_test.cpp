@@ -34,6 +34,18 @@ TEST(LegMotion, SwingsAlongItsCurveWithoutForce) {
   EXPECT_FALSE(bench.leg.down());
 }
 
+TEST(LegMotion, AsksForTheAccelerationAheadOfTheMotion) {
+  PlannerOptions options;
+  options.swing.lead = 0.01;
+  LegMotion ahead(options, kPeriod), exact({}, kPeriod);
+  for (LegMotion* leg : {&ahead, &exact})
+    leg->lift(0.0, {.goal = 0.3 * Vec3::UnitX(), .duration = 0.3});
+  EXPECT_EQ(ahead.plan(0.1).p_WF, exact.plan(0.1).p_WF);
+  EXPECT_EQ(ahead.plan(0.1).v_WF, exact.plan(0.1).v_WF);
+  EXPECT_EQ(ahead.plan(0.1).a_WF, exact.plan(0.1 + 0.01).a_WF);
+  EXPECT_NE(ahead.plan(0.1).a_WF, exact.plan(0.1).a_WF);
+}
+
 TEST(LegMotion, TouchesDownAfterTwoTicksOfForce) {
   const TouchdownOptions options;
   Bench bench = searching();

@@ -243,6 +243,16 @@ TEST(LegMotion, AFootPutDownAtOnceThatReboundsOrGoesAsideFliesTooButOthersBounce
   EXPECT_EQ(moves(in_time, 0.03 * aside, 1.0 * aside), LegEvent::none);
 }
 
+TEST(LegMotion, AFootPutDownFastOnlyBouncesUnlessItGoesDeeper) {
+  PlannerOptions options;
+  options.swing = test::kSwing;
+  options.swing.search_speed = 1.0;
+  Bench fast = landed(true);
+  fast.leg.use(options, fast.time);
+  EXPECT_EQ(moves(fast, 0.03 * kUp, 1.0 * kUp), LegEvent::none);
+  EXPECT_EQ(moves(fast, -0.021 * kUp, -0.7 * kUp), LegEvent::airborne) << "there was no ground";
+}
+
 TEST(LegMotion, WhereAFootThatFlewStoodBeforeIsItsFootholdAgain) {
   Bench bench = landed(false);
   const Vec3 came_down = bench.leg.foothold();

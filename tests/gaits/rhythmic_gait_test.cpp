@@ -61,6 +61,12 @@ TEST(RhythmicGait, PutsFeetDownAgainThatReliedOnOneThatFlewOff) {
   puppet.tick();
   EXPECT_EQ(puppet.plan().feet[index(lands)].phase, LegPhase::search);
   EXPECT_EQ(puppet.plan().feet[index(relies)].phase, LegPhase::search);
+  test::Puppet finds_none = puppet;
+  finds_none.ground = [](const Vec2&) { return -0.5; };
+  finds_none.run(0.1);
+  EXPECT_EQ(finds_none.happenings(PlanEvent::lift_off).size(),
+            puppet.happenings(PlanEvent::lift_off).size())
+      << "lifts feet that search";
   puppet.fling(lands, Vec3::Zero(), Vec3::Zero());  // it has come to rest
   until([&] { return down(lands) && down(relies); });
   EXPECT_TRUE(down(lands) && down(relies));

@@ -99,7 +99,8 @@ LegEvent LegMotion::observe(double time, const LegObservation& seen) {
 
 // After a hard landing the estimated force lags, so motion decides. A foot that slid off an edge or
 // never had contact is pressed down with f_min as a stance foot and moves away fast. A normal
-// touchdown that only bounces, without going deeper, is kept.
+// touchdown that only bounces, without going deeper, is kept; so is that of a fast search, which
+// always bounces: searching again would make it hop on and on.
 bool LegMotion::is_airborne(double time, const LegObservation& seen) const {
   if (since(time) > scale_.time() * kFlightWindow) return false;
   const Vec3 moved = seen.foot.p - touchdown_point_;
@@ -107,7 +108,8 @@ bool LegMotion::is_airborne(double time, const LegObservation& seen) const {
   const double length = scale_.length, speed = scale_.speed();
   const bool is_fast =
       seen.foot.v.norm() > speed * kFlightSpeed && moved.norm() > length * kFlightDistance;
-  if (!curve_.target().straight) return is_fast && up < -(length * kNoGroundDepth);
+  const bool lands_softly = search_speed() <= swing_.touchdown_speed;
+  if (!curve_.target().straight || !lands_softly) return is_fast && up < -(length * kNoGroundDepth);
   const bool rises =
       seen.normal.dot(seen.foot.v) > speed * kReboundSpeed && up > length * kReboundHeight;
   return is_fast || rises;
@@ -238,7 +240,7 @@ FootPlan LegMotion::plan(double time) const {
   const Motion<Vec3> asked = reference(time);
   plan.p_WF = asked.p;
   plan.v_WF = asked.v;
-  plan.a_WF = asked.a;
+  plan.a_WF = reference(time + swing_.lead).a;
   return plan;
 }
 

@@ -179,7 +179,7 @@ bool RhythmicGait::misses_foot(const Body& body) const {
   double next = kNever;  // lift-off, where one is near
   for (const Leg k : body.legs.all()) {
     const double lifts = clock_.until_lift_off(k);
-    if (body.legs[k].down() && lifts <= ramp) next = std::min(next, lifts);
+    if (lifts <= ramp) next = std::min(next, lifts);
   }
   return std::ranges::any_of(body.legs.all(), [&](Leg k) {
     return !body.legs[k].down() && next < kNever && clock_.until_landing(k) <= next;

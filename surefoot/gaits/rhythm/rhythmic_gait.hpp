@@ -55,7 +55,8 @@ class RhythmicGait final : public Gait {
   void advance_clock(const Body& body);
   void move_leg(Leg leg, const Situation& now, Body& body);
   void lift(Leg leg, const Situation& now, Body& body);
-  /// Is a foot in the air that should land before the next lift-off, whose force ramp begins?
+  /// Is a foot in the air that should land before the next lift-off, its own or another's, whose
+  /// force ramp begins?
   [[nodiscard]] bool misses_foot(const Body& body) const;
   [[nodiscard]] bool is_slow(const Situation& now) const;
   [[nodiscard]] Vec3 foothold(Leg leg, double until_landing, const Situation& now) const;
