@@ -11,8 +11,8 @@ The loop, at 400 Hz:
 Where to look: Robot and doctor (robots, dynamics), Stack and tasks (hierarchies), Controller (with or without a Plant), run, campaign and
 Evaluator (how good it was), read (logs), explain (why), solve (a hierarchy by itself).
 
-Units are SI. Frames stand in the names: p_WB is the position of the base B in the world W. Arrays look into the object that they come from;
-objects are snapshots and don't change."""
+Units are SI. Frames stand in the names: p_WB is the position of the base B in the controller's world W, p_SB the true one in the simulator's
+world S. Arrays look into the object that they come from; objects are snapshots and don't change."""
 
 import os as _os
 import pathlib as _pathlib

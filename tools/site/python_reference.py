@@ -24,12 +24,12 @@ def pages(root):
 
 def module(name, files):
     trees = [ast.parse(file.read_text()) for file in files]
-    about = [ast.get_docstring(tree) for tree in trees]
+    about = [text for tree in trees if (text := ast.get_docstring(tree))][-1:]  # the package's says what that of its compiled part does
     elsewhere = {name for tree in trees for name in taken_from_modules(tree)}
     entries = [entry for tree in trees for entry in members(tree) if is_public(entry) and name_of(entry) not in elsewhere]
     order = {ast.ClassDef: 0, ast.FunctionDef: 1}
     entries.sort(key=lambda entry: order.get(type(entry), 2))
-    parts = [f"\n## {name}\n", *(prose.to_html(text) + "\n" for text in about if text)]
+    parts = [f"\n## {name}\n", *(prose.to_html(text) + "\n" for text in about)]
     return "\n".join(parts + [described(entry, 3, name) for entry in entries])
 
 
@@ -60,7 +60,8 @@ def described(entry, depth, parent):
         return a_class(entry, depth, parent)
     if is_property(entry):
         return field(entry)
-    return f"{'#' * depth} {parent.removeprefix('surefoot.')}.{entry.name}\n\n```python\n{signature(entry)}\n```\n\n{about(entry)}\n"
+    called = "()" if entry.name == "__init__" else f".{entry.name}"
+    return f"{'#' * depth} {parent.removeprefix('surefoot.')}{called}\n\n```python\n{signature(entry)}\n```\n\n{about(entry)}\n"
 
 
 def a_class(entry, depth, parent):
