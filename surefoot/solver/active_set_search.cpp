@@ -159,6 +159,16 @@ void ActiveSetSearch::improve(Sweep& s) const {
   }
 }
 
+void ActiveSetSearch::exchange(Sweep& s) const {
+  for (const int row : wrong_) s.side[row] = 0;
+  const auto beyond = [&s](const Violated& v) {
+    return std::max(s.value[v.row] - s.upper[v.row], s.lower[v.row] - s.value[v.row]) /
+           s.scale[v.row];
+  };
+  const auto worst = std::ranges::max_element(violated_, {}, beyond);
+  if (worst != violated_.end()) s.side[worst->row] = worst->side;
+}
+
 bool ActiveSetSearch::release_idle(Sweep& s) {
   for (const Undecided& u : undecided_) s.side[u.row] = 0;
   return !undecided_.empty();

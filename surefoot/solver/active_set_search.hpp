@@ -43,6 +43,9 @@ class ActiveSetSearch {
   /// Releases all wrong rows, and activates the violated ones of the first level that has some.
   void improve(Sweep& s) const;
 
+  /// The same, but activates only the most violated row.
+  void exchange(Sweep& s) const;
+
   /// Releases active rows that no level pulls at; true if there were any.
   bool release_idle(Sweep& s);
 

@@ -101,7 +101,7 @@ void LexicographicSolver::take_from_cascade(const Hierarchy& hierarchy) {
   const Solution& found = cascade_.solution();
   const bool is_polished = found.status == SolveStatus::optimal && polish();
   if (is_polished) take_from_sweep(hierarchy);
-  num_sweeps_ = options_.max_sweeps + 1;
+  num_sweeps_ = options_.max_sweeps + options_.max_exchanges + 1;
   if (!is_polished) return adopt(found);
   const AnswerComparison comparison = compare(hierarchy, solution_, found);
   solution_.borderline = comparison.differs || is_too_close_to_call();

@@ -18,17 +18,20 @@ LexicographicSolver::Outcome LexicographicSolver::find_optimum() {
   num_sweeps_ = num_descents_ = 0;
   if (options_.max_sweeps <= 0) return Outcome::stuck;
   const bool is_cold = !options_.warm_start || !has_guess_;
-  const bool is_far_off = is_cold && !budget_.is_spent() && begins_far_off();
+  const int num_exchanges = is_cold ? options_.max_exchanges : 0;
+  const bool is_far_off = is_cold && num_exchanges == 0 && !budget_.is_spent() && begins_far_off();
   const Outcome outcome = is_far_off ? descend() : Outcome::optimal;
-  return outcome == Outcome::optimal ? find_active_rows(!is_far_off) : outcome;
+  return outcome == Outcome::optimal ? find_active_rows(!is_far_off, num_exchanges) : outcome;
 }
 
-LexicographicSolver::Outcome LexicographicSolver::find_active_rows(bool may_descend) {
+LexicographicSolver::Outcome LexicographicSolver::find_active_rows(bool may_descend,
+                                                                   int num_exchanges) {
   kept_.is_optimal = false;
   if (budget_.is_limited())
     keep_point(num_descents_ > 0 || first_level_ == memory_.sweep.num_levels);
   bool has_released = false;
-  while (num_sweeps_ < options_.max_sweeps && !budget_.is_spent()) {
+  const int max_sweeps = options_.max_sweeps + num_exchanges;
+  while (num_sweeps_ < max_sweeps && !budget_.is_spent()) {
     sweep();
     const bool is_optimal = search_.is_optimal(memory_.sweep, kernels_, first_level_, timer_);
     kept_.is_optimal = kept_.is_optimal && is_optimal;
@@ -39,6 +42,8 @@ LexicographicSolver::Outcome LexicographicSolver::find_active_rows(bool may_desc
       const bool has_ended = has_released || budget_.is_spent();
       if (has_ended || !search_.release_idle(memory_.sweep)) return Outcome::optimal;
       has_released = true;
+    } else if (num_sweeps_ <= num_exchanges) {
+      search_.exchange(memory_.sweep);
     } else if (may_descend && (num_sweeps_ > kMaxTries || !search_.is_nearly_optimal())) {
       may_descend = false;
       const Outcome outcome = descend();

@@ -19,6 +19,9 @@ struct LexicographicOptions {
   bool warm_start = true;  ///< start with the active rows of the last solution
   int max_sweeps = 8;      ///< before the cascade takes over; 0: always the cascade, but 8 with a
                            ///< budget, which the cascade does not support
+  /// Of a cold solve, before the descent: sweeps that each activate the most violated row only. For
+  /// a hierarchy whose optimum has few active rows of many, such as a trajectory.
+  int max_exchanges = 0;
   int max_iterations = 0;  ///< of the cascade in a level; 0: its default
   SolveBudget budget{};    ///< limit of a solve's cost; by default it ends at the optimum
   /// Kernels of an instruction set, from `all_kernels`; null: the fastest.
@@ -121,8 +124,8 @@ class LexicographicSolver {
     has_guess_ = false;
   }
 
-  /// Sweeps of the last solve; more than `max_sweeps` if the cascade solved, 0 if the input was
-  /// invalid.
+  /// Sweeps of the last solve; more than `max_sweeps` + `max_exchanges` if the cascade solved, 0 if
+  /// the input was invalid.
   [[nodiscard]] int num_sweeps() const { return num_sweeps_; }
 
   /// Cost of the last solve by its budget's count, without the cascade.
@@ -150,7 +153,7 @@ class LexicographicSolver {
   // lexicographic_search.cpp
   enum class Outcome { optimal, stuck, out_of_budget };
   [[nodiscard]] Outcome find_optimum();
-  [[nodiscard]] Outcome find_active_rows(bool may_descend);
+  [[nodiscard]] Outcome find_active_rows(bool may_descend, int num_exchanges = 0);
   void sweep();
   [[nodiscard]] bool begins_far_off();
   [[nodiscard]] Outcome descend();

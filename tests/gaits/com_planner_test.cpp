@@ -144,6 +144,17 @@ TEST(ComPlanner, EveryPlanIsOptimal) {
   }
 }
 
+TEST(ComPlanner, OfAWalkCostsAFractionOfADescent) {
+  double planned = 0.0, descending = 0.0;
+  test::on_random_walks(
+      5, [&](const ComPlanner& planner, const test::Phases&, double, const auto&) {
+        solver::LexicographicSolver cold(planner.hierarchy(), {.warm_start = false});
+        descending += cold.solve(planner.hierarchy()).flops;
+        planned += planner.solution().flops;
+      });
+  EXPECT_LT(planned, 0.3 * descending);
+}
+
 TEST(ComPlanner, EndsNearTheMiddleOfTheLastFeetWithTheGivenVelocity) {
   ComPlanner planner = test::make_planner({.terminal_weight = 100.0});
   const Vec2 velocity(0.05, -0.02);

@@ -19,6 +19,7 @@ constexpr int kMaxSamples = 8;         // of a phase
 constexpr int kFrictionRows = 4;       // per sample
 constexpr double kReachShare = 0.5;    // of a leg's reach: nearer hips need no row
 constexpr double kFrictionShare = 0.9 / std::numbers::sqrt2;  // of μ: within the feet's pyramids
+constexpr int kMaxExchanges = 12;                             // few of the many rows are active
 constexpr int kUnknownsPerKnot = 6;                           // p, v, a in x and y
 constexpr int kGaussPoints = 4;                               // exact for the square of a cubic
 constexpr std::array<double, kGaussPoints> kGaussNodes{0.0694318442029737, 0.3300094782075719,
@@ -59,7 +60,8 @@ void ComProblem::add(const SupportPhase& phase) {
 }
 
 ComPlanner::Problem::Problem(std::size_t phases)
-    : hierarchy(make_hierarchy(phases)), solver(hierarchy, {.rank = kRank, .warm_start = false}) {}
+    : hierarchy(make_hierarchy(phases)),
+      solver(hierarchy, {.rank = kRank, .warm_start = false, .max_exchanges = kMaxExchanges}) {}
 
 ComPlanner::ComPlanner(const ComPlannerOptions& options, const ForceOptions& force,
                        const Scale& scale)
