@@ -188,7 +188,10 @@ ConfigNode parse_yaml(const std::string& text, const std::string& name) {
     if (documents.empty()) return ConfigNode{.where = name};
     return converter.convert(documents.front());
   } catch (const YAML::Exception& error) {
-    throw FileError(converter.place(error.mark) + ": this is not YAML: " + error.msg);
+    const std::string advice = text.find("\n\t") == std::string::npos
+                                   ? ""
+                                   : "; a line begins with a tab, valid are spaces";
+    throw FileError(converter.place(error.mark) + ": this is not YAML: " + error.msg + advice);
   }
 }
 

@@ -102,6 +102,14 @@ void choose_posture(const Section& top, const model::RobotModel& model,
     }
     return std::nullopt;
   };
+  std::string bends;
+  for (const Leg leg : robot.legs.legs()) {
+    const bool back = bent(leg, true).has_value(), ahead = bent(leg, false).has_value();
+    bends += (bends.empty() ? " " : ", ") + std::string(leg_name(leg, robot.num_legs())) +
+             (back    ? ahead ? " bends both ways" : " bends backward"
+              : ahead ? " bends forward"
+                      : " does not bend");
+  }
   for (const auto& [front, hind] :
        {std::pair{true, false}, std::pair{true, true}, std::pair{false, false}}) {
     bool fits = true;
@@ -115,7 +123,13 @@ void choose_posture(const Section& top, const model::RobotModel& model,
   }
   top.fail("posture.nominal",
            "this key is missing, and the joints' limits leave no posture with its knees bent by "
-           "0.8 to 2 rad under the hips");
+           "0.8 to 2 rad under the hips, left and right alike; by them" +
+               bends);
+}
+
+/// Of a joint in the URDF.
+int line_of(const model::Urdf& urdf, const std::string& joint) {
+  return std::ranges::find(urdf.joints, joint, &model::UrdfJoint::name)->line;
 }
 
 /// Joints that a file gives by HAA, HFE and KFE; those behind them have lists.
@@ -268,8 +282,7 @@ void complete_leg(const Section& top, const model::Urdf& urdf, const std::string
       top.fail(key, "between the base and \"" + leg.foot_frame + "\" there are " +
                         std::to_string(chain.size()) +
                         " joints that move:" + (names.empty() ? " none" : names) +
-                        "; a leg has three, HAA, HFE and KFE, and the legs "
-                        "of a robot with two and flat feet any number");
+                        "; a leg that walks has three, HAA, HFE and KFE: is this its foot?");
     }
     for (std::size_t i = 0; i < chain.size(); ++i) leg.joints[i] = chain[i]->name;
   }
@@ -328,9 +341,10 @@ void complete_limits(const Section& top, const model::Urdf& urdf, const RobotInF
     if (robot.q_min[i] < robot.q_max[i]) continue;
     top.fail(key_of(robot, i) + ".position_max",
              formatted("must be above position_min at every joint, but joint \"%s\" has %g and %g "
-                       "rad",
-                       robot.joint_names()[static_cast<std::size_t>(i)].c_str(), robot.q_min[i],
-                       robot.q_max[i]));
+                       "rad, here or in %s:%d",
+                       robot.joint_names()[static_cast<std::size_t>(i)].c_str(), robot.q_max[i],
+                       robot.q_min[i], urdf.path.c_str(),
+                       line_of(urdf, robot.joint_names()[static_cast<std::size_t>(i)])));
   }
   const int first = num_walking_joints(robot);
   robot.stall_torque = or_else(given.stall_torque, robot.torque_limit, first);

@@ -19,6 +19,9 @@ Field of_joints(const char* key, LegJoints& value, const NumberRange& range, con
   return {key, Numbers{value.data(), joint_names(), true}, range, unit, help};
 }
 
+/// Of a joint; degrees are soon beyond it.
+constexpr NumberRange kAngle{.min = -20.0, .max = 20.0, .words = "from -20 to 20 rad"};
+
 /// A key has all three values or none.
 void require_all(const Given& given, const char* key, const LegJoints& value) {
   if (value.array().isNaN().any() && !value.array().isNaN().all())
@@ -27,15 +30,15 @@ void require_all(const Given& given, const char* key, const LegJoints& value) {
 
 void require_order(const Given& given, const LimitsInFile& o) {
   if ((o.position_min.array() >= o.position_max.array()).any())
-    given.fail("position_max", "must be above position_min at every joint");
+    given.fail("position_max", "must be above position_min at each of HAA, HFE and KFE");
 }
 
 /// Of all legs, or of one.
 Group limits(LimitsInFile& o, const char* help) {
   return {of_joints("torque", o.torque, kPositive, "N·m", help),
           of_joints("velocity", o.velocity, kPositive, "rad/s", help),
-          of_joints("position_min", o.position_min, kAnyNumber, "rad", help),
-          of_joints("position_max", o.position_max, kAnyNumber, "rad", help)};
+          of_joints("position_min", o.position_min, kAngle, "rad", help),
+          of_joints("position_max", o.position_max, kAngle, "rad", help)};
 }
 
 Group limits_of_all(LimitsInFile& o) {

@@ -8,6 +8,7 @@
 #include "surefoot/config/field_reader.hpp"
 #include "surefoot/config/nearest_name.hpp"
 #include "surefoot/config/robot_completion.hpp"
+#include "surefoot/config/robot_plausibility.hpp"
 #include "surefoot/control/standing_torque.hpp"
 #include "surefoot/model/proportions.hpp"
 #include "surefoot/model/robot_model.hpp"
@@ -186,9 +187,33 @@ void check_places(const ConfigNode& legs, model::RobotModel& model) {
   }
 }
 
+/// A base floats by itself.
+void check_root(const Section& top, const char* key, const model::Urdf& urdf) {
+  for (const model::UrdfJoint& joint : urdf.joints) {
+    if (joint.type != "floating") continue;
+    top.fail(key, urdf.path + ":" + std::to_string(joint.line) + ": joint \"" + joint.name +
+                      "\" is floating; the root floats without a joint, so take it and \"" +
+                      joint.parent + "\" out, or make it fixed");
+  }
+}
+
+/// Each leg has a foot of its own.
+void check_feet(const Section& top, const model::RobotDescription& robot) {
+  std::map<std::string, std::string> legs;
+  for (const Leg leg : robot.legs.legs()) {
+    const std::string name(leg_name(leg, robot.num_legs()));
+    const std::string& foot = robot.legs[index(leg)].foot_frame;
+    const auto [first, is_new] = legs.emplace(foot, name);
+    if (is_new) continue;
+    top.fail("legs." + name + ".foot", "\"" + foot + "\" is the foot of legs." + first->second +
+                                           " already; each has its own");
+  }
+}
+
 /// What needs the whole robot: checks, nominal posture, scale and gains.
 void complete_robot(const Section& top, const char* key, const ConfigNode& legs,
-                    const RobotInFile& given, model::RobotDescription& robot) {
+                    const RobotInFile& given, const model::Urdf& urdf,
+                    model::RobotDescription& robot) {
   const auto model_of = [&] {
     try {
       return model::RobotModel(robot);
@@ -198,7 +223,11 @@ void complete_robot(const Section& top, const char* key, const ConfigNode& legs,
       top.fail("legs", error.what());
     }
   };
-  if (robot.can_walk()) complete_posture(top, given, model_of(), robot);
+  if (robot.can_walk()) {
+    const model::RobotModel model = model_of();
+    check_plausible(legs, urdf, robot);
+    complete_posture(top, given, model, robot);
+  }
   model::RobotModel model = model_of();
   check_places(legs, model);
   robot.scale = model::scale_of(model::proportions_of(model));
@@ -224,10 +253,12 @@ model::RobotDescription load_robot(const std::string& name_or_path,
   const char* key_of_description = description_key(top, given);
   const model::Urdf urdf = read_description(top, key_of_description, given, file);
   if (robot.base_link.empty()) robot.base_link = urdf.root;
+  check_root(top, key_of_description, urdf);
+  check_feet(top, robot);
   NameCheck names(top, urdf);
   names.frame("base", robot.base_link);
   if (robot.base_link != urdf.root)
-    top.fail("base", "\"" + robot.base_link + "\" moves against the root, which is valid: \"" +
+    top.fail("base", "\"" + robot.base_link + "\" is not the root of the URDF; valid is \"" +
                          urdf.root + "\"");
   for (const Leg leg : robot.legs.legs()) {
     const std::string key = "legs." + std::string(leg_name(leg, robot.num_legs()));
@@ -248,7 +279,7 @@ model::RobotDescription load_robot(const std::string& name_or_path,
     names.arm("arms." + arm.names.name, robot.arms.back());
   }
   complete_limits(top, urdf, given, robot);
-  complete_robot(top, key_of_description, *tree.find("legs"), given, robot);
+  complete_robot(top, key_of_description, *tree.find("legs"), given, urdf, robot);
   return robot;
 }
 

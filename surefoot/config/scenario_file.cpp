@@ -11,6 +11,7 @@
 #include "surefoot/config/loaded_gaits.hpp"
 #include "surefoot/config/nearest_name.hpp"
 #include "surefoot/config/robot_file.hpp"
+#include "surefoot/config/robot_plausibility.hpp"
 #include "surefoot/config/scaling.hpp"
 #include "surefoot/config/scenario_fields.hpp"
 #include "surefoot/config/scenario_notes.hpp"
@@ -386,11 +387,15 @@ void complete_posture(const ConfigNode& tree, const model::RobotModel& model, Sc
 }
 
 /// The torque limits must suffice to stand; else the masses may have a wrong unit.
-void check_strength(const ConfigNode& tree, model::RobotModel& model, const JointVector& stance) {
+void check_strength(const ConfigNode& tree, model::RobotModel& model, const JointVector& stance,
+                    std::vector<std::string>& notes) {
   const JointVector torque = control::standing_torque(model, stance).cwiseAbs();
   const model::RobotDescription& robot = model.description();
   Eigen::Index i = 0;
-  if (torque.cwiseQuotient(robot.torque_limit).maxCoeff(&i) <= 1.0) return;
+  if (torque.cwiseQuotient(robot.torque_limit).maxCoeff(&i) <= 1.0) {
+    for (std::string& note : placeholder_notes(robot, torque)) notes.push_back(std::move(note));
+    return;
+  }
   const ConfigNode* named = tree.find("robot");
   fail_at(
       named == nullptr ? tree : *named, "robot",
@@ -508,7 +513,8 @@ Scenario load_scenario(const ScenarioRequest& request) {
   model::RobotModel model(scenario.robot);
   check_reach(tree, model, scenario.controller.stack);
   complete_posture(tree, model, scenario);
-  check_strength(tree, model, stance_posture(model, scenario.controller.planner.stance));
+  check_strength(tree, model, stance_posture(model, scenario.controller.planner.stance),
+                 scenario.notes);
   for (EndOfRanges& end : ends) end.check(model, scenario.controller.stack);
   return scenario;
 }

@@ -1,11 +1,11 @@
 #include "surefoot/model/body_tree.hpp"
 
 #include "surefoot/base/error.hpp"
+#include "surefoot/base/formatted.hpp"
 
 #include <algorithm>
 #include <map>
 #include <ranges>
-#include <sstream>
 
 namespace surefoot::model {
 namespace {
@@ -126,7 +126,9 @@ class Builder {
   void connect_leg(const UrdfJoint& joint, int body, const Placement& parent) {
     const int place = (body - 1) % kJointsPerLeg;
     if (parent.body != (place == 0 ? kBaseBody : body - 1)) {
-      throw Error("joint \"" + joint.name + "\" is not connected to the one before it in its leg");
+      throw Error("joint \"" + joint.name + "\" moves with \"" + joint.parent +
+                  "\", which is not what the joint before it in its leg moves; a leg is HAA, HFE "
+                  "and KFE, from the base to the foot");
     }
     leg_of(body).chain.hinges[static_cast<std::size_t>(place)] = {parent.R, parent.p, joint.axis};
   }
@@ -147,11 +149,11 @@ class Builder {
     const Vec3 moments = principal_moments(inertia);
     if (inertia.mass <= 0.0) fail(link, "has no mass; it must be above 0");
     if (moments[0] <= 0.0) fail(link, "has no inertia about some axis; all must be above 0");
-    if (obeys_triangle_inequality(moments)) return;
-    std::ostringstream numbers;
-    numbers << "has principal moments of inertia of " << moments.transpose()
-            << " kg·m²; in a body none is larger than the sum of the two others";
-    fail(link, numbers.str());
+    if (!obeys_triangle_inequality(moments)) {
+      fail(link, formatted("has principal moments of inertia of %.3g, %.3g and %.3g kg·m²; in a "
+                           "body none is larger than the sum of the two others",
+                           moments[0], moments[1], moments[2]));
+    }
   }
 
   [[noreturn]] void fail(const UrdfLink& link, const std::string& what) const {

@@ -2,6 +2,7 @@
 
 #include <Eigen/LU>
 
+#include <algorithm>
 #include <cmath>
 
 namespace surefoot::model {
@@ -18,10 +19,13 @@ struct Frame {
   }
 };
 
-/// Direction from the hinge's axis to a point, both in the frame of the hinge's child.
-Vec3 away_from(const Hinge& hinge, const Vec3& point) {
-  return (point - hinge.axis * hinge.axis.dot(point)).normalized();
+/// From the hinge's axis to a point, both in the frame of the hinge's child.
+Vec3 across(const Hinge& hinge, const Vec3& point) {
+  return point - hinge.axis * hinge.axis.dot(point);
 }
+
+/// Direction of it.
+Vec3 away_from(const Hinge& hinge, const Vec3& point) { return across(hinge, point).normalized(); }
 
 }  // namespace
 
@@ -41,6 +45,15 @@ Vec3 LegChain::foot_in_base(const Vec3& q, Mat3* jacobian) const noexcept {
     }
   }
   return p;
+}
+
+double LegChain::thigh() const noexcept { return across(hinges[1], hinges[2].p).norm(); }
+
+double LegChain::shank() const noexcept { return across(hinges[2], foot).norm(); }
+
+double LegChain::knee_skew() const noexcept {
+  const double cosine = hinges[1].axis.dot(hinges[2].R * hinges[2].axis);
+  return std::acos(std::min(1.0, std::abs(cosine)));
 }
 
 Mat3 LegChain::shank_in_base(const Vec3& q) const noexcept {

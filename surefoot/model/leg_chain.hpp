@@ -25,6 +25,11 @@ struct LegChain {
   [[nodiscard]] Vec3 hip_in_base(const Vec3& q) const noexcept;
   /// Directions in B in which a longer thigh and a longer shank move the foot.
   [[nodiscard]] Eigen::Matrix<double, 3, 2> lengthening_in_base(const Vec3& q) const noexcept;
+  /// From the HFE axis to the KFE axis, and from there to the foot, across the axes [m].
+  [[nodiscard]] double thigh() const noexcept;
+  [[nodiscard]] double shank() const noexcept;
+  /// Angle between the lines of the HFE and the KFE axis [rad].
+  [[nodiscard]] double knee_skew() const noexcept;
   /// The same leg with longer thigh and shank [m]: KFE moves away from the HFE axis, the foot from
   /// the KFE axis.
   [[nodiscard]] LegChain lengthened(double thigh, double shank) const noexcept;

@@ -267,7 +267,8 @@ class Writer {
     }
     if (num_dynamics_ > 0) {
       notes.push_back("<dynamics> of " + std::to_string(num_dynamics_) +
-                      " joints was left out: friction is that of the drives, actuators.rotor");
+                      " joints is ignored: the simulated drives have their own friction, "
+                      "actuators.rotor");
     }
   }
 

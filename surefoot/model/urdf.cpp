@@ -1,6 +1,7 @@
 #include "surefoot/model/urdf.hpp"
 
 #include "surefoot/base/error.hpp"
+#include "surefoot/base/formatted.hpp"
 #include "surefoot/model/urdf_reader.hpp"
 
 #include <tinyxml2.h>
@@ -49,15 +50,19 @@ class Reader : public UrdfReader {
   }
 
  private:
+  static bool is_no_limit(std::string_view text) {
+    return text == "nan" || text == "inf" || text == "-inf";
+  }
+
   void read_limits(const XMLElement& element, UrdfJoint& joint) const {
     const XMLElement* limit = element.FirstChildElement("limit");
     if (limit == nullptr) return;
     for (const auto& [name, value] :
          {std::pair{"lower", &joint.lower}, std::pair{"upper", &joint.upper},
           std::pair{"effort", &joint.effort}, std::pair{"velocity", &joint.velocity}}) {
-      if (limit->QueryDoubleAttribute(name, value) != tinyxml2::XML_SUCCESS ||
-          !std::isfinite(*value))
-        *value = kNaN;
+      const char* given = limit->Attribute(name);
+      if (given == nullptr || is_no_limit(given)) continue;
+      *value = number(*limit, name);
     }
   }
 
@@ -112,6 +117,17 @@ class Reader : public UrdfReader {
   ImpossibleInertia impossible_;
 };
 
+void check_link_names(const Reader& reader, const Urdf& urdf) {
+  if (urdf.links.empty()) reader.fail(1, "the <robot> has no <link>");
+  std::map<std::string, int> lines;
+  for (const UrdfLink& link : urdf.links) {
+    const auto [first, is_new] = lines.emplace(link.name, link.line);
+    if (is_new) continue;
+    reader.fail(link.line, "link \"" + link.name + "\" stands twice, first in line " +
+                               std::to_string(first->second));
+  }
+}
+
 void check_joint_names(const Reader& reader, const Urdf& urdf) {
   std::map<std::string, int> lines;
   for (const UrdfJoint& joint : urdf.joints) {
@@ -122,17 +138,20 @@ void check_joint_names(const Reader& reader, const Urdf& urdf) {
   }
 }
 
+std::string listed_links(const Urdf& urdf) {
+  std::string names;
+  for (const UrdfLink& link : urdf.links) names += " " + link.name;
+  return names;
+}
+
 std::string find_root(const Reader& reader, const Urdf& urdf) {
   std::set<std::string> roots;
-  for (const UrdfLink& link : urdf.links) {
-    if (!roots.insert(link.name).second)
-      reader.fail(link.line, "link \"" + link.name + "\" stands twice");
-  }
+  for (const UrdfLink& link : urdf.links) roots.insert(link.name);
   for (const UrdfJoint& joint : urdf.joints) {
     for (const std::string& link : {joint.parent, joint.child}) {
       if (urdf.find_link(link) == nullptr) {
-        reader.fail(joint.line,
-                    "joint \"" + joint.name + "\": link \"" + link + "\" does not exist");
+        reader.fail(joint.line, "joint \"" + joint.name + "\": unknown link \"" + link +
+                                    "\"; there are:" + listed_links(urdf));
       }
     }
     if (roots.erase(joint.child) == 0) {
@@ -142,11 +161,16 @@ std::string find_root(const Reader& reader, const Urdf& urdf) {
                                   "\" one must go, as a URDF is a tree without loops");
     }
   }
-  if (roots.size() != 1) {
+  if (roots.empty()) {
+    const UrdfJoint& last = urdf.joints.back();
+    reader.fail(last.line,
+                "every link is the child of a joint, so that they form a loop; joint \"" +
+                    last.name + "\" is the last of them. A URDF is a tree with one root");
+  }
+  if (roots.size() > 1) {
     std::string names;
     for (const std::string& name : roots) names += " " + name;
-    reader.fail(1, "the links must form one tree; links without a parent:" +
-                       (names.empty() ? " none" : names));
+    reader.fail(1, "the links must form one tree; links without a parent:" + names);
   }
   return *roots.begin();
 }
@@ -172,6 +196,16 @@ void weld(const Urdf& urdf, const std::string& link, const Weld& at,
   }
 }
 
+/// MuJoCo keeps this name for itself.
+void check_world(const Reader& reader, const Urdf& urdf) {
+  const UrdfLink* world = urdf.find_link("world");
+  if (world == nullptr) return;
+  reader.fail(
+      world->line,
+      "link \"world\": the physics calls its ground so; take the link and its joint out, or "
+      "give it another name");
+}
+
 /// Ignores a placeholder inertia of the root, refuses any other impossible one.
 void check_inertias(const Reader& reader, Urdf& urdf) {
   for (UrdfLink& link : urdf.links) {
@@ -182,7 +216,10 @@ void check_inertias(const Reader& reader, Urdf& urdf) {
     }
     const Vec3 moment = principal_moments(link.inertia);
     if (moment[0] < -kInertiaRounding * moment.cwiseAbs().maxCoeff()) {
-      reader.fail(link.line, "link \"" + link.name + "\": its inertia has a negative eigenvalue");
+      reader.fail(link.line,
+                  formatted("link \"%s\": its inertia has a negative principal moment, %.3g kg·m²; "
+                            "all must be above 0",
+                            link.name.c_str(), moment[0]));
     }
   }
 }
@@ -216,10 +253,13 @@ Urdf read_urdf(const std::string& path, ImpossibleInertia impossible, const std:
     if (tag == "joint") urdf.joints.push_back(reader.joint(*element));
     if (tag == "note" && !text.empty()) urdf.notes.emplace_back(element->Attribute("text"));
   }
+  check_link_names(reader, urdf);
   check_joint_names(reader, urdf);
   urdf.root = find_root(reader, urdf);
   check_connected(reader, urdf);
-  if (impossible == ImpossibleInertia::refused) check_inertias(reader, urdf);
+  if (impossible == ImpossibleInertia::kept) return urdf;
+  check_world(reader, urdf);
+  check_inertias(reader, urdf);
   return urdf;
 }
 

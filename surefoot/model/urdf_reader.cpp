@@ -5,6 +5,7 @@
 
 #include <tinyxml2.h>
 
+#include <algorithm>
 #include <array>
 #include <fstream>
 #include <locale>
@@ -44,18 +45,35 @@ std::array<double, N> numbers(const UrdfReader& reader, const XMLElement& elemen
   for (double& value : values) stream >> value;  // reads neither "nan" nor "inf"
   std::string rest;
   if (!stream.fail() && !(stream >> rest)) return values;
-  reader.fail(reader.line(element), std::string("<") + element.Name() + "> needs " + attribute +
-                                        "=\"" +
-                                        (N == 1 ? "a finite number" : "three finite numbers") +
-                                        "\", not \"" + text + "\"" + advice_for(text));
+  reader.fail(reader.line(element),
+              std::string("<") + element.Name() + "> needs " + attribute + "=\"" +
+                  (N == 1 ? "a finite number" : "three finite numbers") +
+                  (given == nullptr ? "\", and has none" : "\", not \"" + text + "\"") +
+                  advice_for(text));
+}
+
+/// What is wrong with an XML file, in words.
+std::string fault_of(const tinyxml2::XMLDocument& document) {
+  switch (document.ErrorID()) {
+    case tinyxml2::XML_ERROR_EMPTY_DOCUMENT:
+      return "the file is empty, or no text";
+    case tinyxml2::XML_ERROR_MISMATCHED_ELEMENT:
+      return "the element that begins here is not closed by an end tag of its name";
+    case tinyxml2::XML_ERROR_PARSING_ATTRIBUTE:
+      return "an attribute here is not written as name=\"value\", or stands twice";
+    case tinyxml2::XML_ERROR_PARSING:
+      return "an element here is not closed, or text stands outside of elements";
+    default:
+      return document.ErrorName();
+  }
 }
 
 void load_xml(const std::string& path, const char* format, tinyxml2::XMLDocument& document) {
   if (!std::ifstream(path))
     throw FileError(path + ": the " + format + " can't be read; does the file exist?");
   if (document.LoadFile(path.c_str()) == tinyxml2::XML_SUCCESS) return;
-  throw FileError(path + ":" + std::to_string(document.ErrorLineNum()) +
-                  ": not well-formed XML: " + document.ErrorName());
+  throw FileError(path + ":" + std::to_string(std::max(1, document.ErrorLineNum())) +
+                  ": not well-formed XML: " + fault_of(document));
 }
 
 }  // namespace
@@ -78,6 +96,10 @@ const XMLElement& UrdfReader::robot(tinyxml2::XMLDocument& document) const {
     const bool is_mjcf = document.FirstChildElement("mujoco") != nullptr;
     fail(1, std::string("not a URDF: the file has no <robot>") +
                 (is_mjcf ? "; an MJCF stands under `mjcf:`" : ""));
+  }
+  if (const XMLElement* second = robot->NextSiblingElement()) {
+    fail(line(*second), std::string("<") + second->Name() +
+                            "> stands behind the <robot>; a URDF has one <robot>, with all in it");
   }
   if (const XMLElement* macro = of_xacro(*robot)) {
     fail(line(*macro),

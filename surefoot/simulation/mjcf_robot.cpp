@@ -269,8 +269,8 @@ class MjcfReader {
     }
     if (num_losses_ == 0) return;
     robot_.notes.push_back(text("damping, frictionloss and armature of ", num_losses_,
-                                " joints were left out, as URDF <dynamics> are: those of the "
-                                "drives, actuators.rotor"));
+                                " joints are ignored: the simulated drives have their own, "
+                                "actuators.rotor"));
   }
 
   const std::string& path_;

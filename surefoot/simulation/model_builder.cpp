@@ -71,10 +71,11 @@ void check_sphere(const mjsGeom& geom, const Vec3& center,
   const bool same = std::abs(geom.size[0] - description.foot_radius) < kSameSphere &&
                     (center - description.foot_center).norm() < kSameSphere;
   if (same) return;
-  throw Error(text("the foot sphere of ", leg_name(leg, description.num_legs()), " has radius ",
-                   geom.size[0], " m and centre (", center.transpose(), ") in ",
-                   description.urdf_path, ", but the robot's description says ",
-                   description.foot_radius, " m and (", description.foot_center.transpose(), ")"));
+  throw Error(
+      text("the foot sphere of ", leg_name(leg, description.num_legs()), " has radius ",
+           geom.size[0], " m and centre (", center.transpose(), ") in ", description.urdf_path,
+           ", but foot.radius and foot.center of the robot file say ", description.foot_radius,
+           " m and (", description.foot_center.transpose(), "); they must agree"));
 }
 
 mjsGeom& new_sphere(mjsBody& foot, const model::RobotDescription& description) {

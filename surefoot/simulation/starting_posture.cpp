@@ -56,10 +56,12 @@ void check_overlap(const mjModel& model, const mjData& data, const RobotParts& p
   if (deepest == nullptr) return;
   const std::string others =
       pairs.size() == 1 ? "" : text(" (and ", pairs.size() - 1, " more pairs of links)");
-  throw Error(text(urdf, ": in the starting posture the collision shapes of links \"",
-                   link_of(model, deepest->geom[0]), "\" and \"", link_of(model, deepest->geom[1]),
-                   "\" overlap by ", millimetres(-deepest->dist), others,
-                   "; make them smaller, leave one out, or change the stance"));
+  throw Error(
+      text(urdf, ": in the starting posture the collision shapes of links \"",
+           link_of(model, deepest->geom[0]), "\" and \"", link_of(model, deepest->geom[1]),
+           "\" overlap by ", millimetres(-deepest->dist), others,
+           "; make them smaller, leave one out, or change the stance, or the posture of the "
+           "arm they belong to"));
 }
 
 /// Lowest z of a mesh's vertices relative to its position; `up` is e_z in the mesh's frame.

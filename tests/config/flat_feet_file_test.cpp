@@ -41,10 +41,9 @@ INSTANTIATE_TEST_SUITE_P(
         BadBiped{"foot: left_ankle_roll_link",
                  "foot: pelvis",
                  {"legs.L.foot", "no joint moves between the base and \"pelvis\""}},
-        BadBiped{
-            "foot: right_ankle_roll_link",
-            "foot: left_ankle_roll_link",
-            {"legs.R.joints", "left_hip_pitch_joint", "stands at two places", "legs.L.joints"}},
+        BadBiped{"foot: right_ankle_roll_link",
+                 "foot: left_ankle_roll_link",
+                 {"legs.R.foot: \"left_ankle_roll_link\" is the foot of legs.L already"}},
         BadBiped{"tip: torso_link",
                  "tip: left_ankle_roll_link",
                  {"arms.waist.tip", "moves with joint \"left_ankle_roll_joint\" of leg L"}},

@@ -92,7 +92,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadFile{kFile,
                 "base: base",
                 "base: LF_HIP",
-                {"robot.yaml:", "base: \"LF_HIP\" moves against the root", "\"base\""}},
+                {"robot.yaml:", "base: \"LF_HIP\" is not the root of the URDF", "\"base\""}},
         BadFile{kFile, "RH_KFE", "RH_KNEE", {"unknown joint \"RH_KNEE\""}},
         BadFile{kFile, "anymal.urdf", "anymal_x.urdf", {"robot.yaml:3: urdf", "anymal_x.urdf"}},
         BadFile{kUrdf, "</robot>", "", {"robot.urdf:"}},
@@ -124,7 +124,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadFile{kFile,
                 "foot: LF_FOOT",
                 "foot: RF_FOOT",
-                {"robot.yaml:5: legs: frame \"RF_FOOT\" is not on"}},
+                {"robot.yaml:7: legs.RF.foot: \"RF_FOOT\" is the foot of legs.LF already"}},
         BadFile{
             kFile, "0.4, -0.8]", "0.0, -0.8]", {"posture.nominal: HFE and KFE must bend the knee"}},
         BadFile{
@@ -269,7 +269,7 @@ TEST_F(ShortRobotFile, says_how_many_joints_it_found) {
   change(text_, "LF: {foot: LF_FOOT}", "LF: {foot: LF_THIGH}");
   EXPECT_TRUE(holds(complaint(),
                     "legs.LF: between the base and \"LF_THIGH\" there are 2 joints that move: "
-                    "LF_HAA LF_HFE; a leg has three"));
+                    "LF_HAA LF_HFE; a leg that walks has three"));
 }
 
 /// ANYmal B with an arm; what is changed, and what is said of it.

@@ -53,7 +53,8 @@ TEST(BadRobot, refuses_parts_of_another_leg) {
   EXPECT_TRUE(holds(message_of<Error>(robot), "\"RF_FOOT\" is not on the expected part of leg LF"));
   robot = anymal_b();
   std::swap(robot.legs[0].joints[1], robot.legs[1].joints[1]);
-  EXPECT_TRUE(holds(message_of<Error>(robot), "is not connected to the one before it"));
+  EXPECT_TRUE(
+      holds(message_of<Error>(robot), "which is not what the joint before it in its leg moves"));
   robot = anymal_b();
   robot.legs[0].joints[1] = "LF_HAA";
   EXPECT_TRUE(holds(message_of<Error>(robot), "\"LF_HAA\" is named for two places"));
@@ -96,7 +97,7 @@ INSTANTIATE_TEST_SUITE_P(
                 "needs xyz=\"three finite numbers\""},
         BadUrdf{kInertia, "ixx=\"0,2\"", "needs ixx=\"a finite number\", not \"0,2\""},
         BadUrdf{kInertia, "ixx=\"-0.217391101503\"",
-                "link \"base_inertia\": its inertia has a negative eigenvalue"},
+                "link \"base_inertia\": its inertia has a negative principal moment, -0.217 kg·m²"},
         BadUrdf{kInertia, "ixx=\"9.217391101503\"",
                 "link \"base\" moves, but with all that is fixed to it has principal moments of "
                 "inertia of "},
@@ -111,7 +112,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadUrdf{kImuLink, "<xacro:leg side=\"left\"/><link name=\"imu_link\">",
                 "<xacro:leg> does not belong in a URDF; run xacro first: xacro FILE"},
         BadUrdf{kImuLink, "<link name=\"imu\">",
-                "joint \"imu_joint\": link \"imu_link\" does not exist"},
+                "joint \"imu_joint\": unknown link \"imu_link\"; there are: base base_inertia"},
         BadUrdf{"</robot>", "<link name=\"tail\"/></robot>",
                 "the links must form one tree; links without a parent: base tail"},
         BadUrdf{"</robot>",

@@ -72,7 +72,7 @@ TEST_F(PhysicsUrdfTest, leaves_out_friction_of_joints_with_a_note) {
   const PhysicsUrdf physics = read();
   EXPECT_FALSE(holds(physics.xml, "dynamics"));
   ASSERT_EQ(physics.notes.size(), 1U);
-  EXPECT_TRUE(holds(physics.notes[0], "<dynamics> of 1 joints was left out"));
+  EXPECT_TRUE(holds(physics.notes[0], "<dynamics> of 1 joints is ignored"));
 }
 
 TEST_F(PhysicsUrdfTest, gives_an_inertia_that_is_impossible_alone_to_the_body_that_it_is_part_of) {

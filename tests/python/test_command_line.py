@@ -180,7 +180,7 @@ def test_a_scenario_that_is_wrong_gives_one_message_that_helps(scenario, text, e
 
 def test_a_check_tells_what_is_left_out_of_the_urdf(robot):
     file = robot(urdf_change=('<dynamics damping="0.0" friction="0.0"/>', '<dynamics damping="0.1" friction="0.0"/>'))
-    assert "note: <dynamics> of 12 joints was left out: friction is that of the drives" in answer("run", file, "--check")
+    assert "note: <dynamics> of 12 joints is ignored: the simulated drives have their own friction" in answer("run", file, "--check")
 
 
 BEAM = """<link name="beam"><collision><origin xyz="0 0 -0.2"/><geometry><box size="0.3 1.0 0.05"/></geometry></collision></link>

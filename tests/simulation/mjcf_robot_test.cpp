@@ -135,7 +135,7 @@ TEST_F(MjcfRobotFile, tells_what_was_left_out) {
   const std::vector<std::string> notes = urdf().notes;
   ASSERT_EQ(notes.size(), 2U);
   EXPECT_TRUE(holds(notes[0], "these bodies collide with less or nothing: shank"));
-  EXPECT_TRUE(holds(notes[1], "damping, frictionloss and armature of 2 joints were left out"));
+  EXPECT_TRUE(holds(notes[1], "damping, frictionloss and armature of 2 joints are ignored"));
 }
 
 TEST_F(MjcfRobotFile, has_names_where_the_file_has_none_and_keeps_those_of_xml) {
