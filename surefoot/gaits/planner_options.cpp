@@ -55,6 +55,9 @@ Group fields(GaitOptions& o) {
       {"start_duration", &o.start_duration, kNotNegative, "s", "before the first step"}};
 }
 
+/// Of a foot that rises and comes down again: more is no leg's [m/s²].
+constexpr double kMostLift = 200.0;
+
 /// Each leg must have time to swing, and a stance that its force ramps fit in.
 void check_rhythm(const PlannerOptions& o, const Given& given) {
   const RhythmOptions& rhythm = o.rhythm;
@@ -62,16 +65,23 @@ void check_rhythm(const PlannerOptions& o, const Given& given) {
   for (const Leg leg : rhythm.duty.legs()) {
     const double duty = rhythm.duty[index(leg)], stance = duty * rhythm.period;
     const std::string name(leg_name(leg, o.gait.num_legs()));
-    if (!rhythm.enabled || (duty < 1.0 && stance >= ramps)) continue;
+    if (!rhythm.enabled) continue;
     if (duty >= 1.0) {
       given.fail("rhythm.duty",
                  formatted("of %s is %g; a leg that steps needs less than 1", name.c_str(), duty));
     }
-    given.fail(
-        "rhythm.period",
-        formatted("%g s gives %s a stance of %g s; it must last as long as force.ramp_up and "
-                  "force.ramp_down, %g s",
-                  rhythm.period, name.c_str(), stance, ramps));
+    if (stance < ramps) {
+      given.fail("rhythm.period",
+                 formatted("%g s, and a duty of %g, give %s a stance of %g s; it must last as long "
+                           "as force.ramp_up and force.ramp_down, %g s",
+                           rhythm.period, duty, name.c_str(), stance, ramps));
+    }
+    const double swing = rhythm.period - stance, least = std::sqrt(8.0 * o.swing.apex / kMostLift);
+    if (swing >= least) continue;
+    given.fail("rhythm.duty",
+               formatted("of %s is %g, which leaves it %g s to swing; to rise by swing.apex, %g m, "
+                         "takes at least %.2g s",
+                         name.c_str(), duty, swing, o.swing.apex, least));
   }
 }
 
@@ -93,10 +103,12 @@ void check_flight(const PlannerOptions& o, const Given& given) {
         std::ranges::any_of(legs, [&](Leg leg) { return stands(rhythm, leg, phase); });
     flies = bears ? 0 : flies + 1;
     if (flies < kInstant) continue;
-    given.fail("rhythm.offset",
-               formatted("leaves no foot on the ground at %.2f of the cycle; a gait with "
-                         "rhythm.flies may do so",
-                         phase - std::floor(phase)));
+    given.fail(
+        "rhythm.offset",
+        formatted("with rhythm.duty from %g to %g it leaves no foot on the ground at %.2f of "
+                  "the cycle; a gait with rhythm.flies may do so",
+                  std::ranges::min(rhythm.duty), std::ranges::max(rhythm.duty),
+                  phase - std::floor(phase)));
   }
 }
 

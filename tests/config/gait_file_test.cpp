@@ -57,7 +57,10 @@ TEST(GaitFile, that_makes_no_sense_is_told_with_what_would) {
   EXPECT_TRUE(holds(told("planner.rhythm.period=0.05"), "force.ramp_up"));
   EXPECT_TRUE(holds(told("planner.rhythm.offset.MF=0.3"), "LF"));
   EXPECT_TRUE(holds(told("planner.rhythm.offset.LF=1.3"), "0 to 1"));
-  EXPECT_TRUE(holds(told("planner.rhythm.duty=0.4"), "rhythm.flies"));
+  EXPECT_TRUE(holds(told("planner.rhythm.duty=0.4"), "with rhythm.duty from 0.4 to 0.4 it leaves"));
+  EXPECT_TRUE(holds(told("planner.rhythm.duty=0.4"), "a gait with rhythm.flies may do so"));
+  EXPECT_TRUE(holds(told("planner.rhythm.duty=0.98"), "leaves it 0.01 s to swing"));
+  EXPECT_TRUE(holds(told("planner.rhythm.duty=0.98"), "takes at least 0.042 s"));
   EXPECT_TRUE(holds(told("planner.rhythm.speed_max=0"), "above 0"));
 }
 

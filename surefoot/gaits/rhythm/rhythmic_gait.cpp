@@ -70,7 +70,7 @@ Leg RhythmicGait::first_leg(const Situation& now, const Body& body) const {
   };
   return *std::ranges::max_element(body.legs.all(), [&](Leg a, Leg b) {
     const double difference = stood(a) - stood(b);
-    if (std::abs(difference) > kSameTime) return difference < 0.0;
+    if (std::abs(difference) > body.scale.time() * kSameTime) return difference < 0.0;
     return options_.offset[index(a)] > options_.offset[index(b)];
   });
 }
