@@ -5,6 +5,7 @@
 #include "surefoot/base/printable.hpp"
 #include "surefoot/config/data_file.hpp"
 #include "surefoot/config/robot_file.hpp"
+#include "surefoot/doctor/checks.hpp"
 #include "surefoot/doctor/picture.hpp"
 #include "surefoot/doctor/report.hpp"
 #include "surefoot/doctor/robot_file_text.hpp"
@@ -45,13 +46,22 @@ std::vector<doctor::Trial> walk(const doctor::Diagnosis& robot) {
 
 /// Without legs the picture and the findings say more than a file could.
 void write_files(const doctor::Diagnosis& robot, const std::string& file) {
-  if (robot.anatomy.legs) {
+  if (has_legs(robot.anatomy)) {
     write_robot_file(robot, file);
     std::fprintf(stderr, "robot file: %s\n", file.c_str());
   } else {
-    std::fprintf(stderr, "surefoot: no robot file: four legs were not found, see the errors\n");
+    std::fprintf(stderr, "surefoot: no robot file: its legs were not found, see the errors\n");
   }
   std::fprintf(stderr, "picture: %s\n", write_picture(robot, file).c_str());
+}
+
+/// What to do next: a robot file with gaps is refused until they are filled in.
+std::string next_step(const doctor::Diagnosis& robot, const std::string& file) {
+  if (!robot.robot) return "";
+  if (file.empty()) return "\nwrite its robot file: --out " + robot.name + ".yaml\n";
+  const std::string scenario = robot.robot->can_walk() ? "walk_flat" : "flat_feet";
+  return "\n" + std::string(has_gaps(robot) ? "fill in " + file + ", then see it: " : "see it: ") +
+         "surefoot run " + scenario + " --set robot=" + file + " --view\n";
 }
 
 }  // namespace
@@ -65,9 +75,10 @@ int doctor_command(const DoctorArguments& arguments) {
     std::fprintf(stderr, "surefoot: no trial: the program refuses the robot, see the errors\n");
   const std::vector<doctor::Trial> trials =
       arguments.walk && can_walk ? walk(robot) : std::vector<doctor::Trial>();
-  std::cout << printable(
-                   arguments.json ? report_json(robot, trials) + "\n" : report_text(robot, trials),
-                   "\n")
+  std::cout << printable(arguments.json
+                             ? report_json(robot, trials) + "\n"
+                             : report_text(robot, trials) + next_step(robot, arguments.out),
+                         "\n")
             << std::flush;
   if (has_error(robot.findings)) return kWrongInput;
   return std::ranges::all_of(trials, &doctor::Trial::succeeded) ? kPassed : kFailed;

@@ -140,16 +140,20 @@ Examples:
 )";
 
 constexpr const char* kDoctorFooter = R"(
-It finds base, limbs, legs (four limbs of three hinges), feet and their spheres by how the URDF
-connects them, whatever the names are, and checks masses, inertias, units, limits, symmetry, signs
-and the stance. A finding has a severity, how sure it is, its place and what to do. What the URDF
-can't tell stands in the robot file as a comment or a guess that is called one.
+It finds base, limbs, legs (four or six limbs of three hinges, or two that stand on flat feet),
+arms and feet by how the links are connected, whatever their names are. It checks masses, inertias,
+units, limits, symmetry, signs and the stance, and compares the controller's model with the
+physics'. A finding has a severity, how sure it is, its place and what to do. What the description
+can't tell stands in the robot file as a comment, or as a guess that is called one.
 
---walk runs walk_flat and step_down in simulation; guesses stand in for limits and
-a foot's radius that are missing.
+--out FILE.yaml writes the robot file, and FILE.svg, a picture with names and axes. A robot file
+that exists is never written over.
 
-Exit codes: 0 no error is found, 1 a trial walk does not succeed, 2 there are errors, or the input
-can't be read. A robot file that exists is never written over.
+--walk stands for 4 s, walks (walk_flat) and goes down a step (step_down), in simulation; two legs
+stand, squat and are pushed (flat_feet). Guesses stand in for what is missing, and are told.
+
+Exit codes: 0 no error is found, 1 a trial does not succeed, 2 there are errors, or the input
+can't be read.
 
 Examples:
   surefoot doctor robot.urdf
@@ -237,18 +241,21 @@ void add_list(CLI::App& app, Command& chosen) {
 }
 
 void add_doctor(CLI::App& app, Command& chosen) {
-  CLI::App* doctor = app.add_subcommand("doctor", "Examine a URDF and make the robot file of it");
+  CLI::App* doctor =
+      app.add_subcommand("doctor", "Examine a URDF or MJCF and make the robot file of it");
   doctor->footer(kDoctorFooter);
   const auto arguments = std::make_shared<DoctorArguments>();
   doctor
       ->add_option("description", arguments->urdf,
                    "URDF or MJCF: a file, a package:// name, or the name of a robot that ships")
       ->required();
-  doctor->add_option("--out", arguments->out, "Write the robot file here (YAML)")
+  doctor
+      ->add_option("--out", arguments->out,
+                   "Write the robot file here (.yaml), and its picture beside it")
       ->check(some_name());
-  doctor->add_option("--name", arguments->name, "Of the robot; the URDF's by default")
+  doctor->add_option("--name", arguments->name, "Of the robot; the description's by default")
       ->check(robot_name());
-  doctor->add_flag("--walk", arguments->walk, "Let it walk, and step down, in simulation");
+  doctor->add_flag("--walk", arguments->walk, "Let it stand, walk and step down, in simulation");
   doctor->add_flag("--json", arguments->json, "Print one JSON object instead of a report");
   doctor->callback(
       [&chosen, arguments] { chosen = [arguments] { return doctor_command(*arguments); }; });

@@ -1,6 +1,7 @@
 #include "surefoot/doctor/anatomy.hpp"
 
 #include "surefoot/doctor/found_feet.hpp"
+#include "surefoot/doctor/found_flat_legs.hpp"
 #include "surefoot/doctor/found_legs.hpp"
 
 #include <utility>
@@ -30,7 +31,7 @@ class LimbFinder {
     Limb limb;
     collect(first, limb);
     if (!limb.no_leg.empty()) return limb;
-    limb.is_arm = limb.joints.size() > kJointsPerLeg;
+    limb.is_chain = true;
     if (limb.joints.size() != kJointsPerLeg)
       limb.no_leg = "it has " + std::to_string(limb.joints.size()) + " joints, a leg has 3";
     return limb;
@@ -86,9 +87,22 @@ std::string remedy_of(const Limb& limb, const model::Urdf& urdf) {
   const bool is_hinged = std::ranges::all_of(limb.joints, is_hinge);
   if (!is_hinged && limb.joints.size() == kJointsPerLeg)
     return "if it is a leg, set type=\"revolute\" (or continuous) at each joint; else " + fixed;
-  if (limb.joints.size() < kJointsPerLeg)
-    return "if it is a leg, this robot can't be used: a leg must have three joints; else " + fixed;
+  if (limb.is_chain) return "a leg must have three joints: add what is missing; else " + fixed;
   return fixed;
+}
+
+/// Where the legs are known, other chains are arms; where not, only those too long for a leg.
+void name_arms(Anatomy& anatomy) {
+  std::vector<Limb> limbs;
+  for (const Limb& limb : anatomy.others) {
+    const std::vector<Limb> chains =
+        has_legs(anatomy) ? chains_of(limb, anatomy.welds) : std::vector<Limb>();
+    if (chains.empty()) limbs.push_back(limb);
+    limbs.insert(limbs.end(), chains.begin(), chains.end());
+  }
+  for (Limb& limb : limbs)
+    limb.is_arm = limb.is_chain && (has_legs(anatomy) || limb.joints.size() > kJointsPerLeg);
+  anatomy.others = std::move(limbs);
 }
 
 void tell_others(const model::Urdf& urdf, const Anatomy& anatomy, Findings& findings) {
@@ -99,13 +113,14 @@ void tell_others(const model::Urdf& urdf, const Anatomy& anatomy, Findings& find
     if (limb.is_arm) {
       findings.push_back({Severity::note, Confidence::likely, "joint \"" + first.name + "\"",
                           first.line, "an arm begins here:" + names,
-                          "give it a posture under `arms:` in the robot file"});
+                          "give it a posture under `arms:` in the robot file, or make its joints "
+                          "fixed"});
       continue;
     }
     findings.push_back({Severity::error, Confidence::certain, "joint \"" + first.name + "\"",
                         first.line,
-                        "the limb that begins here is no leg (" + limb.no_leg +
-                            "), and a joint beside the legs is refused:" + names,
+                        "the limb that begins here is neither a leg (" + limb.no_leg +
+                            ") nor an arm, a chain of hinges:" + names,
                         remedy_of(limb, urdf)});
   }
 }
@@ -129,8 +144,17 @@ Anatomy find_anatomy(const model::Urdf& urdf, Findings& findings) {
     }
   }
   keep_lowest(legs, anatomy);
+  Findings of_legs;
+  if (legs.size() < kNumLegs) find_flat_legs(urdf, anatomy);
+  if (anatomy.flat_legs) {
+    for (const FoundLeg& leg : legs)
+      anatomy.others.push_back({{leg.joints.begin(), leg.joints.end()}, "", true, false});
+  } else {
+    name_legs(legs, anatomy, of_legs);
+  }
+  name_arms(anatomy);
   tell_others(urdf, anatomy, findings);
-  name_legs(legs, anatomy, findings);
+  findings.insert(findings.end(), of_legs.begin(), of_legs.end());
   return anatomy;
 }
 

@@ -16,7 +16,8 @@ namespace surefoot::doctor {
 struct Limb {
   std::vector<model::UrdfJoint> joints;  ///< from the base outward
   std::string no_leg;                    ///< why it is none; empty: it may be one
-  bool is_arm = false;                   ///< a chain of more hinges than a leg has
+  bool is_chain = false;                 ///< hinges, one behind the other
+  bool is_arm = false;                   ///< a chain that is no leg
 };
 
 /// What a foot's radius was guessed from where its link collides with nothing.
@@ -43,6 +44,28 @@ struct FoundLeg {
   double shank = 0.0;       ///< KFE axis to sphere centre [m]
 };
 
+/// One of two legs with flat feet.
+struct FlatLeg {
+  std::vector<model::UrdfJoint> joints;  ///< from the base to the foot
+  std::string foot;                      ///< the last link
+  int line = 0;                          ///< of it in the URDF
+  std::vector<double> posture;           ///< a guess: knees bent, sole level [rad]
+};
+
+/// What a flat foot stands on.
+struct Sole {
+  Vec2 size;              ///< along x and y of the foot's frame [m]
+  Vec3 center;            ///< in it [m]
+  bool is_guess = false;  ///< as the foot has no shape
+};
+
+/// A robot on two legs: the left and the right one.
+struct FlatLegs {
+  std::array<FlatLeg, 2> legs;
+  Sole sole{};
+  double length = 0.0;  ///< of a leg [m]
+};
+
 /// The parts of a robot as its URDF connects them.
 struct Anatomy {
   std::string root;             ///< of the URDF
@@ -51,8 +74,14 @@ struct Anatomy {
   std::vector<Limb> others;     ///< limbs that are no legs
   std::vector<FoundLeg> loose;  ///< legs that could not be told apart; else empty
   std::optional<PerLeg<FoundLeg>> legs;
+  std::optional<FlatLegs> flat_legs;         ///< where there are no others
   std::map<std::string, model::Weld> welds;  ///< of all links
 };
+
+/// Four, six, or two with flat feet.
+[[nodiscard]] inline bool has_legs(const Anatomy& anatomy) {
+  return anatomy.legs || anatomy.flat_legs;
+}
 
 /// Finds base, limbs, legs and feet. What can't be found is an error in `findings`. Throws
 /// FileError if the file can't be read.

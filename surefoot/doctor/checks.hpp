@@ -10,8 +10,12 @@ namespace surefoot::doctor {
 void check_inertias(Diagnosis& robot);
 /// Total mass and leg length: g for kg, mm for m.
 void check_size(Diagnosis& robot);
+/// Two legs: what can be done with them, and soles that are guesses.
+void check_flat_feet(Diagnosis& robot);
 /// Feet that differ, are missing or have no sphere.
 void check_feet(Diagnosis& robot);
+/// Knees that turn across their hips.
+void check_axes(Diagnosis& robot);
 /// Effort, velocity and position limits: missing, placeholders, too weak to stand.
 void check_limits(Diagnosis& robot);
 /// Left against right, front against hind.
@@ -34,7 +38,7 @@ struct LimitGaps {
 
 /// Without the standing torque an effort counts as a placeholder from 1000 N·m on.
 [[nodiscard]] LimitGaps gaps_of(const Diagnosis& robot, const model::UrdfJoint& joint);
-/// Does any joint of the legs lack a limit?
+/// Does any joint of the legs lack a limit? Of two legs with flat feet: false.
 [[nodiscard]] bool has_gaps(const Diagnosis& robot);
 
 }  // namespace surefoot::doctor

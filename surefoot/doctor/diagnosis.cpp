@@ -30,14 +30,16 @@ std::string name_of(const std::string& urdf) {
 /// Is this line of the URDF among the errors already?
 bool is_told(const Findings& findings, const std::string& message) {
   return std::ranges::any_of(findings, [&](const Finding& finding) {
+    const std::string line = ":" + std::to_string(finding.line);
     return finding.severity == Severity::error && finding.line > 0 &&
-           message.find(":" + std::to_string(finding.line) + ":") != std::string::npos;
+           (message.find(line + ":") != std::string::npos ||
+            message.find(line + ")") != std::string::npos);
   });
 }
 
 /// Lets the program read the robot file; what it refuses is an error unless a check told it.
 void load(Diagnosis& robot) {
-  if (!robot.anatomy.legs) return;
+  if (!has_legs(robot.anatomy) || robot.anatomy.base != robot.anatomy.root) return;
   const GuessedFile file(robot);
   try {
     robot.robot = config::load_robot(file.path());
@@ -68,7 +70,9 @@ Diagnosis examine(const std::string& urdf, const std::string& name) {
   robot.name = name.empty() ? name_of(robot.urdf.path) : name;
   robot.anatomy = find_anatomy(robot.urdf, robot.findings);
   check_size(robot);
-  check_feet(robot);
+  check_axes(robot);
+  check_flat_feet(robot);
+  if (!has_cause(robot.findings)) check_feet(robot);
   check_inertias(robot);
   check_names(robot);
   if (!has_cause(robot.findings)) check_signs(robot);

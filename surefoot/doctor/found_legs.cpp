@@ -11,23 +11,20 @@
 namespace surefoot::doctor {
 namespace {
 
-double length_across(const Vec3& vector, const Vec3& axis) {
-  return (vector - axis * axis.dot(vector)).norm();
-}
-
 Limb limb_of(const FoundLeg& leg, const char* why) {
-  return {{leg.joints.begin(), leg.joints.end()}, why};
+  return {{leg.joints.begin(), leg.joints.end()}, why, true, false};
 }
 
 void tell_too_few(const std::vector<FoundLeg>& legs, Findings& findings) {
   std::string names;
   for (const FoundLeg& leg : legs) names += " " + leg.joints[0].name;
-  findings.push_back(
-      {Severity::error, Confidence::certain, "legs", 0,
-       "the base has " + std::to_string(legs.size()) + " limbs of exactly three hinges" +
-           (names.empty() ? "" : ", beginning at" + names) + ", but the robot needs four legs",
-       "each leg must be three revolute joints, one behind the other; make fixed "
-       "what does not move, and add what is missing"});
+  findings.push_back({Severity::error, Confidence::certain, "legs", 0,
+                      "the base has " + std::to_string(legs.size()) +
+                          " limbs of exactly three hinges" +
+                          (names.empty() ? "" : ", beginning at" + names) +
+                          ", but a robot that walks has four or six legs",
+                      "each leg must be three revolute joints, one behind the other; make fixed "
+                      "what does not move, and add what is missing"});
 }
 
 /// The legs' axes tell where the base looks, even if the places of the hips do not.
@@ -89,8 +86,8 @@ FoundLeg measured_leg(const Limb& limb, const std::map<std::string, model::Weld>
   leg.chain.foot = foot.p + foot.R * leg.foot.center;
   leg.hip = leg.chain.hip_in_base(Vec3::Zero());
   leg.tip = leg.chain.foot_in_base(Vec3::Zero());
-  leg.thigh = length_across(leg.chain.hinges[2].p, leg.joints[1].axis);
-  leg.shank = length_across(leg.chain.foot, leg.joints[2].axis);
+  leg.thigh = leg.chain.thigh();
+  leg.shank = leg.chain.shank();
   return leg;
 }
 

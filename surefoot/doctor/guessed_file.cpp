@@ -2,6 +2,8 @@
 
 #include "surefoot/doctor/robot_file_text.hpp"
 
+#include <algorithm>
+
 namespace surefoot::doctor {
 
 GuessedFile::GuessedFile(const Diagnosis& robot)
@@ -9,8 +11,12 @@ GuessedFile::GuessedFile(const Diagnosis& robot)
                           robot_file_text(robot, folder_.path(), Guesses::as_numbers))) {}
 
 std::string GuessedFile::without_path(std::string message) const {
-  for (std::size_t at = message.find(path_); at != std::string::npos; at = message.find(path_))
-    message.replace(at, path_.size(), "robot file");
+  // With the line behind it, ":10: ": nobody sees that file.
+  for (std::size_t at = message.find(path_); at != std::string::npos; at = message.find(path_)) {
+    const std::size_t end =
+        std::min(message.find_first_not_of(":0123456789", at + path_.size()), message.size());
+    message.replace(at, end - at, end > at + path_.size() ? "robot file:" : "robot file");
+  }
   return message;
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace surefoot::doctor {
 namespace {
@@ -10,76 +11,14 @@ namespace {
 // A body's radius of gyration against how far its joints and links reach.
 constexpr double kMostGyration = 4.0, kLeastGyration = 0.02;
 constexpr double kLeastReach = 0.02;  // of a body whose joints lie at one place [m]
-constexpr double kFarCom = 5.0;       // of its reach
+constexpr double kFarCom = 5.0;       // of its reach, and at least
+constexpr double kFarAway = 0.5;      // [m]: an offset of 1 mm is 1 m in the wrong unit
+constexpr double kOtherUnit = 20.0;   // times the most gyration: an error, for the robot falls
 
 Finding of_link(const model::UrdfLink& link, Severity severity, Confidence confidence,
                 std::string what, std::string remedy) {
   return {severity,  confidence,      "link \"" + link.name + "\"",
           link.line, std::move(what), std::move(remedy)};
-}
-
-void check_link(const model::UrdfLink& link, bool is_root, Findings& findings) {
-  const Vec3 moments = principal_moments(link.inertia);
-  const double largest = moments.cwiseAbs().maxCoeff();
-  if (link.inertia.mass < 0.0) {
-    findings.push_back(of_link(link, Severity::error, Confidence::certain,
-                               formatted("its mass is negative, %g kg", link.inertia.mass),
-                               "correct <mass value>"));
-  }
-  if (is_root && model::is_placeholder(link.inertia)) {
-    findings.push_back(of_link(link, Severity::note, Confidence::certain,
-                               "the root's inertia is a placeholder and is left out", ""));
-  } else if (moments[0] < -model::kInertiaRounding * largest) {
-    findings.push_back(of_link(
-        link, Severity::error, Confidence::certain,
-        formatted("its inertia has a negative principal moment, %.3g kg·m²", moments[0]),
-        "correct the signs in <inertia>: ixx, iyy and izz are positive, and each of ixy, ixz, iyz "
-        "is smaller"));
-  } else if (!model::obeys_triangle_inequality(moments)) {
-    findings.push_back(of_link(
-        link, Severity::note, Confidence::certain,
-        formatted("alone no body can have its moments of inertia, %.3g, %.3g, %.3g kg·m²: the "
-                  "largest is above the sum of the others",
-                  moments[0], moments[1], moments[2]),
-        "take the inertia from CAD anew; what counts is the body with all that is fixed to it"));
-  }
-}
-
-/// A link after a moving joint, with all that is fixed to it.
-struct Body {
-  const model::UrdfLink* link;
-  model::Inertia inertia;
-  double reach;  // from its origin to the farthest of its joints and links [m]
-};
-
-Body body_of(const Diagnosis& robot, const model::UrdfLink& first) {
-  const std::map<std::string, model::Weld>& welds = robot.anatomy.welds;
-  Body body{&first, {}, kLeastReach};
-  for (const model::UrdfLink& link : robot.urdf.links) {
-    const model::Weld& weld = welds.at(link.name);
-    if (weld.body == first.name) body.inertia = body.inertia + link.inertia.placed(weld.R, weld.p);
-  }
-  const auto add = [&](const Vec3& point) { body.reach = std::max(body.reach, point.norm()); };
-  for (const auto& [name, weld] : welds) {
-    if (weld.body == first.name) add(weld.p);
-  }
-  for (const model::UrdfJoint& joint : robot.urdf.joints) {
-    const model::Weld& weld = welds.at(joint.parent);
-    if (joint.type != "fixed" && weld.body == first.name) add(weld.p + weld.R * joint.p);
-  }
-  return body;
-}
-
-/// Moments that the whole body can't have are refused by the program.
-void check_moments(const Body& body, Findings& findings) {
-  const Vec3 moments = principal_moments(body.inertia);
-  if (moments[0] > 0.0 && model::obeys_triangle_inequality(moments)) return;
-  findings.push_back(of_link(
-      *body.link, Severity::error, Confidence::certain,
-      formatted("with all that is fixed to it, it has moments of inertia that no body has: %.3g, "
-                "%.3g, %.3g kg·m²; all must be above 0, and none above the sum of the others",
-                moments[0], moments[1], moments[2]),
-      "correct <inertia> of this link and of those fixed to it"));
 }
 
 /// A fault of many bodies is one finding, at the first.
@@ -106,6 +45,76 @@ class BodyList {
   std::string what_, others_;
 };
 
+bool has_negative_moment(const model::Inertia& inertia) {
+  const Vec3 moments = principal_moments(inertia);
+  return moments[0] < -model::kInertiaRounding * moments.cwiseAbs().maxCoeff();
+}
+
+void check_link(const model::UrdfLink& link, bool is_root, BodyList& impossible,
+                Findings& findings) {
+  const Vec3 moments = principal_moments(link.inertia);
+  if (link.inertia.mass < 0.0) {
+    findings.push_back(of_link(link, Severity::error, Confidence::certain,
+                               formatted("its mass is negative, %g kg", link.inertia.mass),
+                               "correct <mass value>"));
+  }
+  if (is_root && model::is_placeholder(link.inertia)) {
+    findings.push_back(of_link(link, Severity::note, Confidence::certain,
+                               "the root's inertia is a placeholder and is left out", ""));
+  } else if (has_negative_moment(link.inertia)) {
+    findings.push_back(of_link(
+        link, Severity::error, Confidence::certain,
+        formatted("its inertia has a negative principal moment, %.3g kg·m²", moments[0]),
+        "correct the signs in <inertia>: ixx, iyy and izz are positive, and each of ixy, ixz, iyz "
+        "is smaller"));
+  } else if (!model::obeys_triangle_inequality(moments)) {
+    impossible.add(link,
+                   formatted("alone no body can have its moments of inertia, %.3g, %.3g, %.3g "
+                             "kg·m²: the largest is above the sum of the others",
+                             moments[0], moments[1], moments[2]));
+  }
+}
+
+/// A link after a moving joint, with all that is fixed to it.
+struct Body {
+  const model::UrdfLink* link;
+  model::Inertia inertia;
+  bool is_told;  // a link of it has a negative mass or inertia
+  double reach;  // from its origin to the farthest of its joints and links [m]
+};
+
+Body body_of(const Diagnosis& robot, const model::UrdfLink& first) {
+  const std::map<std::string, model::Weld>& welds = robot.anatomy.welds;
+  Body body{&first, {}, false, kLeastReach};
+  for (const model::UrdfLink& link : robot.urdf.links) {
+    const model::Weld& weld = welds.at(link.name);
+    if (weld.body != first.name) continue;
+    body.inertia = body.inertia + link.inertia.placed(weld.R, weld.p);
+    body.is_told |= link.inertia.mass < 0.0 || has_negative_moment(link.inertia);
+  }
+  const auto add = [&](const Vec3& point) { body.reach = std::max(body.reach, point.norm()); };
+  for (const auto& [name, weld] : welds) {
+    if (weld.body == first.name) add(weld.p);
+  }
+  for (const model::UrdfJoint& joint : robot.urdf.joints) {
+    const model::Weld& weld = welds.at(joint.parent);
+    if (joint.type != "fixed" && weld.body == first.name) add(weld.p + weld.R * joint.p);
+  }
+  return body;
+}
+
+/// Moments that the whole body can't have are refused by the program.
+void check_moments(const Body& body, Findings& findings) {
+  const Vec3 moments = principal_moments(body.inertia);
+  if (moments[0] > 0.0 && model::obeys_triangle_inequality(moments)) return;
+  findings.push_back(of_link(
+      *body.link, Severity::error, Confidence::certain,
+      formatted("with all that is fixed to it, it has moments of inertia that no body has: %.3g, "
+                "%.3g, %.3g kg·m²; all must be above 0, and none above the sum of the others",
+                moments[0], moments[1], moments[2]),
+      "correct <inertia> of this link and of those fixed to it"));
+}
+
 /// What speaks of other units, or of a mass that is forgotten.
 class UnitCheck {
  public:
@@ -114,21 +123,26 @@ class UnitCheck {
     const std::string within = formatted(" but its joints and links lie within %.3g m", body.reach);
     const std::string seen =
         formatted("its radius of gyration, √(I/m), is %.3g m,", gyration) + within;
-    if (gyration > kMostGyration * body.reach)
-      large_.add(*body.link, seen + ": the inertia is too large for the mass");
+    if (gyration > kMostGyration * body.reach) {
+      BodyList& list = gyration > kOtherUnit * kMostGyration * body.reach ? huge_ : large_;
+      list.add(*body.link, seen + ": the inertia is too large for the mass");
+    }
     if (gyration < kLeastGyration * body.reach)
       small_.add(*body.link, seen + ": the inertia is too small for the mass");
-    if (body.inertia.com.norm() > kFarCom * body.reach) {
+    if (body.inertia.com.norm() > std::max(kFarAway, kFarCom * body.reach)) {
       far_.add(*body.link,
                formatted("its centre of mass is %.3g m from its joint,", body.inertia.com.norm()) +
                    within);
     }
   }
   void tell(Findings& findings) const {
-    large_.tell(Severity::warning, Confidence::likely,
-                "is <inertia> in kg·mm² (divide by 1e6) or g·mm² (by 1e9), or the mass too small? "
-                "Expected are kg and kg·m²",
-                findings);
+    for (const auto& [list, severity] :
+         {std::pair{&huge_, Severity::error}, std::pair{&large_, Severity::warning}}) {
+      list->tell(severity, Confidence::likely,
+                 "is <inertia> in kg·mm² (divide by 1e6) or g·mm² (by 1e9), or the mass too small? "
+                 "Expected are kg and kg·m²",
+                 findings);
+    }
     small_.tell(Severity::warning, Confidence::likely,
                 "is the mass in g (divide by 1000), or <inertia> a placeholder? Expected are kg "
                 "and kg·m²",
@@ -138,7 +152,7 @@ class UnitCheck {
   }
 
  private:
-  BodyList large_, small_, far_;
+  BodyList huge_, large_, small_, far_;
 };
 
 /// The torso of a robot is often fixed to a base without mass; a leg's link has its own.
@@ -155,15 +169,16 @@ void check_own_mass(const Diagnosis& robot, const Body& body, Findings& findings
 }  // namespace
 
 void check_inertias(Diagnosis& robot) {
-  for (const model::UrdfLink& link : robot.urdf.links)
-    check_link(link, link.name == robot.urdf.root, robot.findings);
   UnitCheck units;
-  BodyList massless;
+  BodyList massless, impossible;
+  for (const model::UrdfLink& link : robot.urdf.links)
+    check_link(link, link.name == robot.urdf.root, impossible, robot.findings);
   for (const model::UrdfLink& link : robot.urdf.links) {
     const bool is_empty_root = link.name == robot.urdf.root && link.name != robot.anatomy.base;
     const bool is_first_of_body = robot.anatomy.welds.at(link.name).body == link.name;
     if (!is_first_of_body || is_empty_root) continue;
     const Body body = body_of(robot, link);
+    if (body.is_told) continue;
     if (body.inertia.mass <= 0.0) {
       massless.add(link, "it moves, but has no mass, with all that is fixed to it");
       continue;
@@ -174,6 +189,10 @@ void check_inertias(Diagnosis& robot) {
   }
   massless.tell(Severity::error, Confidence::certain,
                 "add <inertial> with its mass, or make its joint fixed", robot.findings);
+  impossible.tell(
+      Severity::note, Confidence::certain,
+      "take the inertia from CAD anew; what counts is the body with all that is fixed to it",
+      robot.findings);
   if (!has_cause(robot.findings)) units.tell(robot.findings);
 }
 

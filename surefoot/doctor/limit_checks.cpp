@@ -1,16 +1,14 @@
 #include "surefoot/base/formatted.hpp"
+#include "surefoot/config/robot_plausibility.hpp"
 #include "surefoot/doctor/checks.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 namespace surefoot::doctor {
 namespace {
 
-constexpr double kMuchTorque = 20.0;     // times what standing needs
-constexpr double kLargeEffort = 1000.0;  // where that is not known [N·m]
-constexpr double kFastest = 100.0;       // [rad/s]
-constexpr double kWholeTurn = 2.0 * kPi - 1e-3;
 constexpr double kMostOfLimit = 0.6;  // of the limit, to stand: little is left to walk
 
 bool is_missing(double number) { return std::isnan(number) || number <= 0.0; }
@@ -20,12 +18,11 @@ double most_standing_torque(const Diagnosis& robot) {
 }
 
 bool is_effort_placeholder(const Diagnosis& robot, double effort) {
-  const double most = most_standing_torque(robot);
-  return std::isnan(most) ? effort >= kLargeEffort : effort > kMuchTorque * most;
+  return config::is_effort_placeholder(effort, most_standing_torque(robot));
 }
 
 bool is_position_placeholder(const model::UrdfJoint& joint) {
-  return joint.lower <= -kWholeTurn || joint.upper >= kWholeTurn || joint.lower >= joint.upper;
+  return config::is_position_placeholder(joint.lower, joint.upper);
 }
 
 bool has_no_position(const model::UrdfJoint& joint) {
@@ -100,7 +97,7 @@ void check_velocity(Diagnosis& robot) {
     for (const model::UrdfJoint& joint : leg.joints) {
       if (is_missing(joint.velocity)) {
         missing.add(joint, "");
-      } else if (joint.velocity > kFastest) {
+      } else if (config::is_velocity_placeholder(joint.velocity)) {
         placeholders.add(joint, number(joint.velocity, "rad/s"));
       }
     }
@@ -134,6 +131,31 @@ void check_position(Diagnosis& robot) {
                     robot.findings);
 }
 
+/// What arms lack, for which guesses stand in.
+void check_arms(Diagnosis& robot) {
+  for (const auto& [described, what, key] :
+       {std::tuple{&model::UrdfJoint::effort, " has no effort limit", "torque"},
+        {&model::UrdfJoint::velocity, " has no velocity limit", "velocity"},
+        {&model::UrdfJoint::lower, " has no position limits", "position_min and position_max"}}) {
+    std::string names;
+    int line = 0;
+    for (const Limb& limb : robot.anatomy.others) {
+      for (const model::UrdfJoint& joint : limb.joints) {
+        const double given = joint.*described;
+        const bool is_missing =
+            std::isnan(given) || (described != &model::UrdfJoint::lower && given <= 0.0);
+        if (!limb.is_arm || !is_missing) continue;
+        if (line == 0) line = joint.line;
+        names += " " + joint.name;
+      }
+    }
+    if (names.empty()) continue;
+    robot.findings.push_back({Severity::error, Confidence::certain, "arms", line,
+                              "the " + std::string(robot.urdf.format()) + what + ":" + names,
+                              "fill in " + std::string(key) + " of the arm in the robot file"});
+  }
+}
+
 void check_strength(Diagnosis& robot) {
   if (std::isnan(most_standing_torque(robot))) return;
   JointList weak(robot), tired(robot);
@@ -158,11 +180,12 @@ void check_strength(Diagnosis& robot) {
 
 LimitGaps gaps_of(const Diagnosis& robot, const model::UrdfJoint& joint) {
   return {.effort = is_missing(joint.effort) || is_effort_placeholder(robot, joint.effort),
-          .velocity = is_missing(joint.velocity) || joint.velocity > kFastest,
+          .velocity = is_missing(joint.velocity) || config::is_velocity_placeholder(joint.velocity),
           .position = has_no_position(joint) || is_position_placeholder(joint)};
 }
 
 bool has_gaps(const Diagnosis& robot) {
+  if (!robot.anatomy.legs) return false;
   return std::ranges::any_of(*robot.anatomy.legs, [&](const FoundLeg& leg) {
     return std::ranges::any_of(leg.joints, [&](const model::UrdfJoint& joint) {
       const LimitGaps gaps = gaps_of(robot, joint);
@@ -172,6 +195,7 @@ bool has_gaps(const Diagnosis& robot) {
 }
 
 void check_limits(Diagnosis& robot) {
+  if (has_legs(robot.anatomy)) check_arms(robot);
   if (!robot.anatomy.legs) return;
   check_effort(robot);
   check_velocity(robot);

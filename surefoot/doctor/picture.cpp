@@ -11,6 +11,7 @@ namespace surefoot::doctor {
 namespace {
 
 constexpr double kWidth = 400.0, kMargin = 240.0, kTop = 40.0, kBelow = 30.0;  // pixels of a view
+constexpr double kHeight = 600.0;                                              // at most
 constexpr double kLine = 16.0;                                                 // of text
 constexpr double kArrow = 34.0;                                                // of an axis
 constexpr double kEdgeOn = 0.2;  // an axis whose share in the picture is less points to us or away
@@ -65,6 +66,7 @@ class View {
 
   /// Of the robot, across [m].
   [[nodiscard]] double width() const { return high_.x - low_.x; }
+  [[nodiscard]] double height() const { return high_.y - low_.y; }
 
   void draw(bool above) {
     draw_trunk();
@@ -239,8 +241,9 @@ std::string picture(const Diagnosis& robot) {
   const Vec3 x = Vec3::UnitX(), y = Vec3::UnitY(), z = Vec3::UnitZ();
   const std::array<Side, 3> sides{Side{"from the right", x, z, -y}, Side{"from the left", -x, z, y},
                                   Side{"from above", x, y, z}};
-  const double width = View(skeleton, sides[0], 1.0, 0.0).width();
-  const double scale = kWidth / std::max(width, 1e-3);
+  const View whole_robot(skeleton, sides[0], 1.0, 0.0);
+  const double scale =
+      1.0 / std::max({whole_robot.width() / kWidth, whole_robot.height() / kHeight, 1e-5});
   double top = kLine;
   std::string views;
   for (const Side& side : sides) {

@@ -44,6 +44,14 @@ void add_limbs(JsonText& json, const Anatomy& anatomy) {
       add_leg(json, (*anatomy.legs)[index(leg)]);
     }
   }
+  if (anatomy.flat_legs) {
+    for (const Leg leg : first_legs(2)) {
+      const FlatLeg& flat = anatomy.flat_legs->legs[index(leg)];
+      json.key(leg_name(leg, 2)).object();
+      add_joints(json, flat.joints);
+      json.member("foot", flat.foot).end_object();
+    }
+  }
   json.end_object().key("limbs_of_three_hinges").array();
   for (const FoundLeg& leg : anatomy.loose) add_leg(json, leg);
   json.end_array().key("other_limbs").array();

@@ -48,6 +48,19 @@ std::string legs_table(const PerLeg<FoundLeg>& legs) {
   return aligned(rows);
 }
 
+std::string flat_legs_table(const FlatLegs& found) {
+  std::vector<std::vector<std::string>> rows{{"leg", "length", "foot, sole", "joints"}};
+  for (const Leg leg : first_legs(2)) {
+    const FlatLeg& flat = found.legs[index(leg)];
+    rows.push_back(
+        {std::string(leg_name(leg, 2)), formatted("%.3f m", found.length),
+         flat.foot + formatted(", %s%.3g x %.3g m", found.sole.is_guess ? "guessed " : "",
+                               found.sole.size.x(), found.sole.size.y()),
+         joints_text(flat.joints)});
+  }
+  return aligned(rows);
+}
+
 std::string limbs_text(const Anatomy& anatomy) {
   std::string text;
   for (const FoundLeg& leg : anatomy.loose) {
@@ -55,13 +68,16 @@ std::string limbs_text(const Anatomy& anatomy) {
             formatted(", hip at x = %.3g, y = %.3g m, foot ", leg.hip.x(), leg.hip.y()) +
             leg.foot.link + "\n";
   }
-  for (const Limb& limb : anatomy.others)
-    text += "other limb: " + joints_text(limb.joints) + "; no leg: " + limb.no_leg + "\n";
+  for (const Limb& limb : anatomy.others) {
+    text += limb.is_arm
+                ? "arm: " + joints_text(limb.joints) + "\n"
+                : "other limb: " + joints_text(limb.joints) + "; no leg: " + limb.no_leg + "\n";
+  }
   return text;
 }
 
 std::string proportions_text(const Diagnosis& robot) {
-  if (!robot.proportions) return "";
+  if (!robot.proportions || !robot.anatomy.legs) return "";
   const model::Proportions& found = *robot.proportions;
   const Scale scale = model::scale_of(found);
   return formatted(
@@ -110,6 +126,7 @@ std::string report_text(const Diagnosis& robot, const std::vector<Trial>& trials
   if (robot.anatomy.legs && robot.anatomy.legs->size() == kMaxLegs)
     text += "six legs, in three pairs from the front to the hind one\n";
   if (robot.anatomy.legs) text += "\n" + legs_table(*robot.anatomy.legs);
+  if (robot.anatomy.flat_legs) text += "\n" + flat_legs_table(*robot.anatomy.flat_legs);
   text += limbs_text(robot.anatomy) + proportions_text(robot);
   text += "\n" + count_text(robot.findings) + "\n";
   if (has_cause(robot.findings))

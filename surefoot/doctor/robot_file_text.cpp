@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <vector>
 
 namespace surefoot::doctor {
@@ -39,17 +40,6 @@ const Foot& foot_of_all(const PerLeg<FoundLeg>& legs) {
   const auto has_sphere = [](const FoundLeg& leg) { return leg.foot.guessed_from.empty(); };
   const auto found = std::ranges::find_if(legs, has_sphere);
   return found == legs.end() ? legs[0].foot : found->foot;
-}
-
-std::string arm_lines(const Anatomy& anatomy) {
-  std::string text;
-  for (const Limb& limb : anatomy.others) {
-    if (!limb.is_arm) continue;
-    text += (text.empty() ? std::string("arms:\n") : "") +
-            "  - {name: " + quoted(limb.joints.front().name) +
-            ", tip: " + quoted(limb.joints.back().child) + "}\n";
-  }
-  return text;
 }
 
 std::string foot_lines(const Foot& foot, Guesses guesses) {
@@ -155,6 +145,77 @@ std::string limit_lines_of(Leg leg, const Diagnosis& robot, Guesses guesses) {
   return text.empty() ? "" : begin + "limits:" + to_fill_in(guesses) + "\n" + text;
 }
 
+std::string listed(const std::vector<double>& numbers) {
+  std::string text;
+  for (const double number : numbers)
+    text += (text.empty() ? "[" : ", ") + formatted("%.4g", number);
+  return text + "]";
+}
+
+std::string flat_leg_lines(const FlatLegs& found) {
+  std::string text = "legs:   # postures are guesses: knees bent, soles level; rad\n";
+  for (const Leg leg : first_legs(2)) {
+    const FlatLeg& flat = found.legs[index(leg)];
+    text += "  " + std::string(leg_name(leg, 2)) + ": {foot: " + quoted(flat.foot) +
+            ", posture: " + listed(flat.posture) + "}\n";
+  }
+  return text;
+}
+
+std::string sole_lines(const Sole& sole) {
+  return formatted(
+             "foot:   # m; the sole, by %s: measure it\n",
+             sole.is_guess ? "the leg's length alone" : "what lies lowest on the foot's link") +
+         formatted("  size: [%.4g, %.4g]\n  center: [%.4g, %.4g, %.4g]\n", sole.size.x(),
+                   sole.size.y(), sole.center.x(), sole.center.y(), sole.center.z());
+}
+
+/// A limit of an arm's joints where one lacks it: the known ones, and guesses.
+struct ArmLimit {
+  const char* key;
+  double model::UrdfJoint::* described;
+  double guess;
+  const char* unit;
+};
+
+std::string arm_limit_lines(const Diagnosis& robot, const Limb& limb, Guesses guesses) {
+  const Scale scale = robot.proportions ? model::scale_of(*robot.proportions) : Scale();
+  std::string text;
+  for (const ArmLimit& limit :
+       {ArmLimit{"torque", &model::UrdfJoint::effort, 40.0 * scale.torque(), "N·m"},
+        ArmLimit{"velocity", &model::UrdfJoint::velocity, 6.0 * scale.rate(), "rad/s"},
+        ArmLimit{"position_min", &model::UrdfJoint::lower, -kPi, "rad"},
+        ArmLimit{"position_max", &model::UrdfJoint::upper, kPi, "rad"}}) {
+    std::vector<double> numbers;
+    bool lacks = false;
+    const bool is_positive = limit.guess > 0.0 && std::string(limit.unit) != "rad";
+    for (const model::UrdfJoint& joint : limb.joints) {
+      const double given = joint.*limit.described;
+      const bool is_missing = std::isnan(given) || (is_positive && given <= 0.0);
+      lacks |= is_missing;
+      numbers.push_back(is_missing ? limit.guess : given);
+    }
+    if (!lacks) continue;
+    text += std::string(guesses == Guesses::as_comments ? "#   " : "    ") + limit.key + ": " +
+            listed(numbers) + "   # " + limit.unit +
+            (guesses == Guesses::as_comments ? "; guesses: fill in, and take the # away" : "") +
+            "\n";
+  }
+  return text;
+}
+
+std::string arm_lines(const Diagnosis& robot, Guesses guesses) {
+  std::string text;
+  for (const Limb& limb : robot.anatomy.others) {
+    if (!limb.is_arm) continue;
+    text += (text.empty() ? std::string("arms:\n") : "") +
+            "  - name: " + quoted(limb.joints.front().name) +
+            "\n    tip: " + quoted(limb.joints.back().child) + "\n" +
+            arm_limit_lines(robot, limb, guesses);
+  }
+  return text;
+}
+
 /// The link alone on one line; what this leg has by itself, below it.
 std::string leg_lines(const Diagnosis& robot, Guesses guesses) {
   const PerLeg<FoundLeg>& legs = *robot.anatomy.legs;
@@ -173,17 +234,20 @@ std::string leg_lines(const Diagnosis& robot, Guesses guesses) {
 
 std::string robot_file_text(const Diagnosis& robot, const std::filesystem::path& folder,
                             Guesses guesses) {
-  if (!robot.anatomy.legs) {
-    throw Error(
-        robot.urdf.path +
-        ": four or six legs were not found, so there is no robot file; the findings say why");
+  if (!has_legs(robot.anatomy)) {
+    throw Error(robot.urdf.path +
+                ": its legs were not found, so there is no robot file; the findings say why");
   }
   return std::string("# Written by `surefoot doctor`. What is not here follows from the ") +
          robot.urdf.format() + ": joints, limits, size.\nname: " + quoted(robot.name) +
          (robot.urdf.text.empty() ? "\nurdf: " : "\nmjcf: ") +
-         quoted(urdf_seen_from(robot, folder)) + "\n" + leg_lines(robot, guesses) +
-         arm_lines(robot.anatomy) + foot_lines(foot_of_all(*robot.anatomy.legs), guesses) +
-         limit_lines(robot, guesses);
+         quoted(urdf_seen_from(robot, folder)) + "\n" +
+         (robot.anatomy.legs ? leg_lines(robot, guesses)
+                             : flat_leg_lines(*robot.anatomy.flat_legs)) +
+         arm_lines(robot, guesses) +
+         (robot.anatomy.legs
+              ? foot_lines(foot_of_all(*robot.anatomy.legs), guesses) + limit_lines(robot, guesses)
+              : sole_lines(robot.anatomy.flat_legs->sole));
 }
 
 void write_robot_file(const Diagnosis& robot, const std::filesystem::path& file) {

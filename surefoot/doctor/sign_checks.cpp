@@ -1,3 +1,4 @@
+#include "surefoot/base/formatted.hpp"
 #include "surefoot/doctor/checks.hpp"
 #include "surefoot/doctor/knees.hpp"
 
@@ -32,8 +33,10 @@ void tell_odd(Diagnosis& robot, std::size_t leg, std::size_t joint) {
       {Severity::error, Confidence::likely, "joint \"" + odd.name + "\"", odd.line,
        "the " + std::string(kJointNames[joint]) + " of " +
            std::string(leg_names(static_cast<int>(robot.anatomy.legs->size()))[leg]) +
-           " turns the other way than those of the other legs; all legs are commanded alike",
-       "change the sign of its <axis>, and exchange and negate its lower and upper limit"});
+           " turns the other way than those of the other legs; if that is wrong, the controller "
+           "drives this joint the wrong way",
+       "change the sign of its <axis>, and exchange and negate its lower and upper limit, unless "
+       "the robot is built so"});
 }
 
 /// Some and some: which belong together?
@@ -103,6 +106,21 @@ void check_pair(Diagnosis& robot, Leg left, Leg right) {
 }
 
 }  // namespace
+
+void check_axes(Diagnosis& robot) {
+  if (!robot.anatomy.legs) return;
+  constexpr double kMostSkew = 0.1;  // [rad]
+  for (const FoundLeg& leg : *robot.anatomy.legs) {
+    if (leg.chain.knee_skew() < kMostSkew) continue;
+    robot.findings.push_back(
+        {Severity::error, Confidence::likely, "joint \"" + leg.joints[2].name + "\"",
+         leg.joints[2].line,
+         formatted("the knee's axis is turned by %.3g rad against that of \"%s\"; both must bend "
+                   "the leg in one plane",
+                   leg.chain.knee_skew(), leg.joints[1].name.c_str()),
+         "correct its <axis>, or the rpy of its <origin>", true});
+  }
+}
 
 void check_signs(Diagnosis& robot) {
   if (!robot.anatomy.legs) return;

@@ -121,12 +121,14 @@ void tell_guesses(const PerLeg<FoundLeg>& legs, Findings& findings) {
   }
   if (first == nullptr) return;
   const bool has_none = first->guessed_from == kNoShape;
-  findings.push_back({has_none ? Severity::error : Severity::warning, Confidence::certain,
-                      "link \"" + first->link + "\"", first->line,
-                      "these feet have no collision sphere but " + first->guessed_from +
-                          formatted(", so foot.radius is a guess, %.3g m:", first->radius) + links,
-                      "measure the foot and correct foot.radius and foot.center; the sphere must "
-                      "enclose what the foot stands on"});
+  findings.push_back(
+      {has_none ? Severity::error : Severity::warning, Confidence::certain,
+       "link \"" + first->link + "\"", first->line,
+       (has_none ? std::string("these feet collide with nothing")
+                 : "these feet have no collision sphere but " + first->guessed_from) +
+           formatted(", so foot.radius is a guess, %.3g m:", first->radius) + links,
+       "measure the foot and correct foot.radius and foot.center; the sphere must "
+       "enclose what the foot stands on"});
 }
 
 }  // namespace
@@ -134,6 +136,24 @@ void tell_guesses(const PerLeg<FoundLeg>& legs, Findings& findings) {
 void check_size(Diagnosis& robot) {
   check_mass(robot);
   if (robot.anatomy.legs) check_length(robot);
+}
+
+void check_flat_feet(Diagnosis& robot) {
+  if (!robot.anatomy.flat_legs) return;
+  const FlatLeg& left = robot.anatomy.flat_legs->legs[0];
+  const std::string subject = "link \"" + left.foot + "\"";
+  robot.findings.push_back({Severity::note, Confidence::likely, subject, left.line,
+                            "the robot has two legs that end in flat feet, here and at \"" +
+                                robot.anatomy.flat_legs->legs[1].foot +
+                                "\": it stands, shifts its weight and squats (flat_feet), but does "
+                                "not walk. Posture and sole are guesses from its shape",
+                            "check legs.L.posture, in which the sole must be level, and foot.size "
+                            "in the robot file"});
+  if (!robot.anatomy.flat_legs->sole.is_guess) return;
+  robot.findings.push_back({Severity::error, Confidence::certain, subject, left.line,
+                            "the foot has no collision shape that tells its sole, so foot.size is "
+                            "a guess by the leg's length",
+                            "measure the sole and correct foot.size and foot.center"});
 }
 
 void check_feet(Diagnosis& robot) {

@@ -16,12 +16,9 @@ struct Frame {
 std::map<std::string, double> angles(const Diagnosis& robot) {
   std::map<std::string, double> angles;
   if (!robot.robot) return angles;
-  for (const Leg leg : robot.robot->legs.legs()) {
-    for (std::size_t j = 0; j < kJointsPerLeg; ++j) {
-      angles[robot.robot->legs[index(leg)].joints[j]] =
-          robot.robot->q_nominal[first_joint(leg) + static_cast<Eigen::Index>(j)];
-    }
-  }
+  const std::vector<std::string> names = robot.robot->joint_names();
+  for (std::size_t i = 0; i < names.size(); ++i)
+    angles[names[i]] = robot.robot->q_nominal[static_cast<Eigen::Index>(i)];
   return angles;
 }
 
@@ -80,6 +77,14 @@ Skeleton skeleton_of(const Diagnosis& robot) {
       skeleton.limbs.push_back(drawn((*anatomy.legs)[index(leg)], frames));
       skeleton.limbs.back().leg = leg;
       skeleton.limbs.back().name = leg_name(leg, static_cast<int>(anatomy.legs->size()));
+    }
+  }
+  if (anatomy.flat_legs) {
+    for (const Leg leg : first_legs(2)) {
+      const FlatLeg& flat = anatomy.flat_legs->legs[index(leg)];
+      skeleton.limbs.push_back(drawn(flat.joints, frames));
+      skeleton.limbs.back().leg = leg;
+      skeleton.limbs.back().name = leg_name(leg, 2);
     }
   }
   for (const FoundLeg& leg : anatomy.loose) skeleton.limbs.push_back(drawn(leg, frames));

@@ -6,6 +6,8 @@
 #include "surefoot/config/scenario_file.hpp"
 #include "surefoot/doctor/guessed_file.hpp"
 
+#include <cmath>
+
 namespace surefoot::doctor {
 namespace {
 
@@ -26,6 +28,16 @@ std::string why(const closed_loop::RunResult& result) {
   return result.metrics.reason + missed;
 }
 
+/// What the run reached, in figures.
+std::string figures(const evaluation::Metrics& metrics) {
+  std::string text;
+  if (metrics.distance_m > 0.1)
+    text += formatted("; %.3g m at %.3g m/s", metrics.distance_m, metrics.speed_mps);
+  if (std::isfinite(metrics.com_error_max_m))
+    text += formatted("; COM error up to %.2g mm", 1e3 * metrics.com_error_max_m);
+  return text + formatted("; torque up to %.3g N·m", metrics.torque_max_nm);
+}
+
 /// A scenario with changes, under a name.
 struct Asked {
   std::string name, scenario;
@@ -44,7 +56,7 @@ Trial run(Asked asked, const GuessedFile& robot, const TrialOptions& options) {
       loop.progress = [&](double time) { options.progress(name, time, scenario.duration); };
     const closed_loop::RunResult result = closed_loop::run_closed_loop(scenario, loop);
     if (result.ending == closed_loop::Ending::interrupted) throw Error("interrupted: no results");
-    return {name, result.metrics.succeeded.value_or(false), why(result)};
+    return {name, result.metrics.succeeded.value_or(false), why(result) + figures(result.metrics)};
   } catch (const Error& error) {
     if (options.interrupted && options.interrupted()) throw;
     return {name, false, robot.without_path(error.what())};
@@ -55,6 +67,7 @@ Trial run(Asked asked, const GuessedFile& robot, const TrialOptions& options) {
 
 std::vector<Trial> try_walking(const Diagnosis& robot, const TrialOptions& options) {
   const GuessedFile file(robot);
+  if (!robot.robot->can_walk()) return {run({"flat_feet", "flat_feet", {}}, file, options)};
   const std::vector<std::string> stands = {"user=[]", "planner.calibration.duration=0",
                                            "duration=4", "criteria=none"};
   return {run({"stand", "walk_flat", stands}, file, options),

@@ -12,7 +12,7 @@ namespace surefoot::doctor {
 struct Trial {
   std::string scenario;  ///< or "stand"
   bool succeeded = false;
-  std::string why;  ///< how it ended, and the criteria that were missed
+  std::string why;  ///< how it ended, the criteria that were missed, and some figures
 };
 
 struct TrialOptions {
@@ -21,7 +21,8 @@ struct TrialOptions {
 };
 
 /// Stands for 4 s, walks on flat ground for 20 s, and down a step, with guesses for what the URDF
-/// lacks. What the program refuses is a trial that failed. Throws Error if it was interrupted.
+/// lacks; two legs stand, squat and are pushed. The program must have read the robot. What the
+/// program refuses is a trial that failed. Throws Error if it was interrupted.
 [[nodiscard]] std::vector<Trial> try_walking(const Diagnosis& robot, const TrialOptions& options);
 
 }  // namespace surefoot::doctor

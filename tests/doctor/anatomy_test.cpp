@@ -78,7 +78,7 @@ TEST_F(Anatomy, takes_the_four_lowest_of_five_limbs_for_legs) {
   change("</robot>", "</robot>", arm + "</robot>");
   const Diagnosis robot = diagnosis();
   ASSERT_TRUE(robot.anatomy.legs);
-  EXPECT_TRUE(has(robot, Severity::error, "four others reach lower"));
+  EXPECT_TRUE(has(robot, Severity::note, "an arm begins here"));
 }
 
 TEST_F(Anatomy, of_a_robot_that_looks_along_y_says_so) {
@@ -120,6 +120,34 @@ TEST_F(Anatomy, guesses_the_radius_of_a_foot_without_sphere) {
   EXPECT_EQ((*robot.anatomy.legs)[0].foot.guessed_from, "a box");
   EXPECT_NEAR((*robot.anatomy.legs)[0].foot.radius, 0.015, 1e-12);
   EXPECT_TRUE(has(robot, Severity::warning, "foot.radius is a guess"));
+}
+
+class AnatomyOfG1 : public test::ChangedRobot {
+ protected:
+  AnatomyOfG1() : ChangedRobot("g1") {
+    replace_all("<mesh filename=[^>]*>", "<box size=\"1 1 1\"/>");
+  }
+};
+
+TEST_F(AnatomyOfG1, has_two_legs_with_flat_feet_and_three_arms) {
+  const Diagnosis robot = diagnosis();
+  ASSERT_TRUE(robot.anatomy.flat_legs);
+  const FlatLegs& found = *robot.anatomy.flat_legs;
+  EXPECT_EQ(found.legs[0].foot, "left_ankle_roll_link");
+  EXPECT_EQ(found.legs[1].joints.size(), 6u);
+  EXPECT_EQ(found.legs[1].posture, (std::vector{-0.3, 0.0, 0.0, 0.6, -0.3, 0.0}));
+  EXPECT_NEAR(found.sole.size.x(), 0.17, 1e-9);
+  EXPECT_NEAR(found.sole.center.z(), -0.035, 1e-9);
+  ASSERT_EQ(robot.anatomy.others.size(), 3u);
+  for (const Limb& limb : robot.anatomy.others) EXPECT_TRUE(limb.is_arm);
+  EXPECT_TRUE(has(robot, Severity::note, "but does not walk"));
+}
+
+TEST_F(AnatomyOfG1, with_a_leg_of_another_length_has_no_legs) {
+  change("<joint name=\"left_knee_joint\"", "-0.078273", "0.3");
+  const Diagnosis robot = diagnosis();
+  EXPECT_FALSE(robot.anatomy.flat_legs);
+  EXPECT_TRUE(has(robot, Severity::error, "a robot that walks has four or six legs"));
 }
 
 }  // namespace

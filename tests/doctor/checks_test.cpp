@@ -65,13 +65,13 @@ TEST_F(Checks, inertia_in_square_millimetres) {
   change("<link name=\"RF_THIGH\"", "iyy=\"0.0", "iyy=\"12064.");
   change("<link name=\"RF_THIGH\"", "izz=\"0.00249", "izz=\"2494.");
   EXPECT_TRUE(
-      has(diagnosis(), Severity::warning, "link \"RF_THIGH\": its radius of gyration, √(I/m), is"));
+      has(diagnosis(), Severity::error, "link \"RF_THIGH\": its radius of gyration, √(I/m), is"));
 }
 
 TEST_F(Checks, inertias_in_square_millimetres_are_one_finding) {
   urdf_ = std::regex_replace(urdf_, std::regex("(i[xyz][xyz]=\"[^\"e]*)\""), "$1e6\"");
   const Diagnosis robot = diagnosis();
-  const Finding found = finding(robot, Severity::warning, "too large for the mass");
+  const Finding found = finding(robot, Severity::error, "too large for the mass");
   EXPECT_TRUE(holds(found.what, "; so it is with LF_HIP"));
   EXPECT_EQ(std::ranges::count(robot.findings, found.remedy, &Finding::remedy), 1);
 }
@@ -124,8 +124,8 @@ TEST_F(Checks, knees_that_bend_one_way_only) {
   }
   const Diagnosis robot = diagnosis();
   EXPECT_TRUE(has(robot, Severity::note, "knees of LF RF LH RH bend backward only"));
-  EXPECT_TRUE(has(robot, Severity::note, "walk_flat: it stands with knees backward, not x"));
-  EXPECT_TRUE(has(robot, Severity::note, "step_down: it stands with knees backward, not forward"));
+  EXPECT_TRUE(has(robot, Severity::note, "walk_flat stands with knees backward, not x"));
+  EXPECT_TRUE(has(robot, Severity::note, "step_down stands with knees backward, not forward"));
   EXPECT_FALSE(has_error(robot.findings)) << robot.findings.front().what;
 }
 

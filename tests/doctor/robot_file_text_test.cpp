@@ -59,7 +59,7 @@ TEST_F(RobotFileText, of_an_mjcf_has_its_key_and_what_it_lacks) {
 TEST_F(RobotFileText, of_a_foot_without_shape_lacks_the_radius) {
   replace_all("<sphere radius=\"0.031\"/>", "");
   const Diagnosis robot = diagnosis();
-  EXPECT_TRUE(test::has(robot, Severity::error, "no shape"));
+  EXPECT_TRUE(test::has(robot, Severity::error, "collide with nothing"));
   EXPECT_TRUE(
       holds(robot_file_text(robot, folder_.path(), Guesses::as_comments), "\n  # radius: "));
   write_robot_file(robot, folder_ / "robot.yaml");
