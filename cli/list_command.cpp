@@ -4,13 +4,13 @@
 #include "cli/metric_list.hpp"
 #include "surefoot/base/error.hpp"
 #include "surefoot/base/formatted.hpp"
+#include "surefoot/base/nearest_name.hpp"
 #include "surefoot/base/printable.hpp"
 #include "surefoot/base/text_table.hpp"
 #include "surefoot/config/config_json.hpp"
 #include "surefoot/config/config_tree.hpp"
 #include "surefoot/config/data_file.hpp"
 #include "surefoot/config/json_schema.hpp"
-#include "surefoot/config/nearest_name.hpp"
 #include "surefoot/config/option_list.hpp"
 #include "surefoot/config/robot_file.hpp"
 #include "surefoot/config/scaling.hpp"
@@ -88,8 +88,8 @@ Table tasks(const Scale& scale) {
     }
     for (const tasks::TaskChoice& choice : task.choices) {
       std::string values;
-      for (const std::string_view value : choice.values)
-        values += (values.empty() ? "" : " | ") + std::string(value);
+      for (const std::string& word : tasks::words_of(choice))
+        values += (values.empty() ? "" : " | ") + word;
       table.push_back({"  " + std::string(choice.name), std::string(choice.default_value),
                        values + "  " + std::string(choice.help)});
     }
@@ -153,7 +153,7 @@ int list_tasks_command(const ListFilter& filter) {
 int list_schema_command(const std::string& kind) {
   const std::vector<std::string>& kinds = config::kinds_of_files();
   if (std::ranges::find(kinds, kind) == kinds.end())
-    throw Error("a schema is of a kind of file; " + config::valid_names(kind, kinds));
+    throw Error("a schema is of a kind of file; " + valid_names(kind, kinds));
   std::cout << config::json_schema(kind) << "\n";
   return kPassed;
 }

@@ -10,8 +10,8 @@
 #include "cli/run_command.hpp"
 #include "cli/solve_command.hpp"
 #include "surefoot/base/build_info.hpp"
+#include "surefoot/base/nearest_name.hpp"
 #include "surefoot/base/printable.hpp"
-#include "surefoot/config/nearest_name.hpp"
 #include "surefoot/doctor/diagnosis.hpp"
 #include "surefoot/solver/sweep.hpp"
 
@@ -339,7 +339,7 @@ std::string unknown_option(const CLI::App& command) {
       std::ranges::find_if(unknown, [](const std::string& word) { return word.starts_with('-'); });
   const std::string name = found == unknown.end() ? unknown.front() : *found;
   return "unknown argument \"" + name + "\" of " + command.get_name() + "; " +
-         config::valid_names(name, valid);
+         valid_names(name, valid);
 }
 
 std::string unknown_command(const CLI::App& app, int argc, char** argv) {
@@ -349,7 +349,7 @@ std::string unknown_command(const CLI::App& app, int argc, char** argv) {
   }
   const std::string given = argc > 1 ? argv[1] : "";
   return (given.empty() ? "no command is given" : "unknown command \"" + given + "\"") + "; " +
-         config::valid_names(given, valid);
+         valid_names(given, valid);
 }
 
 /// Help and version go through CLI11; everything else that is wrong with the arguments is one line.

@@ -38,8 +38,8 @@ std::unique_ptr<estimation::StateEstimator> estimator(const config::Scenario& sc
 
 bool set_stack(BoundController& self, const std::string& text, const std::string& name,
                double duration, const nb::list& own) {
-  const control::StackOptions stack =
-      config::parse_stack(text, name, self.robot().scale, own_tasks(own));
+  const control::StackOptions stack = config::with_scaled_arms(
+      config::parse_stack(text, name, self.robot().scale, own_tasks(own)), self.robot());
   control::check_reach(stack, control::reach_of(model::RobotModel(self.robot())));
   return self->set_stack(stack, duration);
 }

@@ -141,6 +141,22 @@ class FieldProperties {
     type_.def_prop_ro(name, get, doc.c_str());
   }
 
+  /// A list that is set as a whole.
+  void add(const char* name, Place<FrameList> place, const std::string& doc) {
+    const auto get = [place](Self self) {
+      return std::vector<FramePlan>(place.in(self).begin(), place.in(self).end());
+    };
+    const auto set = [place](Self self, const std::vector<FramePlan>& frames) {
+      if (frames.size() > FrameList::kMost)
+        throw Error("a plan has at most " + std::to_string(FrameList::kMost) + " frames; " +
+                    std::to_string(frames.size()) + " were given");
+      FrameList& list = place.in(self);
+      list = {};
+      for (const FramePlan& frame : frames) list.add(frame);
+    };
+    type_.def_prop_rw(name, get, set, doc.c_str());
+  }
+
   /// A copy, because the order in memory is x, y, z, w; read-only, so that nobody writes into it.
   void add(const char* name, Place<Quat> place, const std::string& doc) {
     const auto get = [place](Self self) {
@@ -171,7 +187,13 @@ class FieldProperties {
       JointVector& values = place.in(self);
       return View<-1>(values.data(), {static_cast<std::size_t>(values.size())}, self);
     };
-    type_.def_prop_rw(name, get, setter(name, place), with_shape(doc, "number of joints,").c_str());
+    const auto set = [name, place](Self self, const std::vector<double>& numbers) {
+      JointVector& values = place.in(self);
+      if (values.size() == 0 && numbers.size() <= kMaxJoints)
+        values.resize(static_cast<Eigen::Index>(numbers.size()));
+      assign(values, numbers, name, kIsCommand);
+    };
+    type_.def_prop_rw(name, get, set, with_shape(doc, "number of joints,").c_str());
   }
 
   void add(const char* name, Place<Mat3> place, const std::string& doc) {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "surefoot/base/error.hpp"
-#include "surefoot/config/nearest_name.hpp"
+#include "surefoot/base/nearest_name.hpp"
 #include "surefoot/config/number_range.hpp"
 #include "surefoot/math/numbers.hpp"
 #include "surefoot/solver/hierarchy.hpp"
@@ -116,7 +116,7 @@ class LevelDict {
                                          "A_names", "D_names",   "A_ids",     "D_ids"};
     for (const nb::handle key : dict_.keys()) {
       if (text(key) == "upper" || std::ranges::find(valid, text(key)) != valid.end()) continue;
-      fail("unknown key \"" + text(key) + "\"; " + config::valid_names(text(key), valid));
+      fail("unknown key \"" + text(key) + "\"; " + valid_names(text(key), valid));
     }
   }
 

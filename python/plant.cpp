@@ -3,7 +3,7 @@
 #include "python/bindings.hpp"
 #include "python/joint_command.hpp"
 #include "surefoot/base/fields.hpp"
-#include "surefoot/config/nearest_name.hpp"
+#include "surefoot/base/nearest_name.hpp"
 #include "surefoot/config/scenario.hpp"
 
 #include <nanobind/stl/array.h>
@@ -29,8 +29,7 @@ void choose(const std::string& key, const std::string& word, Group group) {
     Choice& choice = std::get<Choice>(field.value);
     const auto found = std::ranges::find(choice.names, word);
     if (found == choice.names.end()) {
-      throw UnknownNameError(key + " is \"" + word + "\"; " +
-                             config::valid_names(word, choice.names));
+      throw UnknownNameError(key + " is \"" + word + "\"; " + valid_names(word, choice.names));
     }
     choice.set(static_cast<std::size_t>(found - choice.names.begin()));
   }

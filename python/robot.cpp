@@ -52,13 +52,14 @@ void Robot::guess(const doctor::Diagnosis& diagnosis) {
   description_ = *diagnosis.robot;
 }
 
-model::RobotModel& Robot::model_with(const std::string& link) {
-  const auto found = models_.find(link);
-  if (found != models_.end()) return found->second;
-  model::RobotDescription description = description_;
-  // An arm without joints of its own: its tip is the frame.
-  if (!link.empty()) description.arms.push_back({.name = link, .joints = {}, .tip_frame = link});
-  return models_.emplace(link, model::RobotModel(std::move(description))).first->second;
+model::RobotModel& Robot::model() {
+  if (!model_) model_.emplace(description_);
+  return *model_;
+}
+
+const model::Frames& Robot::frames() {
+  if (!frames_) frames_.emplace(description_);
+  return *frames_;
 }
 
 namespace {
@@ -117,30 +118,20 @@ NamedDynamics dynamics(const std::shared_ptr<Robot>& robot, const Numbers& q, co
   return at(robot, state, normal.normalized());
 }
 
-RobotState state_of(const model::Dynamics& dynamics) {
-  const Eigen::Index n = dynamics.num_joints();
-  RobotState state;
-  state.p_WB = dynamics.base.p;
-  state.q_WB = Quat(dynamics.base_rotation.R);
-  state.q = dynamics.q;
-  state.v_WB = dynamics.u.head<3>();
-  state.w_WB_B = dynamics.u.segment<3>(3);
-  state.qd = dynamics.u.tail(n);
-  state.size_legs(dynamics.num_legs());
-  return state;
+model::FrameKinematics frame(const NamedDynamics& self, const std::string& name,
+                             const std::string& relative_to) {
+  if (relative_to != "world" && relative_to != "base")
+    throw UnknownNameError("relative_to is \"" + relative_to + "\"; valid are: world, base");
+  const model::Frames& frames = self.robot->frames();
+  const model::FrameKinematics in_W =
+      model::frame_kinematics(frames[frames.number(name)], self.values);
+  return relative_to == "world" ? in_W : model::relative_to_base(in_W, self.values);
 }
 
-model::FrameKinematics frame(const NamedDynamics& self, const std::string& link) {
-  model::RobotModel& model = self.robot->model_with(link);
-  return model.update(state_of(self.values), Vec3::UnitZ()).arm_tips.back();
-}
-
+/// h at rest, with payload and leg lengths as they are believed: m g of the centre of mass.
 std::vector<double> gravity(const NamedDynamics& self) {
-  RobotState at_rest = state_of(self.values);
-  at_rest.v_WB.setZero();
-  at_rest.w_WB_B.setZero();
-  at_rest.qd.setZero();
-  const GeneralizedVector& h = self.robot->model().update(at_rest, Vec3::UnitZ()).h;
+  const model::Dynamics& now = self.values;
+  const GeneralizedVector h = now.mass * kGravity * now.com.J.row(2).transpose();
   return {h.begin(), h.end()};
 }
 
@@ -230,8 +221,10 @@ void bind_dynamics(nb::module_& module) {
           "contacts",
           [](nb::handle_t<Self> self) { return points(self, &model::Dynamics::contact); },
           "lowest points of the foot spheres along the terrain normal, by leg")
-      .def("frame", &frame, nb::arg("link"),
-           "A link of the URDF by its name, at this state. Raises Error with the links.");
+      .def("frame", &frame, nb::arg("name"), nb::arg("relative_to") = "world",
+           "A frame by its name, of Robot.frames, at this state. relative_to: \"world\", or "
+           "\"base\" for its\nmotion in B, which only the joints cause. Raises Error with near "
+           "names.");
 }
 
 }  // namespace
@@ -257,6 +250,9 @@ void bind_robot(nb::module_& module) {
                     std::to_string(given.num_joints()) + " joints>";
            })
       .def_prop_ro("name", [](const Self& self) { return self.description().name; })
+      .def_prop_ro(
+          "frames", [](Self& self) { return self.frames().names(); },
+          "names of all frames: links, joints, sites of an MJCF, arms (their tips)")
       .def_prop_ro("file", &Self::file, "its robot file, for `load_scenario(…, robot=…)`")
       .def_prop_ro("urdf", [](const Self& self) { return self.description().urdf_path; })
       .def_prop_ro("legs",

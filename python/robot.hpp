@@ -1,15 +1,16 @@
 #pragma once
 
 #include "surefoot/doctor/guessed_file.hpp"
+#include "surefoot/model/frames.hpp"
 #include "surefoot/model/robot_model.hpp"
 
-#include <map>
 #include <memory>
+#include <optional>
 #include <string>
 
 namespace surefoot::python {
 
-/// `Robot` in Python: a description, and the models that are asked for.
+/// `Robot` in Python: a description, with its model and frames.
 class Robot {
  public:
   /// By the name or path of a robot file, or from a URDF or MJCF, with guesses for what it lacks.
@@ -22,9 +23,8 @@ class Robot {
   [[nodiscard]] const model::RobotDescription& description() const { return description_; }
   /// That a scenario can name; it goes with the object if it was guessed.
   [[nodiscard]] const std::string& file() const { return file_; }
-  [[nodiscard]] model::RobotModel& model() { return model_with(""); }
-  /// With the frame of a link as the last of its tips; "": none.
-  [[nodiscard]] model::RobotModel& model_with(const std::string& link);
+  [[nodiscard]] model::RobotModel& model();
+  [[nodiscard]] const model::Frames& frames();
 
  private:
   void guess(const doctor::Diagnosis& diagnosis);
@@ -32,7 +32,8 @@ class Robot {
   model::RobotDescription description_;
   std::string file_;
   std::shared_ptr<const doctor::GuessedFile> guessed_;
-  std::map<std::string, model::RobotModel> models_;
+  std::optional<model::RobotModel> model_;  // once they are asked for
+  std::optional<model::Frames> frames_;
 };
 
 }  // namespace surefoot::python

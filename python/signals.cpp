@@ -79,17 +79,23 @@ void bind_signals(nb::module_& module) {
           "All unknown. num_joints: of the robot, len(scenario.joint_names).");
 
   signal<ReachCommand>(module, "ReachCommand",
-                       "Where the tip of an arm shall be. An arm that is not there follows "
-                       "nothing: plan.arm.arm stays -1.")
+                       "Where the tip of an arm shall be, or a frame that a task of the stack "
+                       "follows. An arm or\nframe that is not there follows nothing: plan.arm.arm "
+                       "stays -1.")
       .def(
           "__init__",
           [](ReachCommand* self, int arm, std::array<double, 3> position, bool in_world,
-             std::optional<std::array<double, 3>> orientation) {
-            new (self) ReachCommand{arm, in_world, Vec3(position.data())};
+             std::optional<std::array<double, 3>> orientation, int frame) {
+            new (self) ReachCommand{.arm = arm,
+                                    .in_world = in_world,
+                                    .position = Vec3(position.data()),
+                                    .frame = frame};
             if (orientation) self->orientation = Vec3(orientation->data());
           },
           nb::arg("arm") = -1, nb::arg("position") = std::array<double, 3>{},
-          nb::arg("in_world") = false, nb::arg("orientation") = nb::none());
+          nb::arg("in_world") = false, nb::arg("orientation") = nb::none(), nb::arg("frame") = -1,
+          "frame: instead of an arm, its place in robot.frames; it stays there when other commands "
+          "follow.");
 
   signal<UserCommand>(module, "UserCommand", "What the operator asks for.")
       .def(
@@ -137,6 +143,9 @@ void bind_signals(nb::module_& module) {
   signal<FootPlan>(module, "FootPlan", "Reference of one foot F, the centre of its sphere, in W.");
   signal<TorsoPlan>(module, "TorsoPlan", "Reference of the torso.");
   signal<ArmPlan>(module, "ArmPlan", "Reference of the tip of an arm, in W.");
+  signal<FramePlan>(module, "FramePlan",
+                    "Reference of a frame F in X, which is the base or W: MotionPlan.frames.")
+      .def(nb::init<>());
   signal<ComPlan>(module, "ComPlan", "Reference of the centre of mass, x and y in W.");
   signal<NamedEvent, GaitEvent>(module, "GaitEvent", "Something that happened at a tick.")
       .def_prop_ro(

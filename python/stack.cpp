@@ -39,6 +39,7 @@ nb::dict as_dict(const tasks::TaskInfo& info) {
     choice["values"] = each.values;
     choice["default"] = each.default_value;
     choice["help"] = each.help;
+    choice["others"] = each.others;
     choices.append(choice);
   }
   result["numbers"] = numbers;
@@ -82,13 +83,14 @@ void bind_stack(nb::module_& module) {
       "All tasks that a stack may have, with their parameters.");
   module.def(
       "stack_levels",
-      [](const std::string& name_or_path, const Robot* robot) {
-        return as_list(config::load_stack(name_or_path, {}, scale_of(robot)));
+      [](const std::string& name_or_path, const Robot* robot, const nb::list& own) {
+        return as_list(config::load_stack(name_or_path, {}, scale_of(robot), own_tasks(own)));
       },
-      nb::arg("name_or_path"), nb::arg("robot") = nb::none(),
-      nb::sig(
-          (std::string("def stack_levels(name_or_path: str, robot: Robot | None = None) ") + levels)
-              .c_str()),
+      nb::arg("name_or_path"), nb::arg("robot") = nb::none(), nb::arg("own") = nb::list(),
+      nb::sig((std::string("def stack_levels(name_or_path: str, robot: Robot | None = None, own: "
+                           "typing.Sequence[typing.Any] = ()) ") +
+               levels)
+                  .c_str()),
       "The levels of a stack file: (name, damping, [(task, weight, parameters)]).");
   module.def(
       "parse_stack",

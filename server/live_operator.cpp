@@ -2,7 +2,7 @@
 
 #include "server/view_tasks.hpp"
 #include "surefoot/base/error.hpp"
-#include "surefoot/config/nearest_name.hpp"
+#include "surefoot/base/nearest_name.hpp"
 #include "surefoot/config/stack_text.hpp"
 #include "surefoot/tasks/catalog.hpp"
 
@@ -33,8 +33,7 @@ void check(const char* what, double value, double min, double max, const char* u
 control::LevelSpec& find_level(control::StackOptions& stack, const std::string& name) {
   const auto found = std::ranges::find(stack.levels, name, &control::LevelSpec::name);
   if (found != stack.levels.end()) return *found;
-  throw Error("unknown level \"" + name + "\"; " +
-              config::valid_names(name, config::level_names(stack)));
+  throw Error("unknown level \"" + name + "\"; " + valid_names(name, config::level_names(stack)));
 }
 
 control::TaskSpec& find_task(control::LevelSpec& level, const std::string& name) {
@@ -43,7 +42,7 @@ control::TaskSpec& find_task(control::LevelSpec& level, const std::string& name)
   std::vector<std::string> names;
   for (const control::TaskSpec& task : level.tasks) names.push_back(task.task);
   throw Error("the level \"" + level.name + "\" has no task \"" + name + "\"; " +
-              config::valid_names(name, names));
+              valid_names(name, names));
 }
 
 /// Levels that keep the physics stay above all others; otherwise torques would mean nothing.
@@ -90,9 +89,9 @@ int LiveOperator::gait(const std::string& name) const {
   if (name.empty()) return wishes_.walk ? wishes_.walk->gait : UserCommand::kOwnGait;
   const auto found = std::ranges::find(gaits_, name);
   if (found == gaits_.end()) {
-    throw Error("unknown gait \"" + name + "\"; " +
-                (gaits_.empty() ? "the scenario's `gaits:` names none"
-                                : config::valid_names(name, gaits_)));
+    throw Error(
+        "unknown gait \"" + name + "\"; " +
+        (gaits_.empty() ? "the scenario's `gaits:` names none" : valid_names(name, gaits_)));
   }
   return name == kAuto ? UserCommand::kAutoGait : static_cast<int>(found - gaits_.begin());
 }
@@ -161,7 +160,7 @@ std::optional<UserCommand> LiveOperator::walk_wanted() {
 
 void LiveOperator::check_body(const std::string& body) const {
   if (std::ranges::find(bodies_, body) != bodies_.end()) return;
-  throw Error("there is no body \"" + body + "\" to push; " + config::valid_names(body, bodies_));
+  throw Error("there is no body \"" + body + "\" to push; " + valid_names(body, bodies_));
 }
 
 void LiveOperator::push(const ViewCommand& command) {
@@ -209,7 +208,7 @@ void LiveOperator::gain(const ViewCommand& command) {
     std::vector<std::string> names;
     for (const auto& [name, value] : task.numbers) names.push_back(name);
     throw Error("the task " + command.task + " has no number \"" + command.name + "\"; " +
-                config::valid_names(command.name, names));
+                valid_names(command.name, names));
   }
   const ViewNumber range = view_number(task.task, command.name, number->second, reach_);
   check((task_title(level, task) + " " + command.name).c_str(), command.value, range.min, range.max,

@@ -39,6 +39,8 @@ from surefoot.stack import OwnTask as OwnTask
 from surefoot.stack import StackLevel as StackLevel
 from surefoot.stack import Stack as Stack
 from surefoot.stack import Task as Task
+from surefoot.stack import catalog as catalog
+from surefoot.stack import register_task as register_task
 
 if _TYPE_CHECKING:
     from surefoot_log.recorded import Recorded

@@ -9,7 +9,7 @@ from collections.abc import Sequence
 
 from surefoot import _core
 from surefoot._core import Error, Estimator, Planner, Plant, Robot, Scenario
-from surefoot.stack import Stack
+from surefoot.stack import Stack, registered_tasks
 
 PLAIN = "walk_flat"  # whose options a controller of a robot alone has
 
@@ -35,7 +35,7 @@ def load_scenario(
         robot = Robot(robot) if isinstance(robot, str) else robot
         words.append(f"robot={robot.file}")
     if not isinstance(stack, Stack):
-        return _core.read_scenario(os.fspath(name), seed, words + [f"stack={stack}"] * (stack is not None))
+        return _core.read_scenario(os.fspath(name), seed, words + [f"stack={stack}"] * (stack is not None), registered_tasks())
     with tempfile.TemporaryDirectory(prefix="surefoot_") as folder:
         file = pathlib.Path(folder) / f"{stack.name}.yaml"
         file.write_text(stack.text(robot or robot_of(name, seed, words)))
@@ -47,7 +47,7 @@ def load_scenario(
 
 def robot_of(name: str | os.PathLike[str], seed: int, words: list[str]) -> Robot:
     """By the scenario, which must be whole without the stack."""
-    return _core.read_scenario(os.fspath(name), seed, words).robot_model
+    return _core.read_scenario(os.fspath(name), seed, words, registered_tasks()).robot_model
 
 
 class Controller(_core.ControllerBase):

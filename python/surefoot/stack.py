@@ -9,12 +9,15 @@ import pathlib
 import re
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy.typing as npt
 
 from surefoot import _core
 from surefoot._core import Error, Robot, TaskTick, UnknownNameError
 
+
+_registered: dict[str, OwnTask] = {}
 
 Rows = tuple[npt.ArrayLike, npt.ArrayLike] | tuple[npt.ArrayLike, npt.ArrayLike, npt.ArrayLike]
 
@@ -25,7 +28,7 @@ class Task:
     task: its name in the catalog. name: of its level. weight: of its rows, within a level of several tasks. Parameters that are None
     keep their defaults, which go with the robot's size."""
 
-    def __init__(self, task: str, name: str | None = None, *, weight: float = 1.0, **parameters: float | str | None) -> None:
+    def __init__(self, task: str, name: str | None = None, *, weight: float = 1.0, **parameters: float | str | Sequence[str] | None) -> None:
         self.task, self.name, self.weight = task, task if name is None else name, weight
         self.parameters = {key: value for key, value in parameters.items() if value is not None}
         check_name(self.name)
@@ -59,6 +62,32 @@ class OwnTask(Task):
         """The rows of a tick, lower ≤ A x ≤ upper over x = (u̇, τ): (A, lower, upper), (A, b) for A x = b, or None for
         none. A has a column for each acceleration, or for each of tick.unknowns with the torques."""
         raise NotImplementedError(f"{type(self).__name__} has no rows(); write it")
+
+
+def register_task(task: OwnTask) -> None:
+    """From now on stack files, and stacks by their names, may name a task of your own: `{task: still}`; catalog() has it, too. A task of
+    the same name that was registered before is replaced."""
+    if not isinstance(task, OwnTask):
+        raise Error(f"{task!r} is no task of your own; an instance of a class that derives from surefoot.OwnTask would be valid")
+    if task.task in [info["name"] for info in _core.catalog()]:
+        raise Error(f"there is a task {task.task!r} already; give yours another name")
+    _registered[task.task] = task
+
+
+def registered_tasks() -> list[OwnTask]:
+    return list(_registered.values())
+
+
+def catalog() -> list[dict[str, Any]]:
+    """All tasks that a stack may have, with their parameters: the library's, then those of register_task()."""
+    own = [{"name": name, "summary": (task.__doc__ or "").split("\n")[0], "equation": "–", "unit": task.unit, "numbers": [], "choices": []}
+           for name, task in _registered.items()]  # fmt: skip
+    return [*_core.catalog(), *own]
+
+
+def name_of(task: str, frame: str | None) -> str:
+    """Of the level of a task that follows a frame: "gripper_position"."""
+    return task if frame is None else re.sub(r"[\n\"'{}\[\]:#,]", "_", frame) + task.removeprefix("frame")
 
 
 def check_name(name: str) -> None:
@@ -130,7 +159,7 @@ class Stack:
 
     def levels(self, robot: Robot | None = None) -> list[StackLevel]:
         """With the numbers of the base for this robot; without one for ANYmal B."""
-        found = [] if self._base is None else _core.stack_levels(self._base, robot)
+        found = [] if self._base is None else _core.stack_levels(self._base, robot, own=registered_tasks())
         levels = [StackLevel(name, tuple(Task(task, name, weight=weight, **parameters) for task, weight, parameters in tasks), damping)
                   for name, damping, tasks in found]  # fmt: skip
         for step in self._steps:
@@ -171,7 +200,7 @@ class Stack:
 
         return self._with(put)
 
-    def tune(self, task: str, *, weight: float | None = None, **parameters: float | str) -> Stack:
+    def tune(self, task: str, *, weight: float | None = None, **parameters: float | str | Sequence[str]) -> Stack:
         """With other parameters of a task, wherever it is: `stack.tune("com_xy", kp=300)`."""
 
         def tuned(levels: list[StackLevel]) -> list[StackLevel]:
@@ -210,8 +239,10 @@ class Stack:
 
     @property
     def own_tasks(self) -> list[OwnTask]:
-        """Of the user, in its order."""
-        return [task for level in self.levels() for task in level.tasks if isinstance(task, OwnTask)]
+        """Of the user, in its order; those that it has by name are the registered ones."""
+        given = [task for level in self.levels() for task in level.tasks]
+        own = [task if isinstance(task, OwnTask) else _registered.get(task.task) for task in given]
+        return list({task.task: task for task in own if task is not None}.values())
 
     @property
     def level_names(self) -> list[str]:

@@ -1,7 +1,7 @@
 #include "surefoot/config/config_tree.hpp"
 
 #include "surefoot/base/error.hpp"
-#include "surefoot/config/nearest_name.hpp"
+#include "surefoot/base/nearest_name.hpp"
 
 #include <yaml-cpp/yaml.h>
 

@@ -1,9 +1,9 @@
 #include "surefoot/config/data_file.hpp"
 
 #include "surefoot/base/error.hpp"
+#include "surefoot/base/nearest_name.hpp"
 #include "surefoot/config/config_tree.hpp"
 #include "surefoot/config/data_directory.hpp"
-#include "surefoot/config/nearest_name.hpp"
 
 #include <algorithm>
 

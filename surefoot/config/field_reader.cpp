@@ -1,6 +1,6 @@
 #include "surefoot/config/field_reader.hpp"
 
-#include "surefoot/config/nearest_name.hpp"
+#include "surefoot/base/nearest_name.hpp"
 
 #include <algorithm>
 

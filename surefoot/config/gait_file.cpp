@@ -1,10 +1,12 @@
 #include "surefoot/config/gait_file.hpp"
 
+#include "surefoot/base/nearest_name.hpp"
 #include "surefoot/config/data_file.hpp"
 #include "surefoot/config/field_reader.hpp"
-#include "surefoot/config/nearest_name.hpp"
 #include "surefoot/config/scaling.hpp"
 #include "surefoot/config/section.hpp"
+
+#include <algorithm>
 
 namespace surefoot::config {
 namespace {
@@ -17,20 +19,19 @@ void erase(ConfigNode& map, const char* key) {
 
 /// A rhythm must be given for each leg of the robot.
 void check_legs(const ConfigNode& gait, const model::RobotDescription& robot) {
+  if (!robot.can_walk())
+    fail_at(gait, "gait", robot.name + " has flat feet and only stands; it has no gait");
   const ConfigNode* rhythm = gait.find("rhythm");
   const ConfigNode* offset = rhythm == nullptr ? nullptr : rhythm->find("offset");
   if (offset == nullptr || offset->kind != ConfigNode::Kind::map) return;
-  std::string missing, all;
-  for (const std::string_view leg : leg_names(robot.num_legs())) {
-    all += " " + std::string(leg);
-    if (offset->find(leg) == nullptr) missing += " " + std::string(leg);
-  }
-  std::string others;
-  for (const auto& [leg, share] : offset->members) others += " " + leg;
-  if (!missing.empty())
-    fail_at(
-        *offset, "rhythm.offset",
-        "the gait is for the legs" + others + "; the robot has" + all + ", so it lacks" + missing);
+  std::string given, legs;
+  for (const auto& [leg, share] : offset->members) given += " " + leg;
+  for (const std::string_view leg : leg_names(robot.num_legs())) legs += " " + std::string(leg);
+  const auto lacks = [&](std::string_view leg) { return offset->find(leg) == nullptr; };
+  if (std::ranges::any_of(leg_names(robot.num_legs()), lacks))
+    fail_at(*offset, "rhythm.offset",
+            "is given for the legs" + given + ", but the robot has" + legs +
+                "; valid is a gait that has an offset for each of them");
 }
 
 /// The file's options as a scenario has them, below `planner:`.

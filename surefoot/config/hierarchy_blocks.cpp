@@ -1,8 +1,8 @@
 #include "surefoot/config/hierarchy_blocks.hpp"
 
 #include "surefoot/base/error.hpp"
+#include "surefoot/base/nearest_name.hpp"
 #include "surefoot/base/printable.hpp"
-#include "surefoot/config/nearest_name.hpp"
 #include "surefoot/config/number_range.hpp"
 #include "surefoot/math/numbers.hpp"
 

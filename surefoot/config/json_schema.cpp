@@ -141,6 +141,13 @@ Json Form::operator()(const Entries& entries) const {
   return or_null({{"type", "object"}, {"additionalProperties", {{"anyOf", forms}}}});
 }
 
+Json words(const tasks::TaskChoice& choice) {
+  if (!choice.others.empty()) return {{"anyOf", {text(), list_of(text())}}};
+  Json names = choice.values;
+  if (choice.values.front() == "none") names.push_back(nullptr);
+  return {{"enum", names}};
+}
+
 /// Schema of a task's parameters, with additional properties.
 Json task_map(const tasks::TaskInfo& task, Json properties,
               const std::vector<std::string>& required) {
@@ -153,19 +160,18 @@ Json task_map(const tasks::TaskInfo& task, Json properties,
         {"description", std::string(one.help) + " [" + unit + "]"}};
   }
   for (const tasks::TaskChoice& one : task.choices) {
-    Json names = one.values;
-    if (one.values.front() == "none") names.push_back(nullptr);
-    properties[std::string(one.name)] = {
-        {"enum", names}, {"default", one.default_value}, {"description", one.help}};
+    Json schema = words(one);
+    schema.update({{"default", one.default_value}, {"description", one.help}});
+    properties[std::string(one.name)] = schema;
   }
   Json map = map_of(properties, required);
   map["description"] = task.summary;
   return map;
 }
 
-Json tasks_by_name() {
+Json tasks_by_name(const tasks::OwnTasks& own = {}) {
   Json properties = Json::object();
-  for (const tasks::TaskInfo& task : tasks::task_catalog())
+  for (const tasks::TaskInfo& task : tasks::task_infos(own))
     properties[std::string(task.name)] = or_null(task_map(task, Json::object(), {}));
   return or_null(map_of(properties));
 }
@@ -220,7 +226,7 @@ void add_range(const std::string& path, const Json& value, const std::string& he
 }
 
 /// Ranges of every number that a scenario has, by path.
-Json ranges_by_path() {
+Json ranges_by_path(const tasks::OwnTasks& own = {}) {
   Scenario scenario;
   Json map = map_of(Json{{"include", {{"anyOf", {text(), list_of(text()), {{"type", "null"}}}}}}});
   for_each_option(scenario_fields(scenario, kMaxLegs),
@@ -235,7 +241,7 @@ Json ranges_by_path() {
                       add_range(path, std::visit(Form{field, false}, field.value), field.help, map);
                     }
                   });
-  for (const tasks::TaskInfo& task : tasks::task_catalog()) {
+  for (const tasks::TaskInfo& task : tasks::task_infos(own)) {
     for (const tasks::TaskParameter& one : task.parameters) {
       const NumberRange range{.min = one.minimum};
       add_range("tasks." + std::string(task.name) + "." + std::string(one.name), number(range),
@@ -256,11 +262,11 @@ Json Form::operator()(const Other& other) const {
   return text();
 }
 
-Json stack() {
+Json stack(const tasks::OwnTasks& own) {
   const Json weight = number(kPositive), damping = number(kNotNegative);
   Json tasks = Json::array(), levels = Json::array();
   levels.push_back(text());
-  for (const tasks::TaskInfo& task : tasks::task_catalog()) {
+  for (const tasks::TaskInfo& task : tasks::task_infos(own)) {
     Json properties{{"task", {{"const", task.name}}}, {"weight", weight}};
     tasks.push_back(task_map(task, properties, {"task"}));
     properties.update({{"name", text()}, {"damping", damping}});
@@ -284,10 +290,10 @@ Json stack() {
   return map;
 }
 
-Json file_of(const std::string& kind) {
-  if (kind == "stack") return stack();
+Json file_of(const std::string& kind, const tasks::OwnTasks& own) {
+  if (kind == "stack") return stack(own);
   if (kind == "randomisation") {
-    Json ranges = ranges_by_path();
+    Json ranges = ranges_by_path(own);
     ranges["properties"][kScaled] = flag();
     return ranges;
   }
@@ -302,8 +308,11 @@ Json file_of(const std::string& kind) {
     set_num_legs(biped, 2);
     return {{"anyOf", {map_of(fields(walker), true), map_of(fields(biped), true)}}};
   }
-  Scenario scenario;
-  return map_of(scenario_fields(scenario, kMaxLegs), false);
+  Scenario options;
+  Json scenario = map_of(scenario_fields(options, kMaxLegs), false);
+  scenario["properties"]["tasks"].update(tasks_by_name(own));
+  scenario["properties"]["randomise"].update(or_null(ranges_by_path(own)));
+  return scenario;
 }
 
 }  // namespace
@@ -314,10 +323,10 @@ const std::vector<std::string>& kinds_of_files() {
   return kKinds;
 }
 
-std::string json_schema(const std::string& kind) {
+std::string json_schema(const std::string& kind, const tasks::OwnTasks& own) {
   Json schema{{"$schema", "https://json-schema.org/draft/2020-12/schema"},
               {"title", "surefoot " + kind}};
-  schema.update(file_of(kind));
+  schema.update(file_of(kind, own));
   return schema.dump(1);
 }
 

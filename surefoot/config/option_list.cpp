@@ -58,17 +58,18 @@ std::string range_of(const Field& field) {
   return text_of(field.range);
 }
 
-void add_tasks(std::vector<OptionRow>& rows, const Scale& scale) {
-  for (const tasks::TaskInfo& task : tasks::task_catalog()) {
+void add_tasks(std::vector<OptionRow>& rows, const Scale& scale, const tasks::OwnTasks& own) {
+  for (const tasks::TaskInfo& task : tasks::task_infos(own)) {
     const std::string path = "tasks." + std::string(task.name) + ".";
+    const Scale as_given, &used = own.find(task.name) == nullptr ? scale : as_given;
     for (const tasks::TaskParameter& one : task.parameters) {
-      rows.push_back({path + std::string(one.name), number(default_of(one, scale)),
+      rows.push_back({path + std::string(one.name), number(default_of(one, used)),
                       std::string(one.unit == kNone ? "" : one.unit),
                       formatted("≥ %g", one.minimum), std::string(one.help)});
     }
     for (const tasks::TaskChoice& one : task.choices) {
       rows.push_back({path + std::string(one.name), std::string(one.default_value), "",
-                      joined(one.values, " | "), std::string(one.help)});
+                      joined(words_of(one), " | "), std::string(one.help)});
     }
   }
 }
@@ -99,14 +100,14 @@ bool has_default(const Field& field) {
   return !field.is_required && (number == nullptr || field.range.holds(**number));
 }
 
-std::vector<OptionRow> list_options(const std::string& prefix,
-                                    const model::RobotDescription& robot) {
+std::vector<OptionRow> list_options(const std::string& prefix, const model::RobotDescription& robot,
+                                    const tasks::OwnTasks& own) {
   Scenario scenario;
   Group options = scenario_fields(scenario, robot.num_legs());
   fit_defaults(options, robot, scenario);
   std::vector<OptionRow> rows;
   for_each_option(options, [&](const std::string& path, const Field& field) {
-    if (path == "tasks") return add_tasks(rows, robot.scale);
+    if (path == "tasks") return add_tasks(rows, robot.scale, own);
     const std::string value = field.is_required    ? "required"
                               : has_default(field) ? std::visit(DefaultText{}, field.value)
                                                    : kNone;

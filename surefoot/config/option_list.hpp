@@ -2,6 +2,7 @@
 
 #include "surefoot/base/fields.hpp"
 #include "surefoot/model/description.hpp"
+#include "surefoot/tasks/task_definition.hpp"
 
 #include <functional>
 #include <string>
@@ -24,8 +25,9 @@ void for_each_option(const Group& group,
                      const std::string& prefix = "");
 
 /// The options of a scenario whose keys begin with `prefix`, with the defaults for this robot; for
-/// `tasks` those of the catalog.
+/// `tasks` those of the catalog and of the user's `own` tasks.
 [[nodiscard]] std::vector<OptionRow> list_options(const std::string& prefix,
-                                                  const model::RobotDescription& robot);
+                                                  const model::RobotDescription& robot,
+                                                  const tasks::OwnTasks& own = {});
 
 }  // namespace surefoot::config

@@ -2,8 +2,8 @@
 
 #include "surefoot/base/error.hpp"
 #include "surefoot/base/formatted.hpp"
+#include "surefoot/base/nearest_name.hpp"
 #include "surefoot/config/data_file.hpp"
-#include "surefoot/config/nearest_name.hpp"
 #include "surefoot/config/scaling.hpp"
 #include "surefoot/config/scenario_fields.hpp"
 #include "surefoot/config/section.hpp"

@@ -2,11 +2,11 @@
 
 #include "surefoot/base/error.hpp"
 #include "surefoot/base/formatted.hpp"
+#include "surefoot/base/nearest_name.hpp"
 #include "surefoot/config/data_directory.hpp"
 #include "surefoot/config/data_file.hpp"
 #include "surefoot/config/description_file.hpp"
 #include "surefoot/config/field_reader.hpp"
-#include "surefoot/config/nearest_name.hpp"
 #include "surefoot/config/robot_completion.hpp"
 #include "surefoot/config/robot_plausibility.hpp"
 #include "surefoot/control/standing_torque.hpp"

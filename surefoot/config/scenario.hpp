@@ -20,7 +20,8 @@ namespace surefoot::config {
 struct TimedCommand {
   double time = 0.0;  ///< [s]
   UserCommand user;
-  std::string gait{};  ///< by name, which sets that of `user`
+  std::string gait{};   ///< by name, which sets that of `user`
+  std::string frame{};  ///< by name, which sets that of `user.reach`
 };
 
 /// The goal of a run, which ends the run early.

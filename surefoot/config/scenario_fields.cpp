@@ -252,30 +252,32 @@ bool visit_option(const Group& group, const std::string& path,
 }  // namespace
 
 Group fields(ReachCommand& o) {
-  return {
-      Field{"arm", &o.arm, NumberRange{.min = 0.0, .words = "a number of at least 0", .none = -1.0},
-            "", "which, by its place in the robot's list of arms, from 0"}
-          .required(),
-      {"in_world", &o.in_world, "in W; else in B, so that it moves with the torso"},
-      Field{"position", Numbers{o.position.data(), simulation::axis_elements()}, kAnyNumber, "m",
-            "of the tip"}
-          .required(),
-      {"orientation", Numbers{o.orientation.data(), simulation::angle_elements()},
-       NumberRange{.none = kNaN}, "rad", "of the tip; without it as it was at first"}};
+  return {{"arm", &o.arm, NumberRange{.min = 0.0, .words = "a number of at least 0", .none = -1.0},
+           "", "which, by its place in the robot's list of arms, from 0"},
+          {"in_world", &o.in_world, "in W; else in B, so that it moves with the torso"},
+          Field{"position", Numbers{o.position.data(), simulation::axis_elements()}, kAnyNumber,
+                "m", "of the tip or frame"}
+              .required(),
+          {"orientation", Numbers{o.orientation.data(), simulation::angle_elements()},
+           NumberRange{.none = kNaN}, "rad", "of the tip or frame; without it as it was at first"}};
 }
 
 Group fields(TimedCommand& o) {
-  return {Field{"time", &o.time, kNotNegative, "s", "from which on it holds"}.required(),
-          {"walk", &o.user.walk, "or else stand"},
-          {"velocity", Numbers{o.user.velocity.data(), {"x", "y"}}, kAnyNumber, "m/s",
-           "forward and to the left", Sizing::stride},
-          {"yaw_rate", &o.user.yaw_rate, kAnyNumber, "rad/s", "to the left"},
-          {"height", &o.user.height, kHeight, "m", "over the stance's height"},
-          {"calibrate", &o.user.calibrate, "stand, begin the estimate anew, calibrate, go on"},
-          {"gait", &o.gait, "name or file; auto: by the speed; without it the scenario's"},
-          {"reach", fields(o.user.reach), "the tip of an arm follows this"},
-          {"shift", Numbers{o.user.shift.data(), {"x", "y"}}, kAnyNumber, "m",
-           "of the centre of mass of flat feet, forward and to the left"}};
+  return {
+      Field{"time", &o.time, kNotNegative, "s", "from which on it holds"}.required(),
+      {"walk", &o.user.walk, "or else stand"},
+      {"velocity", Numbers{o.user.velocity.data(), {"x", "y"}}, kAnyNumber, "m/s",
+       "forward and to the left", Sizing::stride},
+      {"yaw_rate", &o.user.yaw_rate, kAnyNumber, "rad/s", "to the left"},
+      {"height", &o.user.height, kHeight, "m", "over the stance's height"},
+      {"calibrate", &o.user.calibrate, "stand, begin the estimate anew, calibrate, go on"},
+      {"gait", &o.gait, "name or file; auto: by the speed; without it the scenario's"},
+      {"reach",
+       fields(o.user.reach)
+           .and_also(Group{{"frame", &o.frame, "instead of an arm: one that the stack follows"}}),
+       "the tip of an arm follows this, or a frame"},
+      {"shift", Numbers{o.user.shift.data(), {"x", "y"}}, kAnyNumber, "m",
+       "of the centre of mass of flat feet, forward and to the left"}};
 }
 
 Group scenario_fields(Scenario& scenario, int num_legs) {

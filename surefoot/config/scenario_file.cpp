@@ -2,6 +2,7 @@
 
 #include "surefoot/base/error.hpp"
 #include "surefoot/base/formatted.hpp"
+#include "surefoot/base/nearest_name.hpp"
 #include "surefoot/config/config_json.hpp"
 #include "surefoot/config/criteria_section.hpp"
 #include "surefoot/config/data_file.hpp"
@@ -9,7 +10,6 @@
 #include "surefoot/config/gait_file.hpp"
 #include "surefoot/config/initial_posture.hpp"
 #include "surefoot/config/loaded_gaits.hpp"
-#include "surefoot/config/nearest_name.hpp"
 #include "surefoot/config/robot_file.hpp"
 #include "surefoot/config/robot_plausibility.hpp"
 #include "surefoot/config/scaling.hpp"
@@ -20,6 +20,7 @@
 #include "surefoot/control/level_switcher.hpp"
 #include "surefoot/control/stack_reach.hpp"
 #include "surefoot/control/standing_torque.hpp"
+#include "surefoot/control/task_stack.hpp"
 #include "surefoot/math/random_bits.hpp"
 #include "surefoot/model/urdf.hpp"
 
@@ -250,18 +251,17 @@ void read_stack_changes(Section& top, control::ControllerOptions& controller) {
   }
 }
 
-/// `robot`: as loaded before; null where that failed, so that it fails here.
-/// Numbers of the levels that move arms are for a robot of scale 1.
-control::StackOptions with_arms(const control::StackOptions& stack, const Scale& scale) {
-  control::StackOptions result = control::with_arms(stack);
-  for (control::LevelSpec& level : result.levels) {
-    const bool is_new = std::ranges::find(stack.levels, level.name, &control::LevelSpec::name) ==
-                        stack.levels.end();
-    if (is_new) scale_level(level, scale, {}, true);
+/// A stack that the robot can't have is refused at the line that names it.
+void check_stack(const Section& top, const Scenario& scenario) {
+  try {
+    control::check_physics(scenario.controller.stack);
+    (void)control::TaskStack(scenario.controller.stack, scenario.robot);
+  } catch (const Error& error) {
+    top.fail("stack", error.what());
   }
-  return result;
 }
 
+/// `robot`: as loaded before; null where that failed, so that it fails here.
 void read_robot_and_stack(Section& top, const fs::path& file, const model::RobotDescription* robot,
                           const tasks::OwnTasks& own, Scenario& scenario) {
   const fs::path folder = file.parent_path();
@@ -272,21 +272,50 @@ void read_robot_and_stack(Section& top, const fs::path& file, const model::Robot
   scenario.controller.stack = load_named(top, "stack", [&](const std::string& name) {
     control::StackOptions stack = load_stack(name, folder, scenario.robot.scale, own);
     keep_sources(scenario, "stack", "stack_base", stack_files(name, folder));
-    return scenario.robot.arms.empty() ? stack : with_arms(stack, scenario.robot.scale);
+    return with_scaled_arms(stack, scenario.robot);
   });
   read_stack_changes(top, scenario.controller);
+  check_stack(top, scenario);
 }
 
-/// Only arms that are there can reach.
-void check_arms(const ConfigNode& tree, const Scenario& scenario) {
+/// Where a command asks for more than the robot has.
+[[noreturn]] void refuse_reach(const ConfigNode& tree, double time, const std::string& what) {
+  fail_at(*tree.find("user"), "user", formatted("at %g s, reach%s", time, what.c_str()));
+}
+
+/// A name stands for its place among the robot's frames; the stack must follow it.
+int followed_frame(const ConfigNode& tree, const TimedCommand& command, const Scenario& scenario) {
+  const model::Frames frames(scenario.robot);
+  const control::TaskStack stack(scenario.controller.stack, scenario.robot);
+  std::vector<std::string> followed;
+  for (const model::FollowedFrame& frame : stack.followed_frames())
+    followed.push_back(frames.names()[static_cast<std::size_t>(frame.number)]);
+  if (std::ranges::find(followed, command.frame) != followed.end())
+    return frames.number(command.frame);
+  refuse_reach(tree, command.time,
+               ".frame: no task of the stack follows \"" + command.frame + "\"; " +
+                   valid_names(command.frame, followed));
+}
+
+/// Only arms that are there can reach, and frames that the stack follows.
+void find_reaches(const ConfigNode& tree, Scenario& scenario) {
   const auto num_arms = static_cast<int>(scenario.robot.arms.size());
-  for (const TimedCommand& command : scenario.commands) {
-    if (command.user.reach.arm < num_arms) continue;
-    fail_at(
-        *tree.find("user"), "user",
-        formatted(
-            "at %g s, reach.arm: is %d, but the robot has %s", command.time, command.user.reach.arm,
-            num_arms == 0 ? "no arms" : ("arms 0 to " + std::to_string(num_arms - 1)).c_str()));
+  for (TimedCommand& command : scenario.commands) {
+    ReachCommand& reach = command.user.reach;
+    if (!command.frame.empty()) reach.frame = followed_frame(tree, command, scenario);
+    if (reach.arm < num_arms) continue;
+    refuse_reach(tree, command.time,
+                 formatted(".arm: is %d, but the robot has %s", reach.arm,
+                           num_arms == 0 ? "no arms"
+                                         : ("arms 0 to " + std::to_string(num_arms - 1)).c_str()));
+  }
+  const ConfigNode* user = tree.find("user");
+  if (user == nullptr) return;
+  for (const ConfigNode& command : user->items) {
+    const ConfigNode* reach = command.find("reach");
+    if (reach == nullptr || reach->kind != ConfigNode::Kind::map) continue;
+    if ((reach->find("arm") == nullptr) == (reach->find("frame") == nullptr))
+      fail_at(*reach, "user", "reach: needs either the number of an arm, or a frame");
   }
 }
 
@@ -455,6 +484,10 @@ std::uint64_t parse_seed(const std::string& number) {
 }
 
 Scenario load_scenario(const ScenarioRequest& request) {
+  for (const std::string& assignment : request.assignments) {
+    if (assignment == "gait=")
+      throw Error("--set gait=: a name is missing; gait=none takes the scenario's gait away");
+  }
   const fs::path file = find_data_file("scenarios", request.name_or_path);
   const std::optional<model::RobotDescription> fitted = robot_of(file, request.assignments);
   const model::RobotDescription* const robot = fitted ? &*fitted : nullptr;
@@ -507,7 +540,7 @@ Scenario load_scenario(const ScenarioRequest& request) {
 
   scenario.plant.seed = request.seed;
   check_pushes(tree, scenario);
-  check_arms(tree, scenario);
+  find_reaches(tree, scenario);
   fit_to_standing(tree, scenario);
   scenario.notes = scenario_notes(tree, scenario);
   model::RobotModel model(scenario.robot);

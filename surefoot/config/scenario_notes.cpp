@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <string_view>
 
 namespace surefoot::config {
@@ -72,6 +73,7 @@ std::vector<std::string> scenario_notes(const ConfigNode& tree, const Scenario& 
   note_late(tree, "sensors", "faults", plant.sensors.faults, scenario, notes);
   note_undrawn(assigned, notes);
   note_unused_actuator(assigned, plant.actuators, notes);
+  std::ranges::copy(control::missing_physics(scenario.controller.stack), std::back_inserter(notes));
   return notes;
 }
 

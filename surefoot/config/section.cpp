@@ -1,7 +1,7 @@
 #include "surefoot/config/section.hpp"
 
 #include "surefoot/base/error.hpp"
-#include "surefoot/config/nearest_name.hpp"
+#include "surefoot/base/nearest_name.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,8 +1,8 @@
 #include "surefoot/config/stack_file.hpp"
 
 #include "surefoot/base/error.hpp"
+#include "surefoot/base/nearest_name.hpp"
 #include "surefoot/config/data_file.hpp"
-#include "surefoot/config/nearest_name.hpp"
 #include "surefoot/config/scaling.hpp"
 #include "surefoot/config/section.hpp"
 #include "surefoot/tasks/catalog.hpp"
@@ -24,6 +24,16 @@ bool contains(const std::vector<std::string>& names, const std::string& name) {
   return std::ranges::find(names, name) != names.end();
 }
 
+/// A word, or a list of them.
+std::string read_words(const ConfigNode& node, const std::string& path) {
+  if (node.kind == ConfigNode::Kind::null) return "none";
+  if (node.kind != ConfigNode::Kind::list) return read_text(node, path);
+  std::string words;
+  for (const ConfigNode& word : node.items)
+    words += (words.empty() ? "" : " ") + read_text(word, path);
+  return words;
+}
+
 /// Reads a parameter: a number or the name of a choice, according to the catalog.
 void read_parameter(const ConfigNode& node, const std::string& key, const std::string& path,
                     const tasks::OwnTasks& own, control::TaskSpec& task) {
@@ -34,8 +44,7 @@ void read_parameter(const ConfigNode& node, const std::string& key, const std::s
   if (contains(numbers, key)) {
     parameter.numbers[key] = task.numbers[key] = read_number(node, path);
   } else if (contains(choices, key)) {
-    const bool is_none = node.kind == ConfigNode::Kind::null;
-    parameter.choices[key] = task.choices[key] = is_none ? "none" : read_text(node, path);
+    parameter.choices[key] = task.choices[key] = read_words(node, path);
   } else {
     std::vector<std::string> valid = numbers;
     valid.insert(valid.end(), choices.begin(), choices.end());
@@ -268,6 +277,17 @@ control::StackOptions load_stack(const std::string& name_or_path,
 control::StackOptions parse_stack(const std::string& text, const std::string& name,
                                   const Scale& scale, const tasks::OwnTasks& own) {
   return read_stack(parse_yaml_map(text, name), {}, scale, own);
+}
+
+// Defaults are for a robot of scale 1.
+control::StackOptions with_scaled_arms(const control::StackOptions& stack,
+                                       const model::RobotDescription& robot) {
+  control::StackOptions result = control::with_arms(stack, robot);
+  for (control::LevelSpec& level : result.levels) {
+    const bool is_new = !contains(names_of(stack.levels), level.name);
+    if (is_new) scale_level(level, robot.scale, {}, true);
+  }
+  return result;
 }
 
 std::vector<std::filesystem::path> stack_files(const std::string& name_or_path,

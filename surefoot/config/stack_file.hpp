@@ -53,6 +53,10 @@ namespace surefoot::config {
                                                 const Scale& scale = {},
                                                 const tasks::OwnTasks& own = {});
 
+/// `control::with_arms`, with the numbers of its levels scaled to the robot.
+[[nodiscard]] control::StackOptions with_scaled_arms(const control::StackOptions& stack,
+                                                     const model::RobotDescription& robot);
+
 /// The files of a stack: its own, then those of its bases, recursively. Throws Error.
 [[nodiscard]] std::vector<std::filesystem::path> stack_files(
     const std::string& name_or_path, const std::filesystem::path& beside = {});

@@ -50,6 +50,10 @@ double ActiveStack::share() const {
   return is_fading() ? fade_->share() : switcher_.transition().share;
 }
 
+const PartFault& ActiveStack::fault() const {
+  return tasks().fault().is_set() || !is_fading() ? tasks().fault() : fade_->fault();
+}
+
 void ActiveStack::restart() noexcept {
   switcher_.restart();
   if (fade_) fade_->restart();
@@ -61,6 +65,7 @@ bool ActiveStack::switch_levels(const LevelSwitch& change) {
 }
 
 bool ActiveStack::set_stack(const StackOptions& options, double duration) {
+  check_physics(options);
   check_stack_change(switcher_.stack(), options, duration);
   if (is_fading() || !switcher_.is_idle()) return false;
   LevelSwitcher next_switcher = switcher_.for_stack(options);

@@ -33,6 +33,8 @@ class ActiveStack {
   /// As `Controller::set_stack`.
   [[nodiscard]] bool set_stack(const StackOptions& options, double duration);
 
+  /// What an own task did wrong in the last solution, of this stack or the one that fades out.
+  [[nodiscard]] const PartFault& fault() const;
   [[nodiscard]] const TaskStack& tasks() const { return solved_->stack; }
   [[nodiscard]] const solver::Hierarchy& hierarchy() const { return solved_->stack.hierarchy(); }
 

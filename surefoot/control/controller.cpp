@@ -11,6 +11,7 @@
 #include "surefoot/control/state_estimation.hpp"
 #include "surefoot/estimation/first_readings.hpp"
 #include "surefoot/gaits/parts/arm_reference.hpp"
+#include "surefoot/gaits/parts/frame_reference.hpp"
 #include "surefoot/math/rotation.hpp"
 #include "surefoot/signals/plan_event.hpp"
 
@@ -18,6 +19,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
 #include <string>
 #include <utility>
 
@@ -51,8 +53,8 @@ UserCommand limited(const UserCommand& user) {
 }
 
 /// What is wrong with a plan of the user's own; empty if nothing.
-std::string_view what_is_wrong(const MotionPlan& plan, int num_legs) {
-  if (static_cast<int>(plan.feet.size()) != num_legs)
+std::string_view what_is_wrong(const MotionPlan& plan, const model::RobotDescription& robot) {
+  if (static_cast<int>(plan.feet.size()) != robot.num_legs())
     return "the planner's plan does not have the robot's number of feet";
   const auto is_finite = [](const FootPlan& foot) {
     return foot.p_WF.allFinite() && foot.v_WF.allFinite() && foot.a_WF.allFinite() &&
@@ -68,6 +70,14 @@ std::string_view what_is_wrong(const MotionPlan& plan, int num_legs) {
   if (!plan.com.p.allFinite() || !plan.com.v.allFinite() || !plan.com.a.allFinite())
     return "the planner's plan has NaN or infinity in the centre of mass";
   if (!is_rotation(Quat(plan.R_WC))) return "the planner's R_WC is no rotation";
+  if (plan.joints.size() != 0 && plan.joints.size() != robot.num_joints())
+    return "the planner's plan does not have the robot's number of joints";
+  const auto is_frame_finite = [](const FramePlan& frame) {
+    return frame.p_XF.allFinite() && frame.v_XF.allFinite() && frame.a_XF.allFinite() &&
+           frame.w_XF.allFinite() && is_rotation(frame.q_XF);
+  };
+  if (!std::ranges::all_of(plan.frames, is_frame_finite) || !plan.joints.allFinite())
+    return "the planner's plan has NaN or infinity in a frame or a joint";
   return {};
 }
 
@@ -91,6 +101,7 @@ struct Controller::Implementation {
     Calibration calibration;
     Footing footing;
     gaits::ArmReference arm;
+    gaits::FrameReferences frames;
     LastTick last;
   };
 
@@ -99,6 +110,8 @@ struct Controller::Implementation {
                  std::unique_ptr<gaits::MotionPlanner> own_planner);
 
   const JointCommand& step(const SensorReading& reading, const UserCommand& user) noexcept;
+  /// Those of the stack.
+  void follow_frames();
   void begin_tick(const SensorReading& reading, const UserCommand& user) noexcept;
   const estimation::ReadingGuard& sense() noexcept;
   void guard_reading(SensorReading reading) noexcept;
@@ -133,6 +146,7 @@ struct Controller::Implementation {
   estimation::FirstReadings first_readings;
   ActiveStack stack;
   Safety safety;
+  std::vector<std::string> notes;
   TickRecord record;
   std::array<double, kMaxLevels> level_times{};  // [s]
   bool explains_levels = false;
@@ -158,16 +172,26 @@ Controller::Implementation::Implementation(
              .calibration = {options.link_masses, robot, model.base_mass(), options.period},
              .footing = {options.planner.stance, options.period, robot.scale},
              .arm = {options.period, robot.scale},
+             .frames = {options.period, robot.scale},
              .last = {}},
       at_start(memory),
       first_readings(options.period),
       stack(options, robot),
       safety(options.safety, robot, stack.tasks().first_free_level(),
              lying_posture(model, options.safety.sit_height), options.period) {
+  check_physics(options.stack);
+  notes = model.notes();
+  std::ranges::copy(missing_physics(options.stack), std::back_inserter(notes));
   size_joints(record, robot.num_joints(), robot.num_legs());
   record.command.torque.setZero();
   memory.last = at_start.last = remember({});
+  follow_frames();
   if (!robot.arms.empty()) safety.soften_arms(turned_inertia(model));
+}
+
+void Controller::Implementation::follow_frames() {
+  for (gaits::FrameReferences* frames : {&memory.frames, &at_start.frames})
+    frames->follow(stack.tasks().followed_frames(), stack.tasks().follows_joints());
 }
 
 const JointCommand& Controller::Implementation::step(const SensorReading& reading,
@@ -180,9 +204,9 @@ const JointCommand& Controller::Implementation::step(const SensorReading& readin
   if (!plan_motion(dynamics)) return command_without_plan();
   const MotionPlan& plan = record.plan;
   stack.update(record.state.time, dynamics, plan);
-  blame(stack.tasks().fault());
   ended(Stage::stack);
   const solver::Solution& solution = stack.solve(record.state.time, dynamics, plan);
+  blame(stack.fault());
   ended(Stage::solve);
   describe(dynamics, solution);
   return command(solution);
@@ -243,6 +267,7 @@ void Controller::Implementation::restart() noexcept {
 /// The robot has stood up: discards where it stood before.
 void Controller::Implementation::restart_standing() noexcept {
   memory.arm = at_start.arm;
+  memory.frames = at_start.frames;
   PartFault found;
   (void)runs([&] { planner->restart(); }, found, "restart() of the planner");
   blame(found);
@@ -304,9 +329,12 @@ bool Controller::Implementation::plan_motion(const model::Dynamics& dynamics) no
     plan = &planner->update(record.user, record.state, dynamics, memory.last.outcome);
   };
   if (runs(update, found, "the planner") && has_own_planner)
-    found.set(what_is_wrong(*plan, model.description().num_legs()));
+    found.set(what_is_wrong(*plan, model.description()));
   blame(found);
-  if (!found.is_set()) record.plan = *plan;
+  if (!found.is_set()) {
+    record.plan = *plan;
+    memory.frames.complete(record.plan, record.user.reach, dynamics);
+  }
   record.plan.time = record.state.time;
   record.plan.arm = memory.arm.update(record.user.reach, record.state, dynamics);
   ended(Stage::plan);
@@ -344,6 +372,7 @@ const JointCommand& Controller::Implementation::command_without_state() noexcept
 /// Without plan and solution.
 const JointCommand& Controller::Implementation::command_off_its_feet() noexcept {
   record.plan.arm = {};
+  record.plan.frames = {};
   describe_unsolved();
   record.plan.time = record.state.time;
   record.plan.calibration = CalibrationStage::none;
@@ -456,6 +485,7 @@ bool Controller::switch_levels(const LevelSwitch& change) {
 
 bool Controller::set_stack(const StackOptions& stack, double duration) {
   if (!implementation_->stack.set_stack(stack, duration)) return false;
+  implementation_->follow_frames();
   implementation_->safety.set_first_free_level(implementation_->stack.tasks().first_free_level());
   return true;
 }
@@ -498,7 +528,7 @@ std::vector<std::vector<std::string>> Controller::row_names() const {
 
 std::string Controller::fault() const { return implementation_->fault.text(); }
 
-std::vector<std::string> Controller::notes() const { return implementation_->model.notes(); }
+std::vector<std::string> Controller::notes() const { return implementation_->notes; }
 
 void Controller::explain_levels(bool wanted) { implementation_->explains_levels = wanted; }
 

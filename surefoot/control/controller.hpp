@@ -117,7 +117,7 @@ class Controller {
   /// What a part of your own did wrong last, naming it: "task "my_task" threw: ..."; empty if
   /// nothing. If it goes on, the controller sits down with `StopCause::own_part`.
   [[nodiscard]] std::string fault() const;
-  /// Messages for the user at start, as what the model ignores of the URDF.
+  /// Messages for the user at start: what the model ignores of the URDF, what the stack lacks.
   [[nodiscard]] std::vector<std::string> notes() const;
   /// From the next tick on, records which rows block each level, at a cost of some microseconds a
   /// tick. Off by default. No torque depends on it.

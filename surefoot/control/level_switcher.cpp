@@ -125,6 +125,10 @@ bool LevelSwitcher::start(const LevelSwitch& change) {
 }
 
 const LevelTransition& LevelSwitcher::update(double time) noexcept {
+  begun_.begins = false;
+  // At the first ticks the clock may be unknown, and set back.
+  if (!std::isfinite(time)) return transition_;
+  begin_ = std::min(begin_, time);
   if (transition_.is_going_on()) transition_.share = smooth_ramp(time - begin_, duration_);
   if (transition_.share >= 1.0) transition_.before = transition_.after;
   begun_.begins = is_requested_ && !transition_.is_going_on();

@@ -20,7 +20,7 @@ StackFade::StackFade(std::unique_ptr<SolvedStack> before, const solver::LevelSet
 const solver::Solution& StackFade::between(const model::Dynamics& dynamics, const MotionPlan& plan,
                                            double time, const solver::Hierarchy& hierarchy,
                                            const solver::Solution& after) noexcept {
-  if (std::isnan(begin_)) begin_ = time;
+  if (!(begin_ <= time)) begin_ = time;  // also where the clock was set back
   share_ = duration_ > 0.0 ? smooth_ramp(time - begin_, duration_) : 1.0;
   if (share_ >= 1.0) return after;
   const solver::Hierarchy& rows = before_->stack.update(dynamics, plan);

@@ -30,6 +30,9 @@ class StackFade {
   [[nodiscard]] bool is_going_on() const { return share_ < 1.0; }
   [[nodiscard]] double share() const { return share_; }
 
+  /// What an own task of the old stack did wrong in the last tick.
+  [[nodiscard]] const PartFault& fault() const { return before_->stack.fault(); }
+
   /// Restarts at the next tick, unless it has ended, as the clock has changed.
   void restart() noexcept { begin_ = kNaN; }
 

@@ -1,10 +1,12 @@
 #include "surefoot/control/stack_options.hpp"
 
 #include "surefoot/base/error.hpp"
+#include "surefoot/model/frames.hpp"
 
 #include <algorithm>
 #include <array>
 #include <initializer_list>
+#include <sstream>
 #include <string_view>
 #include <utility>
 
@@ -17,25 +19,104 @@ constexpr std::array<std::string_view, 4> kPhysics{"equations_of_motion", "no_co
 constexpr std::array<std::string_view, 2> kEfforts{"contact_force_minimisation",
                                                    "torque_minimisation"};
 
-}  // namespace
-
-bool keeps_physics(const LevelSpec& level) {
-  return std::ranges::any_of(level.tasks, [](const TaskSpec& task) {
-    return std::ranges::find(kPhysics, task.task) != kPhysics.end();
-  });
+bool has(const LevelSpec& level, std::string_view task) {
+  return std::ranges::find(level.tasks, task, &TaskSpec::task) != level.tasks.end();
 }
 
-StackOptions with_arms(StackOptions stack) {
-  const auto moves_arms = [](const TaskSpec& task) {
-    const auto joints = task.choices.find("joints");
-    const bool is_of_legs = joints != task.choices.end() && joints->second == "legs";
-    return task.task == "frame_position" || task.task == "frame_orientation" ||
-           (task.task == "posture" && !is_of_legs);
+bool is_physical(const TaskSpec& task) {
+  return std::ranges::find(kPhysics, task.task) != kPhysics.end();
+}
+
+/// Does a posture of these joints move arms?
+bool is_of_arms(const std::string& joints, const model::RobotDescription& robot) {
+  constexpr std::array<std::string_view, 5> kOfArms{"", "arms", "all", "idle_arms", "reaching_arm"};
+  if (std::ranges::find(kOfArms, joints) != kOfArms.end()) return true;
+  std::istringstream words(joints);
+  for (std::string word; words >> word;) {
+    for (const model::ArmDescription& arm : robot.arms)
+      if (std::ranges::find(arm.joints, word) != arm.joints.end()) return true;
+  }
+  return false;
+}
+
+/// How a stack's tasks treat the robot's arms.
+struct ArmTasks {
+  bool move_arms = false;        ///< by the reaching tip or a posture
+  std::string followed, others;  ///< joints of arms with a frame that a task follows, and of others
+  std::string last;              ///< level with such a task
+};
+
+ArmTasks arm_tasks(const StackOptions& stack, const model::RobotDescription& robot) {
+  ArmTasks found;
+  std::vector<bool> follows(robot.arms.size(), false);
+  const auto note = [&](const LevelSpec& level, const TaskSpec& task) {
+    const auto choice = [&](const char* name) {
+      const auto given = task.choices.find(name);
+      return given == task.choices.end() ? std::string() : given->second;
+    };
+    const bool is_frame = task.task == "frame_position" || task.task == "frame_orientation";
+    if (is_frame && choice("frame").empty()) found.move_arms = true;
+    if (task.task == "posture" && is_of_arms(choice("joints"), robot)) found.move_arms = true;
+    if (!is_frame || choice("frame").empty()) return;
+    const model::Frames frames(robot);
+    const int arm = frames.arm_of(frames.number(choice("frame")));
+    if (arm < 0) return;
+    follows[static_cast<std::size_t>(arm)] = true;
+    found.last = level.name;
   };
-  const bool is_told = std::ranges::any_of(stack.levels, [&](const LevelSpec& level) {
-    return std::ranges::any_of(level.tasks, moves_arms);
-  });
-  if (is_told) return stack;
+  for (const LevelSpec& level : stack.levels) {
+    for (const TaskSpec& task : level.tasks) note(level, task);
+  }
+  for (std::size_t arm = 0; arm < follows.size(); ++arm) {
+    std::string& joints = follows[arm] ? found.followed : found.others;
+    for (const std::string& name : robot.arms[arm].joints)
+      joints += (joints.empty() ? "" : " ") + name;
+  }
+  return found;
+}
+
+}  // namespace
+
+bool keeps_physics(const LevelSpec& level) { return std::ranges::any_of(level.tasks, is_physical); }
+
+void check_physics(const StackOptions& stack) {
+  const std::string_view motion = kPhysics.front();
+  const auto refuse = [&](const std::string& what) {
+    throw Error("the stack \"" + stack.name + "\" has " + what +
+                ": its torques would not move the robot as its tasks ask; valid is a stack that "
+                "begins with equations_of_motion, no_contact_motion, torque_limits and "
+                "friction_cone");
+  };
+  const auto first = std::ranges::find_if(
+      stack.levels, [&](const LevelSpec& level) { return has(level, motion); });
+  if (first == stack.levels.end()) refuse("no equations_of_motion");
+  for (auto level = stack.levels.begin(); level <= first; ++level) {
+    const auto other = std::ranges::find_if_not(level->tasks, is_physical);
+    if (other == level->tasks.end()) continue;
+    refuse(other->task + (level == first ? " beside" : " above") + " equations_of_motion");
+  }
+}
+
+std::vector<std::string> missing_physics(const StackOptions& stack) {
+  constexpr std::array<const char*, 3> kConsequences{
+      "feet that carry the robot slip away, and it falls",
+      "torques beyond the joints' limits are cut off, which no task knows",
+      "feet pull on the ground and slide, and are not unloaded before they lift off"};
+  std::vector<std::string> missing;
+  for (std::size_t i = 0; i < kConsequences.size(); ++i) {
+    const std::string_view task = kPhysics[i + 1];
+    const bool is_there =
+        std::ranges::any_of(stack.levels, [&](const LevelSpec& level) { return has(level, task); });
+    if (!is_there)
+      missing.push_back("the stack \"" + stack.name + "\" has no " + std::string(task) + ": " +
+                        kConsequences[i]);
+  }
+  return missing;
+}
+
+StackOptions with_arms(StackOptions stack, const model::RobotDescription& robot) {
+  const ArmTasks found = arm_tasks(stack, robot);
+  if (found.move_arms || robot.arms.empty()) return stack;
   const auto level = [](const char* name, std::initializer_list<const char*> tasks) {
     LevelSpec made{.name = name, .tasks = {}};
     for (const char* task : tasks) made.tasks.emplace_back().task = task;
@@ -47,9 +128,17 @@ StackOptions with_arms(StackOptions stack) {
   const auto effort = std::ranges::find_if(
       stack.levels, [&](const LevelSpec& one) { return std::ranges::all_of(one.tasks, saves); });
   LevelSpec rest = level("arm_rest", {"posture"}), idle = level("arm_posture", {"posture"});
-  rest.tasks.front().choices["joints"] = "reaching_arm";
-  idle.tasks.front().choices["joints"] = "idle_arms";
-  stack.levels.insert(effort, {level("arm_tip", {"frame_position", "frame_orientation"}), rest});
+  if (found.followed.empty()) {
+    rest.tasks.front().choices["joints"] = "reaching_arm";
+    idle.tasks.front().choices["joints"] = "idle_arms";
+    stack.levels.insert(effort, {level("arm_tip", {"frame_position", "frame_orientation"}), rest});
+  } else {
+    rest.tasks.front().choices["joints"] = found.followed;
+    idle.tasks.front().choices["joints"] = found.others;
+    const auto last = std::ranges::find(stack.levels, found.last, &LevelSpec::name);
+    stack.levels.insert(last + 1, rest);
+  }
+  if (!found.followed.empty() && found.others.empty()) return stack;
   const auto last = std::find_if(stack.levels.rbegin(), stack.levels.rend(), keeps_physics);
   stack.levels.insert(last.base(), idle);
   return stack;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "surefoot/model/description.hpp"
 #include "surefoot/tasks/task_definition.hpp"
 
 #include <cstddef>
@@ -13,8 +14,8 @@ namespace surefoot::control {
 /// as written.
 struct TaskSpec {
   std::string task;
-  std::map<std::string, double> numbers;       ///< e.g. kp: 500
-  std::map<std::string, std::string> choices;  ///< e.g. form: radial
+  std::map<std::string, double> numbers = {};       ///< e.g. kp: 500
+  std::map<std::string, std::string> choices = {};  ///< e.g. form: radial
   double weight = 1.0;  ///< of its rows within the level; residuals include it
 };
 
@@ -36,11 +37,18 @@ struct StackOptions {
 /// torque or contact force limits?
 [[nodiscard]] bool keeps_physics(const LevelSpec& level);
 
-/// The stack of a robot with arms, unless a task moves arms already. Below the levels that keep the
-/// physics, `arm_posture` holds the arms that do not reach: lower down they would be thrown about
-/// to save the torso's pose. Before the levels that only save effort, `arm_tip` and `arm_rest` move
-/// the one that reaches, as far as balance and torso leave it.
-[[nodiscard]] StackOptions with_arms(StackOptions stack);
+/// Throws Error unless equations of motion are in the stack, and above them or beside them only
+/// tasks that keep the physics: accelerations that the dynamics don't allow would have precedence.
+void check_physics(const StackOptions& stack);
+/// What else the stack lacks of the physics, with the consequence; a sentence each.
+[[nodiscard]] std::vector<std::string> missing_physics(const StackOptions& stack);
+
+/// The stack of a robot with arms, unless its tasks move arms already. Below the levels that keep
+/// the physics, `arm_posture` holds the arms that do not reach: lower down they would be thrown
+/// about to save the torso's pose. Before the levels that only save effort, `arm_tip` and
+/// `arm_rest` move the one that reaches, as far as balance and torso leave it. Arms of which a task
+/// follows a frame have `arm_rest` right below it. Throws UnknownNameError for an unknown frame.
+[[nodiscard]] StackOptions with_arms(StackOptions stack, const model::RobotDescription& robot);
 
 /// Merges all levels from `first` on into one last level, "weighted", in which the tasks' weights
 /// replace their order. Omits the damping of these levels. Throws Error if one of them keeps the

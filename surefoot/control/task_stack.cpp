@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <string_view>
+#include <utility>
 
 namespace surefoot::control {
 
@@ -23,33 +24,61 @@ TaskStack::TaskStack(const StackOptions& options, const model::RobotDescription&
                 " levels; valid are 1 to " + std::to_string(kMaxLevels));
   }
   for (const LevelSpec& spec : options.levels) {
-    LevelTasks level;
-    int rows = 0, ids = 0;
-    if (spec.damping != 0.0)
-      solver::check_weight(spec.damping, "damping of level \"" + spec.name + "\"");
-    for (const TaskSpec& task_spec : spec.tasks) {
-      solver::check_weight(task_spec.weight, "weight of task \"" + task_spec.task + "\"");
-      level.tasks.push_back(
-          tasks::make_task(task_spec.task, {task_spec.numbers, task_spec.choices}, own_tasks_));
-      tasks::Task& task = *level.tasks.back();
-      if (const auto* cone = dynamic_cast<const tasks::FrictionCone*>(&task)) friction_cone_ = cone;
-      task.prepare(robot);
-      if (own_tasks_.find(task_spec.task) != nullptr) {
-        tasks::check_sizes(task, task_spec.task);
-        level.has_own = true;
-      }
-      task.set_first_id(ids);
-      ids += task.num_ids();
-      rows += task.max_rows();
-      level.weights.push_back(task_spec.weight);
-    }
-    if (keeps_physics(spec)) first_free_level_ = static_cast<int>(levels_.size()) + 1;
-    level.damping = spec.damping;
-    level.num_ids = ids;
-    hierarchy_.add_level(spec.name, spec.damping > 0.0 ? 2 * rows : rows);
-    levels_.push_back(std::move(level));
+    levels_.push_back(make_level(spec));
+    if (keeps_physics(spec)) first_free_level_ = static_cast<int>(levels_.size());
   }
   torso_tilt_ = level_of("torso_roll_pitch");
+}
+
+TaskStack::LevelTasks TaskStack::make_level(const LevelSpec& spec) {
+  LevelTasks level;
+  int rows = 0;
+  level.damping = spec.damping;
+  if (spec.damping != 0.0)
+    solver::check_weight(spec.damping, "damping of level \"" + spec.name + "\"");
+  for (const TaskSpec& task_spec : spec.tasks) {
+    solver::check_weight(task_spec.weight, "weight of task \"" + task_spec.task + "\"");
+    std::unique_ptr<tasks::Task> task = make_task(task_spec, level);
+    task->set_first_id(level.num_ids);
+    level.num_ids += task->num_ids();
+    rows += task->max_rows();
+    level.weights.push_back(task_spec.weight);
+    level.tasks.push_back(std::move(task));
+  }
+  hierarchy_.add_level(spec.name, spec.damping > 0.0 ? 2 * rows : rows);
+  return level;
+}
+
+std::unique_ptr<tasks::Task> TaskStack::make_task(const TaskSpec& spec, LevelTasks& level) {
+  std::unique_ptr<tasks::Task> task =
+      tasks::make_task(spec.task, {spec.numbers, spec.choices}, own_tasks_);
+  if (const auto* cone = dynamic_cast<const tasks::FrictionCone*>(task.get()))
+    friction_cone_ = cone;
+  task->prepare(robot_);
+  note_followed(*task);
+  if (own_tasks_.find(spec.task) != nullptr) {
+    tasks::check_sizes(*task, spec.task);
+    level.has_own = true;
+  }
+  return task;
+}
+
+void TaskStack::note_followed(const tasks::Task& task) {
+  follows_joints_ = follows_joints_ || task.follows_joints();
+  const model::FollowedFrame frame = task.follows();
+  if (frame.number < 0) return;
+  const auto same =
+      std::ranges::find(followed_frames_, frame.number, &model::FollowedFrame::number);
+  if (same == followed_frames_.end()) {
+    followed_frames_.push_back(frame);
+  } else if (same->in_world != frame.in_world) {
+    throw Error("one task holds the frame \"" +
+                model::Frames(robot_).names()[static_cast<std::size_t>(frame.number)] +
+                "\" in the base, another in the world; give all its tasks the same held_in");
+  }
+  if (followed_frames_.size() > FrameList::kMost)
+    throw Error("tasks follow more than " + std::to_string(FrameList::kMost) +
+                " frames; valid are as many at most");
 }
 
 const solver::Hierarchy& TaskStack::update(const model::Dynamics& dynamics,

@@ -46,6 +46,13 @@ class TaskStack {
   /// What the first of the user's own tasks did wrong in the last update; its rows can't be solved.
   [[nodiscard]] const PartFault& fault() const { return fault_; }
 
+  /// Frames that the tasks follow, each once.
+  [[nodiscard]] const std::vector<model::FollowedFrame>& followed_frames() const {
+    return followed_frames_;
+  }
+  /// Does a task follow the plan's joints?
+  [[nodiscard]] bool follows_joints() const { return follows_joints_; }
+
   [[nodiscard]] const solver::Hierarchy& hierarchy() const { return hierarchy_; }
   /// Contact forces as an affine function of x, of the last update.
   [[nodiscard]] const model::SupportDynamics& support() const { return support_; }
@@ -67,6 +74,9 @@ class TaskStack {
     bool is_present = true;
   };
 
+  [[nodiscard]] LevelTasks make_level(const LevelSpec& spec);
+  [[nodiscard]] std::unique_ptr<tasks::Task> make_task(const TaskSpec& spec, LevelTasks& level);
+  void note_followed(const tasks::Task& task);
   [[nodiscard]] bool is_only(std::size_t level, std::string_view task) const;
   /// Level of the task alone; the number of levels if there is none.
   [[nodiscard]] std::size_t level_of(std::string_view task) const;
@@ -83,7 +93,9 @@ class TaskStack {
   int first_free_level_ = 0;
   std::size_t torso_tilt_ = 0;                          // index of its level
   const tasks::FrictionCone* friction_cone_ = nullptr;  // of `levels_`
-  Eigen::VectorXd no_motion_;                           // zeros, the target of damping
+  std::vector<model::FollowedFrame> followed_frames_;
+  bool follows_joints_ = false;
+  Eigen::VectorXd no_motion_;  // zeros, the target of damping
   PartFault fault_;
 };
 

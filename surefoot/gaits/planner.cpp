@@ -59,6 +59,7 @@ void Planner::set_friction(double friction) {
     throw Error("friction is " + std::to_string(friction) + "; valid is a number above 0");
   }
   body_.grip.expect(friction);
+  flat_stand_.set_friction(friction);
 }
 
 const MotionPlan& Planner::update(const UserCommand& command, const RobotState& state,

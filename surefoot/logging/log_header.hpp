@@ -15,7 +15,7 @@
 namespace surefoot::logging {
 
 /// Version of the log's topics and fields: the major number changes if readers must change.
-inline constexpr std::string_view kLogVersion = "3.1";
+inline constexpr std::string_view kLogVersion = "3.2";
 
 /// Robot data for the report.
 struct LogRobot {

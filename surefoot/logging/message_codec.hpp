@@ -31,6 +31,8 @@ template <typename T>
 inline constexpr bool kIsList<std::vector<T>> = true;
 template <>
 inline constexpr bool kIsList<EventList> = true;
+template <>
+inline constexpr bool kIsList<FrameList> = true;
 template <typename T>
 concept OptionalLeg = std::same_as<T, std::optional<Leg>>;
 

@@ -41,6 +41,12 @@ class Decoder {
     for (const GaitEvent& event : read) events.add(event);
     next_ = json_.position();
   }
+  void operator()(std::string_view name, FrameList& frames, std::string_view description) {
+    std::vector<FramePlan> read;
+    (*this)(name, read, description);
+    frames = {};
+    for (const FramePlan& plan : read) frames.add(plan);
+  }
 
  private:
   // Of an object, `json` is after its opening brace.
@@ -142,6 +148,7 @@ class Decoder {
 
   void joints(JointVector& content) {
     content.resize(0);
+    if (json_.accept(']')) return;
     do {
       if (content.size() == kMaxJoints) throw logging::JsonError{"expected fewer joints"};
       content.conservativeResize(content.size() + 1);

@@ -152,6 +152,9 @@ void fields(Archive& field, T& reach) {
   field("position", reach.position, "place of the tip [m]");
   field("orientation", reach.orientation,
         "roll, pitch and yaw of the tip; null: as it was at first [rad]");
+  field("frame", reach.frame,
+        "that is to be there instead of a tip, its place in the robot's frames; -1: none; since "
+        "3.2");
 }
 
 template <typename Archive, Is<RobotState> T>
@@ -225,6 +228,17 @@ void fields(Archive& field, T& plan) {
   field("w_WT", plan.w_WT, "angular velocity of the tip in W [rad/s]");
 }
 
+template <typename Archive, Is<FramePlan> T>
+void fields(Archive& field, T& plan) {
+  field("frame", plan.frame, "F, its place in the robot's frames");
+  field("in_world", plan.in_world, "the rest is in W, else in B");
+  field("p_XF", plan.p_XF, "place [m]");
+  field("v_XF", plan.v_XF, "velocity [m/s]");
+  field("a_XF", plan.a_XF, "acceleration [m/s²]");
+  field("q_XF", plan.q_XF, "orientation, w, x, y, z");
+  field("w_XF", plan.w_XF, "angular velocity [rad/s]");
+}
+
 template <typename Archive, Is<MotionPlan> T>
 void fields(Archive& field, T& plan) {
   field("time", plan.time, "that the plan is for [s]");
@@ -232,6 +246,8 @@ void fields(Archive& field, T& plan) {
   field("torso", plan.torso, "reference of the torso");
   field("com", plan.com, "reference of the centre of mass");
   field("arm", plan.arm, "reference of an arm's tip; since 2.13");
+  field("frames", plan.frames, "references of frames that tasks follow; since 3.2");
+  field("joints", plan.joints, "reference of the joints, if a task follows it; since 3.2 [rad]");
   field("R_WC", plan.R_WC,
         "control frame C in W, row by row: z along the terrain normal, x the heading");
   field("terrain_point", plan.terrain_point,

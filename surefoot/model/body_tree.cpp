@@ -85,8 +85,8 @@ class Builder {
   [[nodiscard]] BodyTree& tree() { return tree_; }
 
   [[nodiscard]] const Placement& placement(const std::string& link) const {
-    const auto found = placements_.find(link);
-    if (found == placements_.end()) {
+    const auto found = tree_.links.find(link);
+    if (found == tree_.links.end()) {
       throw UnknownNameError("unknown frame \"" + link + "\"; the robot has:" + known_links(urdf_));
     }
     return found->second;
@@ -94,7 +94,7 @@ class Builder {
 
  private:
   void add_link(const std::string& name, const Placement& placement) {
-    placements_[name] = placement;
+    tree_.links[name] = placement;
     Inertia& inertia = inertia_of(placement.body);
     inertia = inertia + urdf_.find_link(name)->inertia.placed(placement.R, placement.p);
     for (const UrdfJoint& joint : urdf_.joints) {
@@ -178,7 +178,6 @@ class Builder {
   const Urdf& urdf_;
   const std::map<std::string, int> bodies_;
   const int first_arm_body_, first_limb_body_;
-  std::map<std::string, Placement> placements_;
   BodyTree tree_;
 };
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "surefoot/model/description.hpp"
+#include "surefoot/model/frames.hpp"
 #include "surefoot/model/leg_chain.hpp"
 #include "surefoot/model/urdf.hpp"
 
@@ -15,26 +16,20 @@ struct LegTree {
 
 /// A body behind a joint of an arm, or of a leg without `LegChain`.
 struct LimbBody {
-  int parent = 0;  ///< 0: the base; 1 + j: the body behind joint j of a JointVector
+  int parent = 0;  ///< as `BodyFrame::body`
   Hinge hinge;     ///< in the parent's frame
   Inertia inertia;
-};
-
-/// A frame that is fixed to a body.
-struct BodyFrame {
-  int body = 0;  ///< as `LimbBody::parent`
-  Mat3 R = Mat3::Identity();
-  Vec3 p = Vec3::Zero();  ///< [m]
 };
 
 /// A legged robot as rigid bodies in our order of legs, arms and joints; frames are those of the
 /// URDF.
 struct BodyTree {
-  Inertia base;                       ///< in B
-  PerLeg<LegTree> legs;               ///< of a walker, else empty
-  std::vector<LimbBody> limb_bodies;  ///< behind all other joints, in their order
-  std::vector<BodyFrame> arm_tips;    ///< by arm
-  PerLeg<BodyFrame> hips, soles;      ///< of a robot that only stands, else empty
+  Inertia base;                            ///< in B
+  PerLeg<LegTree> legs;                    ///< of a walker, else empty
+  std::vector<LimbBody> limb_bodies;       ///< behind all other joints, in their order
+  std::vector<BodyFrame> arm_tips;         ///< by arm
+  PerLeg<BodyFrame> hips, soles;           ///< of a robot that only stands, else empty
+  std::map<std::string, BodyFrame> links;  ///< all of them
 };
 
 /// Finds the description's parts in a URDF. Throws UnknownNameError (listing the valid names) for

@@ -7,7 +7,8 @@ Dynamics::Dynamics(int num_joints, std::size_t num_arms, int num_legs)
       h(GeneralizedVector::Zero(6 + num_joints)),
       u(GeneralizedVector::Zero(6 + num_joints)),
       q(JointVector::Zero(num_joints)),
-      arm_tips(num_arms) {
+      arm_tips(num_arms),
+      bodies(static_cast<std::size_t>(1 + num_joints)) {
   const Jacobian3 none = Jacobian3::Zero(3, 6 + num_joints);
   base_rotation.J = base.J = com.J = none;
   for (PerLeg<PointKinematics>* points : {&hip, &foot, &contact}) points->resize(num_legs);

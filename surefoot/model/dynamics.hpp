@@ -46,6 +46,18 @@ struct FrameKinematics {
   RotationKinematics rotation;
 };
 
+/// The base, or the body behind a joint; all in W.
+struct BodyKinematics {
+  int parent = -1;            ///< 0: the base; 1 + j: the body behind joint j; −1: this is the base
+  Mat3 R = Mat3::Identity();  ///< takes its coordinates to W
+  Vec3 p = Vec3::Zero();      ///< its origin: of a body behind a joint, on the joint's axis [m]
+  Vec3 v = Vec3::Zero();      ///< of its origin [m/s]
+  Vec3 w = Vec3::Zero();      ///< [rad/s]
+  Vec3 a = Vec3::Zero();      ///< of its origin at u̇ = 0, classical [m/s²]
+  Vec3 wdot = Vec3::Zero();   ///< at u̇ = 0 [rad/s²]
+  Vec3 axis = Vec3::Zero();   ///< of its joint, unit
+};
+
 /// Coupling of each link l of a leg (columns: hip, thigh, shank) with each joint j (rows). With
 /// S_j the joint's axis, h_l the link's momentum and g_l its weight, spatial vectors in W,
 ///
@@ -85,6 +97,7 @@ struct Dynamics {
   Vec2 sole = Vec2::Zero();         ///< half length and half width of flat feet; zero: spheres
   PerLeg<JointRange> leg_joints{};  ///< of each leg
   std::vector<FrameKinematics> arm_tips;  ///< by arm
+  std::vector<BodyKinematics> bodies;     ///< as `BodyFrame::body`: see `frame_kinematics`
 
   [[nodiscard]] int num_legs() const { return static_cast<int>(foot.size()); }
   [[nodiscard]] bool has_flat_feet() const { return sole.x() > 0.0; }

@@ -96,6 +96,8 @@ struct RobotModel::Implementation {
     chains.resize(static_cast<int>(tree.legs.size()));
     set_leg_lengths(no_errors(static_cast<int>(tree.legs.size())));
     bare_base = model.inertias[kBaseJoint];
+    for (std::size_t i = 1; i < dynamics.bodies.size(); ++i)
+      dynamics.bodies[i].parent = static_cast<int>(model.parents[kBaseJoint + i] - kBaseJoint);
     // The rest posture's crba gives the mass.
     q[6] = 1.0;
     update_dynamics();
@@ -241,6 +243,21 @@ struct RobotModel::Implementation {
     }
   }
 
+  void update_bodies() {
+    for (std::size_t i = 0; i < dynamics.bodies.size(); ++i) {
+      const pinocchio::JointIndex joint = kBaseJoint + i;
+      const pinocchio::Motion &velocity = data.v[joint], &acceleration = data.a[joint];
+      BodyKinematics& body = dynamics.bodies[i];
+      body.R = data.oMi[joint].rotation();
+      body.p = data.oMi[joint].translation();
+      body.v = body.R * velocity.linear();
+      body.w = body.R * velocity.angular();
+      body.a = body.R * (acceleration.linear() + velocity.angular().cross(velocity.linear()));
+      body.wdot = body.R * acceleration.angular();
+      if (i > 0) body.axis = data.J.col(static_cast<Eigen::Index>(5 + i)).tail<3>();
+    }
+  }
+
   void update_tips() {
     for (std::size_t i = 0; i < tree.arm_tips.size(); ++i) {
       update_tip(tree.arm_tips[i], dynamics.arm_tips[i]);
@@ -300,6 +317,7 @@ const Dynamics& RobotModel::update(const RobotState& state, const Vec3& terrain_
     implementation_->update_leg(leg, terrain_normal_W);
   for (const Leg leg : implementation_->tree.soles.legs()) implementation_->update_sole(leg);
   implementation_->update_tips();
+  implementation_->update_bodies();
   return implementation_->dynamics;
 }
 

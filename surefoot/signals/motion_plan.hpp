@@ -1,6 +1,7 @@
 #pragma once
 
 #include "surefoot/signals/event_list.hpp"
+#include "surefoot/signals/frame_plan.hpp"
 #include "surefoot/signals/leg.hpp"
 #include "surefoot/signals/user_command.hpp"
 
@@ -72,6 +73,11 @@ struct MotionPlan {
   TorsoPlan torso{};
   ComPlan com{};
   ArmPlan arm{};
+  /// Of frames that tasks follow. The controller adds those that the planner does not give.
+  FrameList frames{};
+  /// Reference of the joints, for tasks that follow it [rad]; without one they stay where they were
+  /// at first.
+  JointVector joints{};
   /// Control frame C: z along the filtered terrain normal, x the heading.
   Mat3 R_WC = Mat3::Identity();
   /// A point of the fitted terrain plane, at sphere-centre height, in W [m].

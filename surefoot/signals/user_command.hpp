@@ -5,12 +5,13 @@
 
 namespace surefoot {
 
-/// Where the tip of an arm shall be.
+/// Where the tip of an arm shall be, or a frame that a task of the stack follows.
 struct ReachCommand {
   int arm = -1;                             ///< in the robot's order; −1: arms keep their posture
   bool in_world = false;                    ///< position and orientation are in W, else in B
   Vec3 position = Vec3::Zero();             ///< [m]
   Vec3 orientation = Vec3::Constant(kNaN);  ///< roll, pitch, yaw [rad]; NaN: as it was at first
+  int frame = -1;  ///< its place in `model::Frames`, from this command on; −1: an arm's tip
 };
 
 /// The operator's command. Velocities are in heading axes of the base: horizontal, x along the

@@ -182,22 +182,34 @@ void add_efforts(Catalog& catalog) {
       .add_to(catalog);
 }
 
-void add_arms(Catalog& catalog) {
-  Entry<FramePosition>("frame_position", "tip of an arm follows its reference", "as (19)", "m/s²")
+constexpr std::string_view kFrameHelp =
+    "a link, joint, site or arm of the robot; without it, the tip of the arm that reaches";
+constexpr std::string_view kHeldHelp = "where it is held, until a command or a planner moves it";
+
+void add_frames(Catalog& catalog) {
+  Entry<FramePosition>("frame_position", "a frame, or the tip of an arm, follows its reference",
+                       "as (19)", "m/s²")
+      .text("frame", &FramePosition::Options::frame, {}, "FRAME", kFrameHelp)
+      .choice("held_in", &FramePosition::Options::held_in, {"base", "world"}, kHeldHelp)
       .number("kp", &FramePosition::Options::kp, "1/s²", "position gain")
       .number("kd", &FramePosition::Options::kd, "1/s", "velocity gain")
       .number("max_error", &FramePosition::Options::max_error, "m", kErrorHelp)
       .add_to(catalog);
-  Entry<FrameOrientation>("frame_orientation", "tip of an arm follows its orientation", "as (18)",
+  Entry<FrameOrientation>("frame_orientation",
+                          "a frame, or the tip of an arm, follows its orientation", "as (18)",
                           "rad/s²")
+      .text("frame", &FrameOrientation::Options::frame, {}, "FRAME", kFrameHelp)
+      .choice("held_in", &FrameOrientation::Options::held_in, {"base", "world"}, kHeldHelp)
       .number("kp", &FrameOrientation::Options::kp, "1/s²", "orientation gain")
       .number("kd", &FrameOrientation::Options::kd, "1/s", "angular velocity gain")
       .number("max_error", &FrameOrientation::Options::max_error, "rad", kErrorHelp)
       .add_to(catalog);
-  Entry<Posture>("posture", "joints go to the nominal posture", kNoUnit, "rad/s²")
-      .choice("joints", &Posture::Options::joints,
-              {"arms", "legs", "all", "idle_arms", "reaching_arm"},
-              "which joints; an arm is idle while it does not reach")
+  Entry<Posture>("posture", "joints go to a posture and stay there", kNoUnit, "rad/s²")
+      .text("joints", &Posture::Options::joints,
+            {"arms", "legs", "all", "idle_arms", "reaching_arm"}, "JOINT …",
+            "which joints; an arm is idle while it does not reach")
+      .choice("target", &Posture::Options::target, {"nominal", "plan"},
+              "the robot's posture, or the plan's: where they were at first, unless a planner says")
       .number("kp", &Posture::Options::kp, "1/s²", "position gain")
       .number("kd", &Posture::Options::kd, "1/s", "velocity gain")
       .number("max_error", &Posture::Options::max_error, "rad", kErrorHelp)
@@ -213,7 +225,7 @@ const Catalog& catalog() {
     add_torso(all);
     add_motion_bounds(all);
     add_efforts(all);
-    add_arms(all);
+    add_frames(all);
     return all;
   }();
   return kCatalog;
@@ -258,6 +270,7 @@ void check_number(const TaskInfo& task, const std::string& name, double value) {
 
 void check_choice(const TaskInfo& task, const std::string& name, const std::string& word) {
   const TaskChoice& choice = of_name(task.choices, task.name, "choice", name);
+  if (!choice.others.empty()) return;
   if (std::ranges::find(choice.values, word) != choice.values.end()) return;
   throw UnknownNameError(task.name + ": " + name + " is \"" + word +
                          "\", but must be one of:" + listed(choice.values));
@@ -267,10 +280,15 @@ void check_choice(const TaskInfo& task, const std::string& name, const std::stri
 
 std::span<const TaskInfo> task_catalog() { return catalog().infos; }
 
+std::vector<TaskInfo> task_infos(const OwnTasks& own) {
+  std::vector<TaskInfo> infos = catalog().infos;
+  for (const TaskDefinition& task : own.all()) infos.push_back(task.info);
+  return infos;
+}
+
 std::vector<std::string> task_names(const OwnTasks& own) {
   std::vector<std::string> names;
-  for (const TaskInfo& info : task_catalog()) names.push_back(info.name);
-  for (const TaskDefinition& task : own.all()) names.push_back(task.info.name);
+  for (const TaskInfo& info : task_infos(own)) names.push_back(info.name);
   return names;
 }
 
@@ -293,6 +311,12 @@ std::unique_ptr<Task> make_task(std::string_view name, const TaskParameters& par
       index ? catalog().factories[*index](parameters) : own.find(name)->make(parameters);
   if (task != nullptr) return task;
   throw Error("task \"" + info.name + "\": its factory gave no task");
+}
+
+std::vector<std::string> words_of(const TaskChoice& choice) {
+  std::vector<std::string> words = choice.values;
+  if (!choice.others.empty()) words.push_back(choice.others);
+  return words;
 }
 
 void OwnTasks::add(TaskDefinition task) {

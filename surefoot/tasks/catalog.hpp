@@ -13,6 +13,9 @@ namespace surefoot::tasks {
 /// The library's tasks, in the order of Table I, then ours.
 [[nodiscard]] std::span<const TaskInfo> task_catalog();
 
+/// The library's tasks, then the user's own.
+[[nodiscard]] std::vector<TaskInfo> task_infos(const OwnTasks& own);
+
 /// Names of the library's tasks and of the user's own.
 [[nodiscard]] std::vector<std::string> task_names(const OwnTasks& own = {});
 

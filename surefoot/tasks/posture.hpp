@@ -2,19 +2,24 @@
 
 #include "surefoot/tasks/task.hpp"
 
+#include <string>
+#include <vector>
+
 namespace surefoot::tasks {
 
-/// Joints go to the robot's nominal posture and stay there.
+/// Joints go to a posture and stay there: the robot's nominal one, or the plan's.
 ///
-///     q̈_j = kp (q_nominal − q)_j − kd q̇_j     (ours)
+///     q̈_j = kp (q_ref − q)_j − kd q̇_j     (ours)
 ///
 /// Writes a row for each joint that it is for [rad/s²]; which arm reaches says the plan.
 class Posture final : public Task {
  public:
-  enum class Joints { arms, legs, all, idle_arms, reaching_arm };
+  enum class Target { nominal, plan };
 
   struct Options {
-    Joints joints = Joints::arms;
+    /// `arms`, `legs`, `all`, `idle_arms`, `reaching_arm`, or names, separated by spaces.
+    std::string joints = "arms";
+    Target target = Target::nominal;
     double kp = 60.0;         ///< [1/s²]
     double kd = 15.0;         ///< [1/s]
     double max_error = 0.15;  ///< limit of each joint's error [rad]
@@ -26,11 +31,20 @@ class Posture final : public Task {
   [[nodiscard]] int max_rows() const override { return num_joints(); }
   [[nodiscard]] std::string_view name() const override { return "posture"; }
   [[nodiscard]] std::string row_name(int id) const override { return joint_name(id); }
+  [[nodiscard]] bool follows_joints() const override { return options_.target == Target::plan; }
 
  private:
-  void write(const TaskInput& input, int first, int count, solver::Level& level) const;
+  enum class When { always, reaches, idle };
+  struct Joint {
+    int joint, arm;
+  };
+
+  void find_parts(const model::RobotDescription& robot) override;
+  void write(const TaskInput& input, int joint, solver::Level& level) const;
 
   Options options_;
+  When when_ = When::always;   ///< of a joint's arm
+  std::vector<Joint> joints_;  ///< that it is for
 };
 
 }  // namespace surefoot::tasks

@@ -7,6 +7,7 @@ void Task::prepare(const model::RobotDescription& robot) {
   num_leg_joints_ = robot.num_leg_joints();
   has_flat_feet_ = !robot.sole.isZero();
   joints_ = told_joints(robot.joint_names(), num_legs_);
+  find_parts(robot);
 }
 
 std::string Task::joint_name(int id) const { return joints_[static_cast<std::size_t>(id)]; }

@@ -2,6 +2,7 @@
 
 #include "surefoot/model/description.hpp"
 #include "surefoot/model/dynamics.hpp"
+#include "surefoot/model/frames.hpp"
 #include "surefoot/model/support_dynamics.hpp"
 #include "surefoot/signals/joint_name.hpp"
 #include "surefoot/signals/motion_plan.hpp"
@@ -41,8 +42,12 @@ class Task {
   /// The name of a row: "LF normal force".
   [[nodiscard]] virtual std::string row_name(int id) const = 0;
 
-  /// Tells the task its robot, once at set-up.
+  /// Tells the task its robot, once at set-up. Throws Error if the task can't be the robot's.
   void prepare(const model::RobotDescription& robot);
+  /// The frame for which the plan shall have a reference, once the task is prepared.
+  [[nodiscard]] virtual model::FollowedFrame follows() const { return {}; }
+  /// Shall the plan have a reference of the joints?
+  [[nodiscard]] virtual bool follows_joints() const { return false; }
 
   /// Offset of this task's ids in a level shared by several tasks; set once at set-up.
   void set_first_id(int id) { first_id_ = id; }
@@ -52,6 +57,9 @@ class Task {
   Task() = default;
   Task(const Task&) = default;
   Task& operator=(const Task&) = default;
+
+  /// What else the task finds out about its robot, at the end of `prepare`.
+  virtual void find_parts(const model::RobotDescription&) {}
 
   [[nodiscard]] int num_legs() const { return num_legs_; }
   [[nodiscard]] int num_joints() const { return static_cast<int>(joints_.size()); }

@@ -29,7 +29,11 @@ struct TaskChoice {
   std::vector<std::string> values;
   std::string default_value;
   std::string help = {};
+  std::string others = {};  ///< what else is allowed, for lists: "FRAME"; empty: nothing
 };
+
+/// All that a choice may be, for lists.
+[[nodiscard]] std::vector<std::string> words_of(const TaskChoice& choice);
 
 /// What a stack file may set for a task, and what `list tasks` shows.
 struct TaskInfo {

@@ -73,6 +73,17 @@ class TaskEntry {
     return std::move(*this);
   }
 
+  /// A name of the robot's, or one of `values`. `others`: what kind of name, for lists.
+  TaskEntry&& text(std::string_view name, std::string Options::* member,
+                   std::vector<std::string> values, std::string_view others,
+                   std::string_view help) && {
+    info_.choices.push_back({std::string(name), std::move(values), defaults_.*member,
+                             std::string(help), std::string(others)});
+    set_choice_.emplace(
+        name, [member](Options& options, const std::string& word) { options.*member = word; });
+    return std::move(*this);
+  }
+
   template <typename Catalog>
   void add_to(Catalog& catalog) && {
     catalog.add({std::move(info_),

@@ -1,6 +1,6 @@
 #include "surefoot/config/section.hpp"
 
-#include "surefoot/config/nearest_name.hpp"
+#include "surefoot/base/nearest_name.hpp"
 #include "tests/support/messages.hpp"
 
 #include <functional>

@@ -163,6 +163,14 @@ TEST(StackFile, parameters_laid_over_a_stack_reach_every_task_of_that_name) {
   EXPECT_EQ(stack.levels[4].tasks[0].numbers.at("kp"), 150.0);
 }
 
+TEST(StackFile, names_of_the_robot_may_be_a_list) {
+  const control::StackOptions stack = read(
+      "name: s\nlevels:\n  - {task: posture, joints: [LF_HAA, RF_HAA]}\n"
+      "  - {task: frame_position, frame: LF_SHANK, held_in: world}\n");
+  EXPECT_EQ(stack.levels[0].tasks[0].choices.at("joints"), "LF_HAA RF_HAA");
+  EXPECT_EQ(stack.levels[1].tasks[0].choices.at("frame"), "LF_SHANK");
+}
+
 TEST(StackFile, parameters_for_a_task_that_the_stack_has_not_are_an_error) {
   control::StackOptions stack = load_stack("walk");
   const ConfigNode tasks = parse_yaml("limb_extension_limits: {max: 0.5}", "o.yaml");

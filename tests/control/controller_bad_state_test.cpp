@@ -208,7 +208,7 @@ TEST(Controller, StartsSafelyWithoutAState) {
 TEST(Controller, WithoutAClockFromTheStartARobotWithAnArmGetsLegalCommands) {
   const model::RobotDescription robot = test::anymal_b_with_arm();
   ControllerOptions options = test::options_of();
-  options.stack = with_arms(options.stack);
+  options.stack = with_arms(options.stack, robot);
   RobotState state;
   Controller controller(robot, options, std::make_unique<test::ScriptedEstimator>(state));
   SensorReading reading;

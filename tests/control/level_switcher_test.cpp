@@ -36,6 +36,20 @@ TEST(LevelSwitcher, RaisesTheShareFrom0To1OverTheDuration) {
   EXPECT_TRUE(ended.before[kTorsoYaw]);
 }
 
+TEST(LevelSwitcher, EndsASwitchThatBeganBeforeTheClockWasKnown) {
+  for (const double first : {kNaN, 1000.0}) {
+    LevelSwitcher switcher(table_one(), {});
+    ASSERT_TRUE(switcher.start({.remove = {"com_xy"}, .duration = 0.5}));
+    (void)switcher.update(first);
+    (void)switcher.update(0.1);
+    EXPECT_TRUE(switcher.transition().is_going_on()) << first;
+    const LevelTransition ended = switcher.update(0.7);
+    EXPECT_FALSE(ended.is_going_on()) << first;
+    EXPECT_FALSE(ended.after[kComXy]);
+    EXPECT_TRUE(switcher.is_idle());
+  }
+}
+
 TEST(LevelSwitcher, WithoutADurationItSwitchesAtOnce) {
   LevelSwitcher switcher(table_one(), {{.time = 0.0, .remove = {"com_xy"}, .duration = 0.0},
                                        {.time = 0.0, .remove = {"torso_yaw"}, .duration = 0.0}});

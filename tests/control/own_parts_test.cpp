@@ -114,6 +114,27 @@ TEST(OwnTask, ThatFailsForSomeTicksIsForgiven) {
   EXPECT_EQ(statue.controller.record().command.cause, StopCause::none);
 }
 
+TEST(OwnTask, OfTheStackThatFadesOutIsBlamedForItsFaults) {
+  bool fails = false;
+  tasks::OwnTasks own;
+  own.add(test::own_task([&](const auto&, const auto&, auto&) {
+    if (fails) throw std::runtime_error("it is old");
+  }));
+  ControllerOptions options = test::options_of();
+  options.stack.own_tasks = own;
+  options.stack.levels.push_back({.name = "mine", .tasks = {{.task = "own"}}});
+  test::Statue statue(options);
+  statue.run(20);
+  StackOptions next = test::options_of().stack;
+  next.levels.push_back({.name = "mine", .tasks = {{.task = "torque_minimisation"}}});
+  ASSERT_TRUE(statue.controller.set_stack(next, 2.0));
+  fails = true;
+  statue.run(SafetyOptions{}.damp_after_failures + 1);
+  EXPECT_EQ(statue.controller.fault(), "task \"own\" threw: it is old");
+  EXPECT_EQ(statue.controller.record().command.mode, CommandMode::sit);
+  EXPECT_EQ(statue.controller.record().command.cause, StopCause::own_part);
+}
+
 TEST(OwnTask, CostsNoAllocationInATick) {
   test::Statue statue(options_with(test::own_tasks()));
   statue.run(20);

@@ -160,13 +160,16 @@ def test_arrays_have_the_shapes_that_their_help_says(scenario):
     for owner in (plant.read(), plant.truth, controller.state, plan, plan.com, plan.torso, controller.model):
         for name in dir(owner):
             value = getattr(owner, name)
-            if isinstance(value, np.ndarray) and name not in ("qpos", "qvel", "ctrl", "xfrc_applied"):
+            if isinstance(value, np.ndarray) and name not in ("qpos", "qvel", "ctrl", "xfrc_applied", "joints"):
                 help_text = getattr(type(owner), name).__doc__
                 shape = str(value.shape).replace("12", "number of joints").replace("(4", "(number of legs")
                 assert f"shape {shape}" in help_text or f"shape {value.shape}" in help_text  # (4,): a quaternion
                 assert value.dtype == np.float64
                 is_quaternion = name in ("q_WB", "q_SB")
                 assert value.flags.writeable != is_quaternion
+    assert plan.joints.shape == (0,), "no task follows them"
+    plan.joints = [0.1] * 12
+    assert plan.joints.shape == (12,)
 
 
 def test_what_is_read_is_what_the_simulator_knows(scenario):

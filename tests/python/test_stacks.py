@@ -14,8 +14,8 @@ def stack():
 def test_a_stack_is_written_line_by_line_with_gains(stack):
     made = stack.before("torso_yaw", tasks.FramePosition("gripper", kp=100, kd=20)).without("torso_height")
     names = made.level_names
-    assert names[names.index("torso_yaw") - 1] == "gripper" and "torso_height" not in names
-    assert "gripper: frame_position kd=20 kp=100" in str(made)
+    assert names[names.index("torso_yaw") - 1] == "gripper_position" and "torso_height" not in names
+    assert "gripper_position: frame_position kd=20 kp=100" in str(made) and "frame=gripper" in str(made)
     assert "torso_height" in stack.level_names, "what it was made from is as it was"
     assert repr(made).startswith("<stack terrain_adaptation: equations_of_motion > no_contact_motion > ")
 
@@ -48,7 +48,7 @@ def test_every_task_of_the_catalog_has_a_class_with_its_parameters():
         made = getattr(tasks, "".join(word.capitalize() for word in info["name"].split("_")))
         assert made().task == info["name"] and info["summary"][1:] in made.__doc__
         numbers = {each["name"]: each["default"] for each in info["numbers"]}
-        assert made("own", **numbers).parameters == numbers
+        assert made(name="own", **numbers).parameters == numbers
 
 
 def test_numbers_of_the_base_go_with_the_robots_size_and_given_ones_do_not(stack):
@@ -56,6 +56,66 @@ def test_numbers_of_the_base_go_with_the_robots_size_and_given_ones_do_not(stack
     made = stack.tune("com_xy", kp=300)
     kp = {level.name: level.tasks[0].parameters.get("kp") for level in made.levels(small)}
     assert kp["com_xy"] == 300 and kp["swing_foot"] > 800
+
+
+def test_a_frame_is_followed_by_tasks_that_are_told_apart_by_it(stack):
+    made = stack.before("torso_yaw", tasks.FramePosition("LF_SHANK", held_in="world"), tasks.FrameOrientation("LF_SHANK"), tasks.FramePosition("base"))
+    assert {"LF_SHANK_position", "LF_SHANK_orientation", "base_position"} <= set(made.level_names)
+    assert tasks.FramePosition("my/frame:0").name == "my/frame_0_position", "a level's name has no colon"
+    assert tasks.FramePosition().name == "frame_position", "the tip of an arm that reaches"
+
+
+def test_posture_is_of_any_joints(stack):
+    made = stack.last(tasks.Posture(joints=["LF_HAA", "RF_HAA"], target="plan"))
+    assert list(made)[-1].tasks[0].parameters["joints"] == "LF_HAA RF_HAA"
+    scenario = surefoot.load_scenario("walk_flat", stack=made)
+    assert surefoot.Controller(scenario).plan is not None
+
+
+def test_a_frame_that_the_robot_has_not_is_told_with_near_ones(stack):
+    with pytest.raises(surefoot.Error, match='has no frame "LF_SHNK"; did you mean "LF_SHANK"\\? near are: LF_SHANK, '):
+        surefoot.load_scenario("walk_flat", stack=stack.last(tasks.FramePosition("LF_SHNK")))
+
+
+@pytest.mark.parametrize("change, said", [
+    (lambda s: s.without("equations_of_motion"), 'the stack "terrain_adaptation" has no equations_of_motion: its torques'),
+    (lambda s: s.first(tasks.TorsoTiltLimits()), "has torso_tilt_limits above equations_of_motion"),
+])  # fmt: skip
+def test_a_stack_without_the_robots_dynamics_first_is_refused(stack, change, said):
+    with pytest.raises(surefoot.Error, match=said):
+        surefoot.Controller("anymal_b", stack=change(stack))
+
+
+@pytest.mark.parametrize("level, said", [("torque_limits", "cut off"), ("friction_cone", "slide"), ("no_contact_motion", "it falls")])
+def test_what_else_a_stack_lacks_of_the_physics_is_told(stack, level, said):
+    notes = surefoot.Controller("anymal_b", stack=stack.without(level)).notes
+    assert any(f'the stack "terrain_adaptation" has no {level}: ' in note and said in note for note in notes)
+
+
+class Still(surefoot.OwnTask):
+    """The base keeps still."""
+
+    max_rows, unit = 3, "m/s²"
+
+    def rows(self, tick):
+        base = tick.dynamics.base
+        return base.J, -20 * base.v - base.Jdot_u
+
+
+def test_a_registered_task_can_be_named_by_stack_files(tmp_path):
+    surefoot.register_task(Still("still"))
+    assert surefoot.catalog()[-1] | {"numbers": []} == {
+        "name": "still", "summary": "The base keeps still.", "equation": "–", "unit": "m/s²", "numbers": [], "choices": []}  # fmt: skip
+    (tmp_path / "mine.yaml").write_text("name: mine\nbase: terrain_adaptation\nlevels: [equations_of_motion, no_contact_motion, torque_limits, "
+                                        "friction_cone, {task: still}, swing_foot]\n")  # fmt: skip
+    made = Stack(tmp_path / "mine.yaml")
+    assert "still" in made.level_names and [task.task for task in made.own_tasks] == ["still"]
+    for scenario in (surefoot.load_scenario("walk_flat", stack=made), surefoot.load_scenario("walk_flat", stack=str(tmp_path / "mine.yaml"))):
+        assert surefoot.Controller(scenario).level_names[4] == "still"
+    with pytest.raises(surefoot.Error, match="there is a task 'com_xy' already"):
+        surefoot.register_task(Still("com_xy"))
+    with pytest.raises(surefoot.Error, match="is no task of your own"):
+        surefoot.register_task(tasks.ComXy())
 
 
 @pytest.mark.parametrize("change, said", [

@@ -2,6 +2,7 @@
 #include "surefoot/tasks/frame_orientation.hpp"
 #include "surefoot/tasks/frame_position.hpp"
 #include "surefoot/tasks/posture.hpp"
+#include "tests/support/messages.hpp"
 #include "tests/tasks/scene.hpp"
 
 #include <gtest/gtest.h>
@@ -85,9 +86,10 @@ TEST(FrameOrientation, TurnsTheTipToThePlan) {
 TEST(Posture, PullsTheJointsItIsForToTheNominalPosture) {
   Bench bench;
   const int all = kNumLegJoints + kArmJoints;
-  for (const auto& [joints, first, count] : {std::tuple{Posture::Joints::arms, 12, 6},
-                                             {Posture::Joints::legs, 0, 12},
-                                             {Posture::Joints::all, 0, all}}) {
+  for (const auto& [joints, first, count] : {std::tuple{"arms", 12, 6},
+                                             {"legs", 0, 12},
+                                             {"all", 0, all},
+                                             {"RF_HAA RF_HFE RF_KFE", 3, 3}}) {
     const WrittenRows rows =
         bench.rows(Posture({.joints = joints, .kp = 9.0, .kd = 4.0, .max_error = 0.3}));
     ASSERT_EQ(rows.count(), count);
@@ -101,6 +103,81 @@ TEST(Posture, PullsTheJointsItIsForToTheNominalPosture) {
       EXPECT_EQ(rows.ids[static_cast<std::size_t>(i)], j);
     }
   }
+}
+
+TEST(Posture, FollowsThePlansJoints) {
+  Bench bench;
+  const Posture::Options options{
+      .joints = "RH_KFE LF_HAA", .target = Posture::Target::plan, .kp = 9.0, .kd = 4.0};
+  EXPECT_TRUE(Posture(options).follows_joints());
+  WrittenRows rows = bench.rows(Posture(options));
+  ASSERT_EQ(rows.ids, (std::vector<int>{11, 0}));
+  EXPECT_NEAR(rows.lower[1], -4.0 * bench.state.qd[0], 1e-12) << "no plan: it stays";
+  bench.plan.joints = bench.state.q;
+  bench.plan.joints[11] += 0.1;
+  rows = bench.rows(Posture(options));
+  EXPECT_NEAR(rows.lower[0], 0.9 - 4.0 * bench.state.qd[11], 1e-12);
+}
+
+TEST(Posture, RefusesJointsThatTheRobotHasNotOrTwice) {
+  Bench bench;
+  const auto error_of = [&](const char* joints) {
+    return test::message_of([&] { (void)bench.rows(Posture({.joints = joints})); });
+  };
+  EXPECT_TRUE(test::holds(error_of("LF_KEF"), "no joint \"LF_KEF\"; did you mean \"LF_KFE\"?"));
+  EXPECT_TRUE(test::holds(error_of("LF_KFE LF_KFE"), "\"LF_KFE\" is named twice"));
+  EXPECT_TRUE(test::holds(error_of(" "), "joints is empty"));
+}
+
+/// Any frame, in both worlds, with and without a reference.
+class FollowedFrameTest : public testing::TestWithParam<std::tuple<const char*, HeldIn>> {};
+
+TEST_P(FollowedFrameTest, IsPulledToThePlanInItsWorld) {
+  const auto& [name, held_in] = GetParam();
+  Bench bench;
+  const model::Frames frames(bench.model.description());
+  const int number = frames.number(name);
+  const bool in_world = held_in == HeldIn::world;
+  const FramePosition::Options options{
+      .frame = name, .held_in = held_in, .kp = 80.0, .kd = 12.0, .max_error = 0.05};
+  const FrameOrientation::Options turning{
+      .frame = name, .held_in = held_in, .kp = 80.0, .kd = 12.0, .max_error = 0.5};
+  const WrittenRows held = bench.rows(FramePosition(options));
+  model::FrameKinematics frame = frame_kinematics(frames[number], bench.model.dynamics());
+  if (!in_world) frame = relative_to_base(frame, bench.model.dynamics());
+  ASSERT_EQ(held.count(), 3);
+  EXPECT_LT((asked(held, frame.point.Jdot_u) + 12.0 * frame.point.v).norm(), 1e-9)
+      << "without a reference it comes to rest";
+  const Vec3 turn(0.1, -0.2, 0.05);
+  const FramePlan plan{.frame = number,
+                       .in_world = in_world,
+                       .p_XF = frame.point.p + Vec3(0.01, -0.02, 0.03),
+                       .v_XF = Vec3(0.1, 0.2, 0.3),
+                       .a_XF = Vec3(1.0, 2.0, 3.0),
+                       .q_XF = exp_rotation(turn) * Quat(frame.rotation.R),
+                       .w_XF = Vec3(0.3, 0.2, 0.1)};
+  bench.plan.frames.add(plan);
+  const WrittenRows position = bench.rows(FramePosition(options));
+  EXPECT_TRUE(position.A.leftCols(frame.point.J.cols()).isApprox(frame.point.J, 1e-12));
+  EXPECT_TRUE(position.A.rightCols(kNumLegJoints + kArmJoints).isZero(0.0)) << "torques";
+  const Vec3 wanted =
+      plan.a_XF + 12.0 * (plan.v_XF - frame.point.v) + 80.0 * Vec3(0.01, -0.02, 0.03);
+  EXPECT_LT((asked(position, frame.point.Jdot_u) - wanted).norm(), 1e-9);
+  const WrittenRows orientation = bench.rows(FrameOrientation(turning));
+  const Vec3 wanted_turn = 12.0 * (plan.w_XF - frame.rotation.w) + 80.0 * turn;
+  EXPECT_LT((asked(orientation, frame.rotation.Jdot_u) - wanted_turn).norm(), 1e-9);
+}
+
+INSTANTIATE_TEST_SUITE_P(EveryPart, FollowedFrameTest,
+                         testing::Combine(testing::Values("base", "LF_SHANK", "RH_HFE",
+                                                          "j2s6s200_link_4", "LH_FOOT"),
+                                          testing::Values(HeldIn::base, HeldIn::world)));
+
+TEST(FramePosition, RefusesAFrameThatTheRobotHasNot) {
+  Bench bench;
+  const std::string text =
+      test::message_of([&] { (void)bench.rows(FramePosition({.frame = "LF_SHINK"})); });
+  EXPECT_TRUE(test::holds(text, "has no frame \"LF_SHINK\"; did you mean \"LF_SHANK\"?"));
 }
 
 }  // namespace

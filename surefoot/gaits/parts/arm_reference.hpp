@@ -1,7 +1,6 @@
 #pragma once
 
-#include "surefoot/base/scale.hpp"
-#include "surefoot/math/quintic.hpp"
+#include "surefoot/gaits/parts/pose_filter.hpp"
 #include "surefoot/model/dynamics.hpp"
 #include "surefoot/signals/motion_plan.hpp"
 #include "surefoot/signals/robot_state.hpp"
@@ -9,13 +8,8 @@
 
 namespace surefoot::gaits {
 
-/// Reference of an arm's tip from the operator's command, in the command's frame X (B or W): its
-/// position and its turn from the first orientation pass through a critically damped filter
-///
-///     r⃛ = ω³ (target − r) − 3 ω² ṙ − 3 ω r̈
-///
-/// with a far target brought nearer, so that they stay smooth and slow when it jumps. In W, with
-/// p_WX, v_WX and w_WX of the frame,
+/// Reference of an arm's tip from the operator's command, in the command's frame X (B or W), by a
+/// `PoseFilter` with the position r. In W, with p_WX, v_WX and w_WX of the frame,
 ///
 ///     p_WT = p_WX + R_WX r,   v_WT = v_WX + w_WX × R_WX r + R_WX ṙ,   a_WT = R_WX r̈
 ///
@@ -33,11 +27,8 @@ class ArmReference {
   void begin(const ReachCommand& command, const RobotState& state,
              const model::FrameKinematics& tip);
 
-  double period_, rate_, longest_;
   ReachCommand command_;
-  Motion<Vec3> position_{Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};  // in X [m]
-  Motion<Vec3> turn_{Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};      // from `first_`, in X [rad]
-  Quat first_ = Quat::Identity();                                    // in X
+  PoseFilter pose_;  // in X
 };
 
 }  // namespace surefoot::gaits

@@ -44,7 +44,6 @@ void FlatStand::begin(const RobotState& state, const model::Dynamics& dynamics, 
   FootPlan stance;
   stance.force_min = force_.min;
   stance.force_max = force_.max;
-  stance.friction = force_.friction;
   plan.feet = PerLeg<FootPlan>(dynamics.num_legs(), stance);
   follow_feet(dynamics, plan);
   plan.torso.q_WB = Quat(rotation_about_z(yaw_));
@@ -65,6 +64,7 @@ void FlatStand::follow_feet(const model::Dynamics& dynamics, MotionPlan& plan) {
   middle_.setZero();
   for (const Leg leg : plan.feet.legs()) {
     plan.feet[index(leg)].p_WF = dynamics.contact[index(leg)].p;
+    plan.feet[index(leg)].friction = force_.friction;
     middle_ += dynamics.contact[index(leg)].p / dynamics.num_legs();
   }
   plan.terrain_point = middle_;

@@ -26,6 +26,9 @@ class FlatStand {
   void update(const UserCommand& command, const RobotState& state, const model::Dynamics& dynamics,
               MotionPlan& plan) noexcept;
 
+  /// Of the feet, from the next update on; above 0.
+  void set_friction(double friction) { force_.friction = friction; }
+
  private:
   /// A reference that goes to its target, critically damped.
   struct Reference {

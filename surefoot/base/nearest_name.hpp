@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-namespace surefoot::config {
+namespace surefoot {
 
 /// End of an error message about an unknown name: a similar valid name, and all valid ones.
 ///
@@ -12,4 +12,9 @@ namespace surefoot::config {
 [[nodiscard]] std::string valid_names(std::string_view given,
                                       const std::vector<std::string>& valid);
 
-}  // namespace surefoot::config
+/// The same where there are many: the nearest alone.
+///
+///     did you mean "LF_FOOT"? near are: LF_FOOT, RF_FOOT, …
+[[nodiscard]] std::string near_names(std::string_view given, const std::vector<std::string>& valid);
+
+}  // namespace surefoot

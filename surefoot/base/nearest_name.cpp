@@ -1,10 +1,10 @@
-#include "surefoot/config/nearest_name.hpp"
+#include "surefoot/base/nearest_name.hpp"
 
 #include <algorithm>
 #include <cstddef>
 #include <numeric>
 
-namespace surefoot::config {
+namespace surefoot {
 namespace {
 
 /// Number of insertions, deletions, replacements and swaps of neighbours between two words.
@@ -33,21 +33,41 @@ std::string lower_case(std::string_view name) {
   return result;
 }
 
-}  // namespace
-
-std::string valid_names(std::string_view given, const std::vector<std::string>& valid) {
+std::string listed(const std::vector<std::string>& names) {
   std::string list;
+  for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
+  return list;
+}
+
+/// Empty where no name is similar.
+std::string hint(std::string_view given, const std::vector<std::string>& valid) {
   std::string_view nearest;
   std::size_t smallest = std::max<std::size_t>(1, given.size() / 3) + 1;
   for (const std::string& name : valid) {
-    list += (list.empty() ? "" : ", ") + name;
     const std::size_t distance = edit_distance(lower_case(given), lower_case(name));
     if (distance >= smallest) continue;
     smallest = distance;
     nearest = name;
   }
-  const std::string hint = nearest.empty() ? "" : "did you mean \"" + std::string(nearest) + "\"? ";
-  return hint + (list.empty() ? "none are valid here" : "valid are: " + list);
+  return nearest.empty() ? "" : "did you mean \"" + std::string(nearest) + "\"? ";
 }
 
-}  // namespace surefoot::config
+}  // namespace
+
+std::string valid_names(std::string_view given, const std::vector<std::string>& valid) {
+  return hint(given, valid) +
+         (valid.empty() ? "none are valid here" : "valid are: " + listed(valid));
+}
+
+std::string near_names(std::string_view given, const std::vector<std::string>& valid) {
+  constexpr std::ptrdiff_t kMost = 6;
+  std::vector<std::string> nearest = valid;
+  std::ranges::stable_sort(nearest, {}, [&](const std::string& name) {
+    const bool is_part = lower_case(name).find(lower_case(given)) != std::string::npos;
+    return edit_distance(lower_case(given), lower_case(name)) / (is_part ? 4 : 1);
+  });
+  nearest.resize(static_cast<std::size_t>(std::min(kMost, std::ssize(nearest))));
+  return hint(given, valid) + "near are: " + listed(nearest);
+}
+
+}  // namespace surefoot

@@ -1,0 +1,41 @@
+#include "surefoot/gaits/parts/pose_filter.hpp"
+
+#include "surefoot/math/rotation.hpp"
+
+namespace surefoot::gaits {
+namespace {
+
+constexpr double kRate = 3.0;  // ω [rad/s]
+constexpr double kLongest =
+    0.2;  // way that counts, which limits the speed to kRate / 3 times it [m]
+constexpr double kFarthest = 0.6;  // the same of a turn [rad]
+
+void follow(const Vec3& target, double most, double rate, double period, Motion<Vec3>& motion) {
+  const Vec3 way = clip_norm<3>(target - motion.p, most);
+  const Vec3 jerk = rate * rate * rate * way - 3.0 * rate * rate * motion.v - 3.0 * rate * motion.a;
+  motion.a += period * jerk;
+  motion.v += period * motion.a;
+  motion.p += period * motion.v;
+}
+
+}  // namespace
+
+PoseFilter::PoseFilter(double period, const Scale& scale)
+    : period_(period), rate_(scale.rate() * kRate), longest_(scale.length * kLongest) {}
+
+void PoseFilter::begin(const Vec3& p, const Vec3& v, const Quat& q) {
+  position_ = {p, v, Vec3::Zero()};
+  turn_ = {Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
+  first_ = q;
+}
+
+void PoseFilter::update(const Vec3& position, const Vec3& orientation) noexcept {
+  follow(position, longest_, rate_, period_, position_);
+  const Vec3 turn = orientation.allFinite() ? box_minus(from_roll_pitch_yaw(orientation), first_)
+                                            : Vec3(Vec3::Zero());
+  follow(turn, kFarthest, rate_, period_, turn_);
+}
+
+Quat PoseFilter::orientation() const { return exp_rotation(turn_.p) * first_; }
+
+}  // namespace surefoot::gaits
