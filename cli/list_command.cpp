@@ -171,7 +171,7 @@ int list_command(const std::string& what, const ListFilter& filter) {
   const std::vector<std::string>& all = listable();
   if (std::ranges::find(all, what) == all.end())
     throw Error((what.empty() ? "say what to list; " : "there is no list \"" + what + "\"; ") +
-                config::valid_names(what, all));
+                valid_names(what, all));
   if (what == "options") return list_options_command(filter);
   if (what == "schema") return list_schema_command(filter.about);
   if (!filter.about.empty()) throw Error("only of options and schemas there is a part to list");

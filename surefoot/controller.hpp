@@ -5,3 +5,5 @@
 
 #include "surefoot/control/controller.hpp"
 #include "surefoot/estimation/leg_inertial_estimator.hpp"
+#include "surefoot/gaits/gait.hpp"
+#include "surefoot/gaits/own_gaits.hpp"

@@ -62,8 +62,9 @@ Group gait_fields(gaits::PlannerOptions& planner, std::string& description) {
 }
 
 std::optional<fs::path> include_gait(ConfigNode& scenario, const ConfigNode& name,
-                                     const fs::path& folder, const model::RobotDescription* robot) {
-  if (name.kind == ConfigNode::Kind::null) return std::nullopt;
+                                     const fs::path& folder, const model::RobotDescription* robot,
+                                     const gaits::OwnGaits& own) {
+  if (name.kind == ConfigNode::Kind::null || own.find(name.text) != nullptr) return std::nullopt;
   try {
     const fs::path file = find_data_file("gaits", read_text(name, "gait"), folder);
     ConfigNode below = read_gait(file, robot);
@@ -71,7 +72,9 @@ std::optional<fs::path> include_gait(ConfigNode& scenario, const ConfigNode& nam
     scenario = std::move(below);
     return file;
   } catch (const UnknownNameError& error) {
-    fail_at(name, "gait", error.what());
+    std::string yours;
+    for (const std::string& gait : own.names()) yours += ", " + gait;
+    fail_at(name, "gait", error.what() + yours);
   }
 }
 

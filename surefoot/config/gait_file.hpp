@@ -2,7 +2,7 @@
 
 #include "surefoot/base/fields.hpp"
 #include "surefoot/config/config_tree.hpp"
-#include "surefoot/gaits/planner_options.hpp"
+#include "surefoot/gaits/own_gaits.hpp"
 #include "surefoot/model/description.hpp"
 
 #include <filesystem>
@@ -16,10 +16,12 @@ namespace surefoot::config {
 
 /// Lays the scenario's `planner:` over that of a gait, fitted to the robot if the gait's file is
 /// `scaled`. A name is that of a file in gaits/, or a path relative to `folder`; `none` is the
-/// crawl. Returns the gait's file. Throws Error, also where the gait is for other legs.
+/// crawl, and a gait of the user's `own` has no file. Returns the gait's file. Throws Error, also
+/// where the gait is for other legs.
 std::optional<std::filesystem::path> include_gait(ConfigNode& scenario, const ConfigNode& name,
                                                   const std::filesystem::path& folder,
-                                                  const model::RobotDescription* robot);
+                                                  const model::RobotDescription* robot,
+                                                  const gaits::OwnGaits& own = {});
 
 /// Removes the key `gait:`.
 void remove_gait(ConfigNode& scenario);

@@ -69,11 +69,12 @@ ConfigNode slowest(const ConfigNode& gait) {
   return is_auto(&gait) ? text_node(kOfAuto.front(), gait.where) : gait;
 }
 
-void load_gaits(ConfigNode& tree, const ConfigNode* own,
+void load_gaits(ConfigNode& tree, const ConfigNode* own, const gaits::OwnGaits& of_user,
                 const std::function<ConfigNode(const ConfigNode& name)>& planner_of) {
   const bool has_own = own != nullptr && own->kind != ConfigNode::Kind::null;
   const Names names = names_in(tree, own);
-  if (names.all().size() < (has_own ? 2u : 1u)) return set_path(tree, "gaits", {});
+  const bool is_of_user = has_own && of_user.find(own->text) != nullptr;
+  if (names.all().size() < (has_own && !is_of_user ? 2u : 1u)) return set_path(tree, "gaits", {});
   ConfigNode planners{.kind = ConfigNode::Kind::map, .where = tree.where};
   for (const ConfigNode& gait : names.all())
     planners.members.emplace_back(name_of(gait), planner_of(gait));
@@ -96,7 +97,7 @@ void draw_gaits(ConfigNode& tree, const std::vector<RandomDraw>& drawn) {
   }
 }
 
-void read_gaits(const ConfigNode& tree,
+void read_gaits(const ConfigNode& tree, const gaits::OwnGaits& of_user,
                 const std::function<gaits::PlannerOptions(const ConfigNode& scenario)>& read,
                 Scenario& scenario) {
   const ConfigNode* given = tree.find("gaits");
@@ -107,7 +108,8 @@ void read_gaits(const ConfigNode& tree,
   std::vector<std::string> names;
   for (const auto& [name, planner] : given->members) {
     set_path(other, "planner", planner);
-    controller.gaits.push_back({name, read(other)});
+    const gaits::GaitFactory* make = of_user.find(name);
+    controller.gaits.push_back({name, read(other), make == nullptr ? gaits::GaitFactory() : *make});
     names.push_back(name);
   }
   const auto place = [&](const std::string& name, const ConfigNode& where) {

@@ -45,7 +45,8 @@ constexpr std::array<std::string_view, 5> kOfOneFile{"description", "criteria", 
 
 /// The files that a scenario was read from: its own, then its bases, and its gait.
 struct Files {
-  std::vector<fs::path> scenarios;
+  const gaits::OwnGaits& own_gaits;
+  std::vector<fs::path> scenarios{};
   std::optional<fs::path> gait{};
   std::optional<ConfigNode> named{};          ///< by the first of the files that names a gait
   std::optional<ConfigNode> instead_of_it{};  ///< another name, to be read in its place
@@ -60,7 +61,7 @@ void read_gait(ConfigNode& tree, const fs::path& file, const model::RobotDescrip
   if (!files.named) {
     files.named = *named;
     const ConfigNode name = slowest(files.instead_of_it.value_or(*named));
-    files.gait = include_gait(tree, name, file.parent_path(), robot);
+    files.gait = include_gait(tree, name, file.parent_path(), robot, files.own_gaits);
   }
   remove_gait(tree);
 }
@@ -100,22 +101,24 @@ void load_gaits(const ScenarioRequest& request, const fs::path& file,
                 const model::RobotDescription* robot, const Files& files, ConfigNode& tree) {
   const ConfigNode* loaded = tree.find("gaits");
   if (loaded != nullptr && loaded->kind == ConfigNode::Kind::map) return;
-  load_gaits(tree, files.named ? &*files.named : nullptr, [&](const ConfigNode& name) {
+  const auto planner_of = [&](const ConfigNode& name) {
     std::vector<std::string> assignments = request.assignments;
     if (!files.named) assignments.push_back("gait=" + name.text);
-    Files others{.scenarios = {}, .instead_of_it = name};
+    Files others{.own_gaits = request.own_gaits, .instead_of_it = name};
     ConfigNode other = read_with_base(file, robot, assignments, others);
     for (const std::string& assignment : request.assignments) apply_assignment(other, assignment);
     const ConfigNode* planner = other.find("planner");
     return planner == nullptr ? ConfigNode{.kind = ConfigNode::Kind::map} : *planner;
-  });
+  };
+  load_gaits(tree, files.named ? &*files.named : nullptr, request.own_gaits, planner_of);
 }
 
 /// The requested robot; none if it can't be loaded, which is reported later.
 std::optional<model::RobotDescription> robot_of(const fs::path& file,
-                                                const std::vector<std::string>& assignments) {
+                                                const ScenarioRequest& request) {
+  const std::vector<std::string>& assignments = request.assignments;
   try {
-    Files files;
+    Files files{.own_gaits = request.own_gaits};
     ConfigNode tree = read_with_base(file, nullptr, assignments, files);
     for (const std::string& assignment : assignments) {
       if (assigned_path(assignment) == "robot") apply_assignment(tree, assignment);
@@ -489,9 +492,9 @@ Scenario load_scenario(const ScenarioRequest& request) {
       throw Error("--set gait=: a name is missing; gait=none takes the scenario's gait away");
   }
   const fs::path file = find_data_file("scenarios", request.name_or_path);
-  const std::optional<model::RobotDescription> fitted = robot_of(file, request.assignments);
+  const std::optional<model::RobotDescription> fitted = robot_of(file, request);
   const model::RobotDescription* const robot = fitted ? &*fitted : nullptr;
-  Files files;
+  Files files{.own_gaits = request.own_gaits};
   ConfigNode tree = read_with_base(file, robot, request.assignments, files);
   drop_paper_of_another(tree, request.assignments);
   keep_judged_duration(tree, request.assignments);
@@ -534,7 +537,7 @@ Scenario load_scenario(const ScenarioRequest& request) {
     read_body(section, robot, other);
     return other.controller.planner;
   };
-  read_gaits(tree, planner_of, scenario);
+  read_gaits(tree, request.own_gaits, planner_of, scenario);
   read_robot_and_stack(top, file, robot, request.own_tasks, scenario);
   scenario.sources_hash = hash_of_sources(scenario);
 

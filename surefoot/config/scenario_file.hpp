@@ -1,6 +1,7 @@
 #pragma once
 
 #include "surefoot/config/scenario.hpp"
+#include "surefoot/gaits/own_gaits.hpp"
 
 #include <cstdint>
 #include <string>
@@ -20,6 +21,7 @@ struct ScenarioRequest {
   std::vector<std::string>
       assignments;  ///< "path.to.key=value", applied to the file, with priority over draws
   tasks::OwnTasks own_tasks = {};  ///< of the user, that the stack can name
+  gaits::OwnGaits own_gaits = {};  ///< of the user, that `gait:`, `gaits:` and commands can name
 };
 
 /// Reads scenarios/*.yaml with its robot and stack. The file is merged over its `base:`, except for

@@ -13,10 +13,14 @@ struct GaitOutcome {
 };
 
 /// A way to stand or to walk. One gait is active at a time: it reads the situation and changes the
-/// body. Nothing allocates or throws.
+/// body. Nothing allocates or throws. Derive one of your own and add it to `OwnGaits`: scenarios
+/// and commands then name it.
 class Gait {
  public:
   virtual ~Gait() = default;
+
+  /// Forgets everything, as the robot may stand elsewhere: the gait is not active.
+  virtual void restart() {}
 
   /// Becomes active, with all feet down, and carries out `first` if given.
   virtual void begin(Situation& now, Body& body, const std::optional<Action>& first) = 0;

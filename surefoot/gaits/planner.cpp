@@ -19,9 +19,16 @@ constexpr double kChangeMargin = 1.1;     // of the speed in a change of gait, o
 /// Those of the gait of legs that step in turn, or the own ones.
 const PlannerOptions& of_crawl(const PlannerOptions& own, const std::vector<NamedGait>& gaits) {
   const auto steps = [](const PlannerOptions& o) { return !o.rhythm.enabled && !o.rhythm.stands; };
-  const auto crawl =
-      std::ranges::find_if(gaits, [&](const NamedGait& gait) { return steps(gait.options); });
+  const auto crawl = std::ranges::find_if(
+      gaits, [&](const NamedGait& gait) { return steps(gait.options) && !gait.make; });
   return steps(own) || crawl == gaits.end() ? own : crawl->options;
+}
+
+std::shared_ptr<Gait> made(const NamedGait& gait, double period, const Scale& scale) {
+  if (!gait.make) return nullptr;
+  std::shared_ptr<Gait> own = gait.make(gait.options, period, scale);
+  if (own == nullptr) throw Error("gait \"" + gait.name + "\": its factory gave no gait");
+  return own;
 }
 
 }  // namespace
@@ -43,6 +50,8 @@ Planner::Planner(const PlannerOptions& options, double period, const Scale& scal
   plan_.feet.resize(options.gait.num_legs());
   for (int gait = UserCommand::kOwnGait; gait < choice_.size(); ++gait)
     rhythms_.emplace_back(choice_.options(gait), scale);
+  own_.emplace_back();
+  for (const NamedGait& gait : gaits) own_.push_back(made(gait, period, scale));
   if (present_ == UserCommand::kOwnGait) return;
   body_.use(choice_.options(present_), 0.0);
   limits_.use(choice_.options(present_));
@@ -52,6 +61,9 @@ void Planner::begin_anew(const Planner& fresh) {
   const int steps_taken = body_.steps_taken;
   *this = fresh;
   body_.steps_taken = steps_taken;
+  for (const std::shared_ptr<Gait>& own : own_) {
+    if (own != nullptr) own->restart();
+  }
 }
 
 void Planner::set_friction(double friction) {

@@ -13,6 +13,7 @@
 #include "surefoot/gaits/stand/flat_stand.hpp"
 #include "surefoot/gaits/stand/stand.hpp"
 
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -26,7 +27,7 @@ class Planner {
  public:
   /// `period` of the control loop [s], `scale` of the robot. A command may name one of `gaits`;
   /// `first` is the gait of one that names none, as in `UserCommand::gait`. Throws Error unless the
-  /// gaits' orders have each leg once.
+  /// gaits' orders have each leg once, and where a user's gait is not made.
   Planner(const PlannerOptions& options, double period, const Scale& scale = {},
           const std::vector<NamedGait>& gaits = {}, int first = UserCommand::kOwnGait);
 
@@ -65,8 +66,10 @@ class Planner {
   [[nodiscard]] UserCommand limit(const UserCommand& command);
   /// The gait of a walk.
   [[nodiscard]] const Gait& walk() const {
+    const std::size_t place = static_cast<std::size_t>(present_ + 1);
+    if (own_[place] != nullptr) return *own_[place];
     if (!body_.options.rhythm.enabled) return crawl_;
-    return rhythms_[static_cast<std::size_t>(present_ + 1)];
+    return rhythms_[place];
   }
   [[nodiscard]] Gait& walk() { return const_cast<Gait&>(std::as_const(*this).walk()); }
   [[nodiscard]] Gait& gait() { return walks_ ? walk() : stand_; }
@@ -87,8 +90,10 @@ class Planner {
   GaitChoice choice_;
   int present_, wanted_;               // gaits, as in GaitChoice
   std::vector<RhythmicGait> rhythms_;  // by gait, the own one first
-  bool walks_ = false;                 // the stand is not active
-  bool has_new_gait_ = false;          // at this tick: walks by a clock, or did
+  /// By gait, the user's own ones; the others are null. Shared with copies: only one copy may plan.
+  std::vector<std::shared_ptr<Gait>> own_;
+  bool walks_ = false;         // the stand is not active
+  bool has_new_gait_ = false;  // at this tick: walks by a clock, or did
   ReferenceBlend blend_;
   CommandLimits limits_;
   TorsoReference torso_;

@@ -1,7 +1,10 @@
 #pragma once
 
+#include "surefoot/base/scale.hpp"
 #include "surefoot/signals/leg.hpp"
 
+#include <functional>
+#include <memory>
 #include <string>
 
 namespace surefoot {
@@ -157,10 +160,18 @@ struct PlannerOptions {
   PushOptions push;
 };
 
+class Gait;
+
+/// Makes a gait of the user's own, of the planner's options in this gait, the period of the control
+/// loop [s] and the robot's scale.
+using GaitFactory =
+    std::function<std::unique_ptr<Gait>(const PlannerOptions&, double period, const Scale& scale)>;
+
 /// A gait that the user may change to, with all that the planner needs for it.
 struct NamedGait {
   std::string name;
   PlannerOptions options;
+  GaitFactory make = {};  ///< null: one of the library's
 };
 
 /// Gives options of four legs, or of six, the usual order and rhythm of this number.

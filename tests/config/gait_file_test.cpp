@@ -1,6 +1,7 @@
 #include "surefoot/base/error.hpp"
 #include "surefoot/config/data_file.hpp"
 #include "surefoot/config/scenario_file.hpp"
+#include "surefoot/gaits/gait.hpp"
 #include "tests/logging/temporary_folder.hpp"
 #include "tests/support/messages.hpp"
 
@@ -68,7 +69,44 @@ TEST(GaitFile, of_other_legs_is_refused_with_their_names) {
   const std::string message =
       message_of([] { (void)load("walk_flat", {"robot=hexapod", "gait=trot"}); });
   EXPECT_TRUE(holds(message, "gaits/trot.yaml"));
-  EXPECT_TRUE(holds(message, "it lacks LM RM"));
+  EXPECT_TRUE(
+      holds(message, "is given for the legs LF RH RF LH, but the robot has LF RF LM RM LH RH"));
+}
+
+TEST(GaitFile, of_a_robot_that_only_stands_is_refused) {
+  EXPECT_TRUE(holds(message_of([] { (void)load("flat_feet", {"gait=trot"}); }),
+                    "g1 has flat feet and only stands; it has no gait"));
+}
+
+TEST(GaitFile, with_a_name_that_is_missing_is_refused) {
+  EXPECT_TRUE(holds(message_of([] { (void)load("trot", {"gait="}); }),
+                    "--set gait=: a name is missing; gait=none takes"));
+}
+
+/// A gait of the user's that is never made.
+gaits::OwnGaits own_gaits() {
+  gaits::OwnGaits own;
+  own.add("march", [](const gaits::PlannerOptions&, double, const Scale&) {
+    return std::unique_ptr<gaits::Gait>();
+  });
+  return own;
+}
+
+TEST(OwnGaits, are_named_by_scenarios_and_commands_besides_the_librarys) {
+  const auto load_own = [](const std::vector<std::string>& changes) {
+    return load_scenario(
+        {.name_or_path = "trot", .seed = 0, .assignments = changes, .own_gaits = own_gaits()});
+  };
+  const Scenario alone = load_own({"gait=march"});
+  ASSERT_EQ(alone.controller.gaits.size(), 1u);
+  EXPECT_EQ(alone.controller.first_gait, 0);
+  EXPECT_NE(alone.controller.gaits[0].make, nullptr);
+  const Scenario beside = load_own({"user=[{time: 1, walk: true, gait: march}]"});
+  ASSERT_EQ(beside.controller.gaits.size(), 2u);
+  EXPECT_EQ(beside.user(30.0).gait, 1);
+  EXPECT_EQ(beside.controller.gaits[0].make, nullptr) << "trot";
+  EXPECT_NE(beside.controller.gaits[1].make, nullptr);
+  EXPECT_TRUE(holds(message_of([&] { (void)load_own({"gait=marsh"}); }), "march"));
 }
 
 TEST(LoadedGaits, are_those_of_the_list_the_scenario_and_its_commands) {
