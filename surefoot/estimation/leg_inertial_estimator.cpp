@@ -277,6 +277,13 @@ void LegInertialEstimator::write_base(const SensorReading& reading) {
   state_.q_WB = Quat(filter_.R_WB());
   state_.v_WB = filter_.v_WB();
   state_.w_WB_B = reading.gyro - filter_.gyro_bias();
+  // By the filter's error ξ: R̂ᵀ v̂ = Rᵀ v + R̂ᵀ ξ_v, and R̂ = exp(θ) R.
+  using Filter = InvariantFilter;
+  const Mat3 R_BW = filter_.R_WB().transpose();
+  const auto& P = filter_.covariance();
+  state_.velocity_covariance.noalias() =
+      R_BW * P.block<3, 3>(Filter::kVelocity, Filter::kVelocity) * filter_.R_WB();
+  state_.orientation_covariance = P.block<3, 3>(Filter::kTheta, Filter::kTheta);
 }
 
 void LegInertialEstimator::predict(const TickContext& context) {

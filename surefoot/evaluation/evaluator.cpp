@@ -60,7 +60,7 @@ void Evaluator::add(const simulation::GroundTruth& truth, const TickRecord& tick
     judge_plan(truth, tick);
   }
   add_progress(truth, tick);
-  add_torques(truth, tick);
+  effort_.add(truth, tick.command.torque);
   add_body_contacts(truth);
   const bool may_lie = is_sensor(tick.command.cause) || mode == CommandMode::rise;
   check_fall(truth, may_lie, mode == CommandMode::lifted);
@@ -128,6 +128,7 @@ void Evaluator::add_walk(const simulation::GroundTruth& truth, const TickRecord&
   walk_end_ = truth.p_SB;
   path_.add(truth, tick.user, frame_.R_SW() * tick.plan.R_WC.col(0));
   command_.add(truth, tick.user);
+  effort_.add_walk(truth);
   ++walk_ticks_;
 }
 
@@ -170,15 +171,6 @@ void Evaluator::add_frames(const TickRecord& tick) {
     raise(metrics_.control_frame_step_max_rad, Quat(now.R_WC).angularDistance(Quat(before.R_WC)));
   }
   plan_before_ = calibrates ? std::nullopt : std::optional(now);
-}
-
-void Evaluator::add_torques(const simulation::GroundTruth& truth, const TickRecord& tick) {
-  const JointVector& torque = tick.command.torque;
-  raise(metrics_.torque_max_nm, truth.torque.cwiseAbs().maxCoeff());
-  raise(metrics_.torque_command_max_nm, torque.cwiseAbs().maxCoeff());
-  if (ticks_ > 0)
-    raise(metrics_.torque_step_max_nm, (torque - torque_before_).cwiseAbs().maxCoeff());
-  torque_before_ = torque;
 }
 
 void Evaluator::add_foot(Leg leg, const simulation::GroundTruth& truth, const FootPlan& plan) {
@@ -276,7 +268,9 @@ Metrics Evaluator::metrics(const RunEnd& end) const {
   result.duration_s = ticks_ * options_.control_period;
   result.distance_m = (end_ - start_).head<2>().norm();
   const double walked_s = walk_ticks_ * options_.control_period;
-  if (walk_ticks_ > 0) result.speed_mps = (walk_end_ - walk_start_).head<2>().norm() / walked_s;
+  const double way = (walk_end_ - walk_start_).head<2>().norm();
+  effort_.write(way, result);
+  if (walk_ticks_ > 0) result.speed_mps = way / walked_s;
   if (walk_ticks_ > 0) result.com_lateral_sway_m = (sway_max_ - sway_min_) / 2.0;
   result.com_error_rms_m = com_error_.root_mean();
   result.base_height_error_rms_m = height_error_.root_mean();

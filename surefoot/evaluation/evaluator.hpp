@@ -3,6 +3,7 @@
 #include "surefoot/base/scale.hpp"
 #include "surefoot/evaluation/command_judge.hpp"
 #include "surefoot/evaluation/contact_loss_judge.hpp"
+#include "surefoot/evaluation/effort_judge.hpp"
 #include "surefoot/evaluation/estimate_judge.hpp"
 #include "surefoot/evaluation/landing.hpp"
 #include "surefoot/evaluation/metrics.hpp"
@@ -46,7 +47,8 @@ class Evaluator {
       : options_(std::move(options)),
         slips_(options_.control_period, options_.scale),
         path_(options_.control_period),
-        command_(options_.control_period, options_.scale) {}
+        command_(options_.control_period, options_.scale),
+        effort_(options_.control_period, options_.mass, options_.scale) {}
 
   /// Truth and tick must be of the same time.
   void add(const simulation::GroundTruth& truth, const TickRecord& tick);
@@ -82,7 +84,6 @@ class Evaluator {
   void add_torso(const simulation::GroundTruth& truth, const TickRecord& tick);
   void add_frames(const TickRecord& tick);
   void add_reach(const simulation::GroundTruth& truth, const TickRecord& tick);
-  void add_torques(const simulation::GroundTruth& truth, const TickRecord& tick);
   void add_foot(Leg leg, const simulation::GroundTruth& truth, const FootPlan& plan);
   void add_stance(Foot& foot, const simulation::TrueContact& contact);
   void add_friction(const simulation::TrueContact& contact, double normal_force);
@@ -100,6 +101,7 @@ class Evaluator {
   SlipJudge slips_;
   PathJudge path_;
   CommandJudge command_;
+  EffortJudge effort_;
   std::string fall_;
   int ticks_ = 0;
   Vec3 start_ = Vec3::Zero(), end_ = Vec3::Zero();            // base
@@ -108,9 +110,8 @@ class Evaluator {
   Squares com_error_, height_error_, orientation_error_;
   double sway_min_ = 0.0, sway_max_ = 0.0;
   std::optional<MotionPlan> plan_before_;  // empty after a restart of the plan
-  JointVector torque_before_ = JointVector::Zero(kNumLegJoints);
-  ReachCommand reach_;         // of the tick before
-  double reach_begin_ = kNaN;  // [s]
+  ReachCommand reach_;                     // of the tick before
+  double reach_begin_ = kNaN;              // [s]
   std::array<Foot, kMaxLegs> feet_{};
   double footprint_height_ = kNaN;
   bool torso_touched_ = false;

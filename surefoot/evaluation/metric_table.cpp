@@ -13,7 +13,7 @@ constexpr Place kFirst = Place::among_the_first, kTitle = Place::in_the_title;
 constexpr bool kByClock = true;
 
 constexpr ShownUnit kNone{""}, kMetres{"m"}, kMillimetres{"mm", 1e3}, kSpeed{"m/s"};
-constexpr ShownUnit kDegrees{"°", 180.0 / kPi}, kTurn{"°/s", 180.0 / kPi};
+constexpr ShownUnit kDegrees{"°", 180.0 / kPi}, kTurn{"°/s", 180.0 / kPi}, kJointSpeed{"rad/s"};
 constexpr ShownUnit kSeconds{"s"}, kMilliseconds{"ms", 1e3}, kMicroseconds{"µs"}, kTorque{"N·m"};
 constexpr ShownUnit kRealTime{"× real time"};
 
@@ -77,6 +77,11 @@ std::vector<Metric> all_metrics() {
        "angle between the estimated and the true vertical"},
       {"tilt_error_max_rad", &M::tilt_error_max_rad, kDegrees, smaller, grows,
        "angle between the estimated and the true vertical"},
+      {"velocity_nees", &M::velocity_nees, kNone, none, varies,
+       "squared error of the estimated velocity over its believed variance (NEES), mean a degree "
+       "of freedom; 1: as good as believed, above: worse"},
+      {"tilt_nees", &M::tilt_nees, kNone, none, varies,
+       "squared error of the estimated vertical over its believed variance, as velocity_nees"},
       {"position_drift_m", &M::position_drift_m, kMillimetres, smaller, varies,
        "of the estimated base since the start, at the end"},
       {"heading_drift_rad", &M::heading_drift_rad, kDegrees, smaller, varies,
@@ -127,6 +132,11 @@ std::vector<Metric> all_metrics() {
        "commanded at a joint"},
       {"torque_step_max_nm", &M::torque_step_max_nm, kTorque, smaller, grows,
        "change of a commanded torque in a tick"},
+      {"joint_speed_max_radps", &M::joint_speed_max_radps, kJointSpeed, smaller, grows,
+       "of a joint"},
+      {"cost_of_transport", &M::cost_of_transport, kNone, smaller, varies,
+       "positive mechanical work of the joints over weight and way, from the start of walking on; "
+       "not for a way shorter than 0.5 m (ANYmal B's; by size)"},
       {"lifted_s", &M::lifted_s, kSeconds, none, grows, "time lifted, with relaxed legs"},
       {"torque_lifted_max_nm", &M::torque_lifted_max_nm, kTorque, smaller, grows,
        "applied at a joint while lifted"},

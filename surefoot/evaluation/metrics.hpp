@@ -47,6 +47,8 @@ struct Metrics {
   double velocity_error_rms_mps = kNaN;
   double tilt_error_rms_rad = kNaN;
   double tilt_error_max_rad = kNaN;
+  double velocity_nees = kNaN;
+  double tilt_nees = kNaN;
   double position_drift_m = kNaN;
   double heading_drift_rad = kNaN;
   double touchdown_latency_p95_s = kNaN;
@@ -75,6 +77,8 @@ struct Metrics {
   double torque_max_nm = 0.0;
   double torque_command_max_nm = 0.0;
   double torque_step_max_nm = 0.0;
+  double joint_speed_max_radps = 0.0;
+  double cost_of_transport = kNaN;
   double lifted_s = 0.0;
   double torque_lifted_max_nm = kNaN;
   double standing_up_s = 0.0;

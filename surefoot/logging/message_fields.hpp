@@ -164,6 +164,11 @@ void fields(Archive& field, T& state) {
   field("q_WB", state.q_WB, "base orientation as quaternion w, x, y, z; takes B coordinates to W");
   field("v_WB", state.v_WB, "base velocity in W [m/s]");
   field("w_WB_B", state.w_WB_B, "base angular velocity in B [rad/s]");
+  field("velocity_covariance", state.velocity_covariance,
+        "believed, of the velocity's error in B, row by row; since 3.2 [m²/s²]");
+  field("orientation_covariance", state.orientation_covariance,
+        "believed, of the orientation's error as a rotation vector in W, row by row; since 3.2 "
+        "[rad²]");
   field("q", state.q, "joint positions [rad]");
   field("qd", state.qd, "joint velocities [rad/s]");
   field("torque", state.torque, "measured joint torques [N·m]");

@@ -11,6 +11,10 @@ struct RobotState {
   Quat q_WB{kNaN, kNaN, kNaN, kNaN};   ///< base orientation: takes B coordinates to W
   Vec3 v_WB = Vec3::Constant(kNaN);    ///< base velocity in W [m/s]
   Vec3 w_WB_B = Vec3::Constant(kNaN);  ///< base angular velocity in B [rad/s]
+  /// Believed covariance of the base velocity's error in B [m²/s²], and of the orientation's as a
+  /// rotation vector in W [rad²]; NaN: not estimated.
+  Mat3 velocity_covariance = Mat3::Constant(kNaN);
+  Mat3 orientation_covariance = Mat3::Constant(kNaN);
   JointVector q = JointVector::Constant(kNumLegJoints, kNaN);   ///< joint positions [rad]
   JointVector qd = JointVector::Constant(kNumLegJoints, kNaN);  ///< joint velocities [rad/s]
   JointVector torque =

@@ -145,8 +145,9 @@ TEST(Metrics, AreAllInTheProgramsOutput) {
 /// The unit at the end of a name, as people read it: with its scale.
 std::map<std::string, std::vector<ShownUnit>> units_by_ending() {
   const double degrees = 180.0 / kPi;
-  return {{"_m", {{"m"}, {"mm", 1e3}}},   {"_mps", {{"m/s"}}}, {"_rad", {{"°", degrees}}},
-          {"_radps", {{"°/s", degrees}}}, {"_nm", {{"N·m"}}},  {"_us", {{"µs"}}},
+  return {{"_m", {{"m"}, {"mm", 1e3}}}, {"_mps", {{"m/s"}}},
+          {"_rad", {{"°", degrees}}},   {"_radps", {{"°/s", degrees}, {"rad/s"}}},
+          {"_nm", {{"N·m"}}},           {"_us", {{"µs"}}},
           {"_s", {{"s"}, {"ms", 1e3}}}};
 }
 

@@ -61,5 +61,40 @@ TEST(EstimateJudge, MeasuresVelocityTiltAndDrift) {
   EXPECT_NEAR(metrics.heading_drift_rad, 0.3, 1e-9);
 }
 
+// Of 2 σ in each direction, in base axes that W's axes are turned against; and of a tilt of 3 σ.
+TEST(EstimateJudge, NeesComparesErrorsWithTheirBelievedVariance) {
+  simulation::GroundTruth truth;
+  RobotState state;
+  state.p_WB.setZero();
+  const Vec3 sigma(0.01, 0.02, 0.03);
+  truth.v_SB = Vec3(1.0, 0.0, 0.0);
+  state.q_WB = from_roll_pitch_yaw({0.0, 0.006, 0.8});
+  const Vec3 v_B = truth.v_SB + 2.0 * sigma;
+  state.v_WB = state.q_WB * v_B;
+  state.velocity_covariance = sigma.cwiseAbs2().asDiagonal();
+  // The tilt is about the base's y axis, which the heading turns.
+  const Mat3 turn = from_roll_pitch_yaw({0.0, 0.0, 0.8}).toRotationMatrix();
+  state.orientation_covariance = turn * Vec3(1e-8, 4e-6, 1.0).asDiagonal() * turn.transpose();
+  EstimateJudge judge;
+  judge.add(truth, state);
+  Metrics metrics;
+  judge.write(metrics);
+  EXPECT_NEAR(metrics.velocity_nees, 4.0, 1e-9);
+  EXPECT_NEAR(metrics.tilt_nees, 9.0 / 2.0, 1e-3);
+}
+
+TEST(EstimateJudge, AnEstimateWithoutCovarianceHasNoNees) {
+  simulation::GroundTruth truth;
+  RobotState state;
+  state.p_WB = state.v_WB = Vec3::Zero();
+  state.q_WB = Quat::Identity();
+  EstimateJudge judge;
+  judge.add(truth, state);
+  Metrics metrics;
+  judge.write(metrics);
+  EXPECT_TRUE(std::isnan(metrics.velocity_nees));
+  EXPECT_TRUE(std::isnan(metrics.tilt_nees));
+}
+
 }  // namespace
 }  // namespace surefoot::evaluation

@@ -18,6 +18,8 @@ TEST(Trot, KeepsAMetreASecondThroughTheDrivesFromSensorsAlone) {
   EXPECT_EQ(metrics.fallback_ticks, 0);
   EXPECT_LT(metrics.command_error_rms_mps, 0.1);
   EXPECT_LT(metrics.velocity_error_rms_mps, 0.01);
+  EXPECT_LT(metrics.velocity_nees, 2.0);
+  EXPECT_LT(metrics.tilt_nees, 4.0);
 }
 
 /// From gait to gait, on the way.
