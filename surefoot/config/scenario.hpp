@@ -24,6 +24,16 @@ struct TimedCommand {
   std::string frame{};  ///< by name, which sets that of `user.reach`
 };
 
+/// Commands that the seed draws one after the other, each uniformly from these ranges. Before them
+/// the scenario's own hold.
+struct RandomCommands {
+  double from = std::numeric_limits<double>::quiet_NaN();  ///< NaN: none [s]
+  double period = 2.0;                                     ///< from command to command [s]
+  Vec2 velocity_min{-0.5, -0.3}, velocity_max{0.5, 0.3};   ///< forward and to the left [m/s]
+  double yaw_rate = 1.0;                                   ///< largest [rad/s]
+  bool gaits = false;                                      ///< in any of the scenario's gaits
+};
+
 /// The goal of a run, which ends the run early.
 struct Goal {
   /// All four feet stand on the ground beyond this x in S [m]; NaN: no goal.
@@ -62,7 +72,8 @@ struct Scenario {
   model::RobotDescription robot;
   control::ControllerOptions controller;
   simulation::PlantOptions plant;
-  std::vector<TimedCommand> commands;  ///< by time, the first at 0
+  std::vector<TimedCommand> commands;  ///< by time, the first at 0; with the random ones
+  RandomCommands random_commands;
   Goal goal;
   std::vector<RandomDraw> drawn;                ///< from the seed
   std::vector<evaluation::Criterion> criteria;  ///< that the metrics must meet

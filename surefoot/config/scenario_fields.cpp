@@ -197,7 +197,13 @@ Group named_fields(Scenario& scenario) {
           {"paper", Other{"paper"}, "figures to print beside metrics"}};
 }
 
+void check_random_commands(const RandomCommands& random, const Given& given) {
+  if ((random.velocity_min.array() <= random.velocity_max.array()).all()) return;
+  given.fail("velocity_min", "must not be above velocity_max");
+}
+
 Group run_fields(Scenario& scenario) {
+  RandomCommands& random = scenario.random_commands;
   std::vector<TimedCommand>& commands = scenario.commands;
   const Entries user{{shape_of<TimedCommand>("",
                                              [&commands](const auto& command, const Given& given) {
@@ -218,6 +224,18 @@ Group run_fields(Scenario& scenario) {
        "truth: the simulator's state"},
       {"estimator", fields(scenario.estimator), "of estimation: sensors"},
       {"user", user, "commands from a time on, each complete"},
+      {"random_commands",
+       Group{{"from", &random.from, NumberRange{.min = 0.0, .none = kNaN}, "s",
+              "from which on they take the place of user's", Sizing::walk},
+             {"period", &random.period, kPositive, "s", "from command to command"},
+             {"velocity_min", Numbers{random.velocity_min.data(), {"x", "y"}}, kAnyNumber, "m/s",
+              "smallest, forward and to the left", Sizing::stride},
+             {"velocity_max", Numbers{random.velocity_max.data(), {"x", "y"}}, kAnyNumber, "m/s",
+              "largest", Sizing::stride},
+             {"yaw_rate", &random.yaw_rate, kNotNegative, "rad/s", "largest, to either side"},
+             {"gaits", &random.gaits, "in any of the scenario's gaits"}}
+           .with([&random](const Given& given) { check_random_commands(random, given); }),
+       "drawn from the seed, one after the other"},
       {"goal",
        Group{{"feet_beyond_x", &scenario.goal.feet_beyond_x, kAnyNumber, "m", "of all feet, in S"},
              {"walk_on", &scenario.goal.walk_on, kNotNegative, "m", "by the base, after that"}},

@@ -10,6 +10,7 @@
 #include "surefoot/config/gait_file.hpp"
 #include "surefoot/config/initial_posture.hpp"
 #include "surefoot/config/loaded_gaits.hpp"
+#include "surefoot/config/random_commands.hpp"
 #include "surefoot/config/robot_file.hpp"
 #include "surefoot/config/robot_plausibility.hpp"
 #include "surefoot/config/scaling.hpp"
@@ -538,6 +539,7 @@ Scenario load_scenario(const ScenarioRequest& request) {
     return other.controller.planner;
   };
   read_gaits(tree, request.own_gaits, planner_of, scenario);
+  add_random_commands(scenario);
   read_robot_and_stack(top, file, robot, request.own_tasks, scenario);
   scenario.sources_hash = hash_of_sources(scenario);
 
