@@ -12,7 +12,7 @@ namespace surefoot::gaits {
 
 namespace {
 
-constexpr double kBlendDuration = 0.2;    // of references, from gait to gait [s]
+constexpr double kBlendDuration = 0.2;    // of references, from gait to gait, at least [s]
 constexpr double kMaxChangeSpeed = 0.65;  // at which gaits change: the feet stand for longer [m/s]
 constexpr double kChangeMargin = 1.1;     // of the speed in a change of gait, over the gait's
 
@@ -125,7 +125,7 @@ CommandContext Planner::command_context() const {
                          .caution = body_.grip.caution(),
                          .hips = hips_,
                          .stands = !walks_,
-                         .starts_at_rest = !walk().is_static(),
+                         .starts_at_rest = choice_.options(wanted_).rhythm.enabled,
                          .calibrates = calibration_.is_due(),
                          .speed_max = speed_max()};
   if (!walk().is_static()) return context;
@@ -138,13 +138,21 @@ CommandContext Planner::command_context() const {
 // The heading waits for the feet: otherwise late steps would leave them twisted under the torso.
 UserCommand Planner::limit(const UserCommand& command) {
   const CommandContext now = command_context();
-  UserCommand user = limits_.update(command, now);
-  user.walk = user.walk && !calibration_.is_due() && !choice_.options(wanted_).rhythm.stands;
+  const bool walks =
+      command.walk && !calibration_.is_due() && !choice_.options(wanted_).rhythm.stands;
+  UserCommand asked = command;
+  if (!walks && !walk().is_static()) {  // it stops step by step
+    asked.velocity.setZero();
+    asked.yaw_rate = 0.0;
+  }
+  UserCommand user = limits_.update(asked, now);
+  user.walk = user.walk && walks;
   if (walk().is_static()) {
     user.yaw_rate *= limits_.strides().turning_share(user.yaw_rate, body_.legs.footholds(),
                                                      body_.legs.down(), yaw_, now.cycle_duration);
   }
-  yaw_rate_ = user.walk && !gait().waits(body_) ? user.yaw_rate : 0.0;
+  const bool turns = user.walk || !walk().is_static();
+  yaw_rate_ = turns && !gait().waits(body_) ? user.yaw_rate : 0.0;
   yaw_ += body_.period * yaw_rate_;
   return user;
 }
@@ -214,8 +222,8 @@ void Planner::write_plan(const Situation& now) {
   plan_.torso.height += bounce.p;
   plan_.torso.height_rate += bounce.v;
   plan_.torso.height_acceleration += bounce.a;
-  if (has_new_gait_) blend_.begin(now.time, com, torso, plan_);
-  blend_.apply(now.time, body_.scale.time() * kBlendDuration, plan_);
+  if (has_new_gait_) blend_.begin(now.time, com, torso, plan_, body_.scale.time() * kBlendDuration);
+  blend_.apply(now.time, plan_);
   friction_frame_.update(body_.plane.normal);
   plan_.R_WC = estimation::control_frame(friction_frame_.normal(), yaw_);
   plan_.terrain_point = body_.plane.point;

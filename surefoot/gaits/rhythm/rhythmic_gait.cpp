@@ -140,9 +140,8 @@ void RhythmicGait::drive_com(const Situation& now) {
   const Vec2 missing = R.transpose() * (wanted - now.dynamics.com.v.head<2>());
   integral_.update(missing - integral_.value(), options_.integral_rate, options_.integral_max,
                    now.body.period);
-  const Vec2 asked = now.user.walk ? Vec2(now.user.velocity + integral_.value()) : Vec2(0.0, 0.0);
-  const double yaw_rate = now.user.walk ? now.user.yaw_rate : 0.0;
-  com_.update(R * asked, yaw_rate, options_.acceleration, options_.leash,
+  const Vec2 asked = now.user.walk ? now.user.velocity + integral_.value() : now.user.velocity;
+  com_.update(R * asked, now.user.yaw_rate, options_.acceleration, options_.leash,
               now.dynamics.com.p.head<2>() - R * sway_.p.head<2>(), now.body.period);
 }
 
@@ -234,7 +233,7 @@ Vec3 RhythmicGait::foothold(Leg k, double until_landing, const Situation& now) c
   const double half = 0.5 * clock_.stance_duration(k);
   const double t = std::clamp(until_landing, 0.0, 2.0 * half);
   const double pace = w * half / std::sinh(w * half) * std::cosh(w * (half - t));
-  const double yaw_rate = now.user.walk ? now.user.yaw_rate : 0.0;
+  const double yaw_rate = now.user.yaw_rate;
   const Mat2 R = rotation_about_z(now.yaw + yaw_rate * (t + half)).topLeftCorner<2, 2>();
   const Vec2 v = now.dynamics.com.v.head<2>(), wanted = com_.plan().v;
   const Vec2 centripetal = yaw_rate * Vec2(-wanted.y(), wanted.x());
