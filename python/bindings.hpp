@@ -6,6 +6,16 @@ namespace surefoot::python {
 
 namespace nb = nanobind;
 
+/// For a class with a constructor: Python's own way to call it, so that surefoot/_arguments.py can
+/// stand before `__init__` and say what is wrong with an argument.
+inline int no_constructor(PyObject* self, PyObject*, PyObject*) {
+  const nb::object name = nb::handle(self).type().attr("__name__");
+  PyErr_Format(PyExc_TypeError, "%U objects are made by the library, not by hand", name.ptr());
+  return -1;
+}
+inline PyType_Slot kNoVectorcall[] = {{Py_tp_init, reinterpret_cast<void*>(&no_constructor)},
+                                      {0, nullptr}};
+
 // Each adds its classes and functions to the module.
 void bind_signals(nb::module_& module);
 void bind_level(nb::module_& module);
@@ -16,6 +26,7 @@ void bind_scenario(nb::module_& module);
 void bind_plant(nb::module_& module);
 void bind_parts(nb::module_& module);
 void bind_controller(nb::module_& module);
+void bind_running(nb::module_& module);
 void bind_evaluation(nb::module_& module);
 void bind_explaining(nb::module_& module);
 void bind_solving(nb::module_& module);

@@ -1,14 +1,17 @@
 #include "python/controller.hpp"
 
 #include "python/bindings.hpp"
+#include "python/interrupt.hpp"
 #include "python/level_outcome.hpp"
 #include "python/numbers.hpp"
 #include "python/parts.hpp"
+#include "python/plant.hpp"
+#include "surefoot/base/formatted.hpp"
+#include "surefoot/config/loaded_gaits.hpp"
 #include "surefoot/config/stack_file.hpp"
 #include "surefoot/config/stack_text.hpp"
 #include "surefoot/control/stack_reach.hpp"
 #include "surefoot/simulation/make_estimator.hpp"
-#include "surefoot/simulation/plant.hpp"
 
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/vector.h>
@@ -18,15 +21,52 @@
 #include <vector>
 
 namespace surefoot::python {
+
+std::vector<std::string> BoundController::gaits_of(const config::Scenario& scenario) {
+  return config::gait_names(scenario.controller.gaits);
+}
+
+UserCommand BoundController::checked(const NamedCommand& user) const {
+  UserCommand command = user;
+  for (int i = 0; i < 2; ++i) {
+    check_finite(user.velocity[i], "velocity[" + std::to_string(i) + "]");
+    check_finite(user.shift[i], "shift[" + std::to_string(i) + "]");
+  }
+  check_finite(user.yaw_rate, "yaw_rate");
+  check_finite(user.height, "height");
+  if (user.reach.arm >= 0 || user.reach.frame >= 0)
+    for (int i = 0; i < 3; ++i)
+      check_finite(user.reach.position[i], "reach.position[" + std::to_string(i) + "]");
+  if (!user.gait_name.empty()) {
+    command.gait = config::gait_place(user.gait_name, gaits_);
+  } else if (user.gait < UserCommand::kAutoGait || user.gait >= static_cast<int>(gaits_.size())) {
+    throw Error("gait is " + std::to_string(user.gait) + "; " + config::valid_gaits("", gaits_) +
+                ", or -1 for the scenario's own");
+  }
+  return command;
+}
+
+void BoundController::step(const SensorReading& reading, const NamedCommand& user) {
+  const UserCommand command = checked(user);
+  unlocked([&](control::Controller& controller) { controller.step(reading, command); });
+  ++ticks_;
+  changes.end_tick();
+  raise_waiting_exit();
+  if (const std::string fault = new_fault(); !fault.empty())
+    if (PyErr_WarnEx(PyExc_RuntimeWarning, fault.c_str(), 1) != 0) throw nb::python_error();
+}
+
 namespace {
 
 /// Without a plant the state comes from the readings alone.
 std::unique_ptr<estimation::StateEstimator> estimator(const config::Scenario& scenario,
-                                                      const simulation::Plant* plant) {
+                                                      const BoundPlant* plant) {
   const double period = scenario.controller.period;
+  if (plant != nullptr && !plant->is_own())
+    throw Error("plant is that of a run, which has a controller; a Plant(scenario) would be valid");
   if (plant != nullptr)
     return simulation::make_estimator(scenario.estimation,
-                                      {scenario.robot, period, *plant, scenario.estimator});
+                                      {scenario.robot, period, **plant, scenario.estimator});
   if (scenario.estimation == estimation::Estimation::truth) {
     throw Error("the scenario " + scenario.name +
                 " has estimation: truth, which needs the plant that knows it; give the plant, or "
@@ -41,7 +81,47 @@ bool set_stack(BoundController& self, const std::string& text, const std::string
   const control::StackOptions stack = config::with_scaled_arms(
       config::parse_stack(text, name, self.robot().scale, own_tasks(own)), self.robot());
   control::check_reach(stack, control::reach_of(model::RobotModel(self.robot())));
-  return self->set_stack(stack, duration);
+  if (!self->set_stack(stack, duration)) return false;
+  self.changes.add({.time = kNaN,
+                    .kind = "stack",
+                    .text = "stack " + name,
+                    .stack = config::stack_yaml(config::with_defaults(stack)),
+                    .duration = duration,
+                    .body = {}},
+                   self.ticks());
+  return true;
+}
+
+std::string listed(const char* what, const std::vector<std::string>& levels) {
+  std::string text;
+  for (const std::string& level : levels) text += (text.empty() ? what : ", ") + level;
+  return text;
+}
+
+bool switch_levels(BoundController& self, const std::vector<std::string>& add,
+                   const std::vector<std::string>& remove, double duration) {
+  if (!self->switch_levels({.time = 0.0, .add = add, .remove = remove, .duration = duration}))
+    return false;
+  const std::string come = listed("levels come: ", add), go = listed("levels go: ", remove);
+  self.changes.add({.time = kNaN,
+                    .kind = "levels",
+                    .text = come + (come.empty() || go.empty() ? "" : ", ") + go,
+                    .stack = {},
+                    .duration = duration,
+                    .body = {}},
+                   self.ticks());
+  return true;
+}
+
+void set_friction(BoundController& self, double friction) {
+  self->set_friction(friction);
+  self.changes.add({.time = kNaN,
+                    .kind = "friction",
+                    .text = formatted("friction %.3g", friction),
+                    .stack = {},
+                    .friction = friction,
+                    .body = {}},
+                   self.ticks());
 }
 
 void bind_changes(nb::class_<BoundController>& type) {
@@ -49,24 +129,16 @@ void bind_changes(nb::class_<BoundController>& type) {
   type.def("set_stack_text", &set_stack, nb::arg("text"), nb::arg("name"), nb::arg("duration"),
            nb::arg("own") = nb::list(),
            nb::sig("def set_stack_text(self, text: str, name: str, duration: float, own: "
-                   "typing.Sequence[typing.Any] = ()) -> bool"),
+                   "list[typing.Any] = []) -> bool"),
            "As set_stack(), for the text of a stack file.")
-      .def(
-          "switch_levels",
-          [](Self& self, const std::vector<std::string>& add,
-             const std::vector<std::string>& remove, double duration) {
-            return self->switch_levels(
-                {.time = 0.0, .add = add, .remove = remove, .duration = duration});
-          },
-          nb::kw_only(), nb::arg("add") = std::vector<std::string>(),
-          nb::arg("remove") = std::vector<std::string>(), nb::arg("duration") = 0.5,
-          "Between two ticks: adds and removes levels of the stack; the torques fade over "
-          "`duration` "
-          "[s].\nFalse, and without effect, during another switch.")
-      .def(
-          "set_friction", [](Self& self, double friction) { self->set_friction(friction); },
-          nb::arg("friction"),
-          "Between two ticks: the friction coefficient that the controller counts on.")
+      .def("switch_levels", &switch_levels, nb::kw_only(),
+           nb::arg("add") = std::vector<std::string>(),
+           nb::arg("remove") = std::vector<std::string>(), nb::arg("duration") = 0.5,
+           "Between two ticks: adds and removes levels of the stack; the torques fade over "
+           "`duration` "
+           "[s].\nFalse, and without effect, during another switch.")
+      .def("set_friction", &set_friction, nb::arg("friction"),
+           "Between two ticks: the friction coefficient that the controller counts on.")
       .def(
           "explain_levels", [](Self& self, bool wanted) { self->explain_levels(wanted); },
           nb::arg("wanted") = true,
@@ -78,15 +150,15 @@ void bind_changes(nb::class_<BoundController>& type) {
 
 void bind_controller(nb::module_& module) {
   using Self = BoundController;
-  nb::class_<Self> type(
-      module, "ControllerBase",
-      "The whole-body controller: one step() a tick turns readings into torques.");
+  nb::class_<Self> type(module, "ControllerBase",
+                        "The whole-body controller: one step() a tick turns readings into torques.",
+                        nb::type_slots(kNoVectorcall));
   type.def(
           "__init__",
-          [](Self* self, const config::Scenario& scenario, const simulation::Plant* plant,
+          [](Self* self, const config::Scenario& scenario, const BoundPlant* plant,
              const nb::object& own_estimation, const nb::object& planner) {
             new (self)
-                Self(scenario.robot,
+                Self(scenario,
                      std::make_unique<control::Controller>(
                          scenario.robot, scenario.controller,
                          own_estimation.is_none()
@@ -102,23 +174,18 @@ void bind_controller(nb::module_& module) {
           nb::keep_alive<1, 3>())
       .def(
           "step",
-          [](Self& self, const SensorReading& reading, const UserCommand& user) {
-            {
-              const nb::gil_scoped_release others_may_run;
-              self->step(reading, user);
-            }
-            if (const std::string fault = self.new_fault(); !fault.empty())
-              if (PyErr_WarnEx(PyExc_RuntimeWarning, fault.c_str(), 1) != 0)
-                throw nb::python_error();
+          [](Self& self, const SensorReading& reading, const NamedCommand& user) {
+            self.step(reading, user);
             return self->record().command;
           },
           nb::arg("reading"), nb::arg("user"),
-          "One tick. Always gives finite torques inside the limits, and never raises; what goes "
-          "wrong in "
-          "a task,\nplanner or estimator of your own is a RuntimeWarning, once, and stays in "
-          "`fault`.")
+          "One tick. Always gives finite torques inside the limits; it raises only on arguments "
+          "that "
+          "make no sense,\nand on Ctrl-C, after the tick. What goes wrong in a task, planner or "
+          "estimator of your own is a\nRuntimeWarning, once, and stays in `fault`.")
       .def("__repr__",
            [](const Self& self) {
+             if (self.has_ended()) return std::string("<controller of a run that has ended>");
              return "<controller of " + self.robot().name + ", " +
                     std::to_string(self->level_names().size()) + " levels, after " +
                     std::to_string(self->steps_taken()) + " steps>";

@@ -1,5 +1,8 @@
 #pragma once
 
+#include "python/changes.hpp"
+#include "python/lent.hpp"
+#include "python/named_command.hpp"
 #include "surefoot/config/scenario.hpp"
 #include "surefoot/control/controller.hpp"
 #include "surefoot/runtime/stage_timer.hpp"
@@ -7,42 +10,49 @@
 #include <memory>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace surefoot::python {
 
 /// `Controller` in Python: one of its own with the time that its stages take, or that of a run.
-class BoundController {
+class BoundController : public Lent<control::Controller> {
  public:
-  BoundController(model::RobotDescription robot, std::unique_ptr<control::Controller> controller)
-      : robot_(std::move(robot)),
-        own_(std::move(controller)),
-        controller_(own_.get()),
+  BoundController(const config::Scenario& scenario, std::unique_ptr<control::Controller> controller)
+      : Lent(std::move(controller), "controller"),
+        robot_(scenario.robot),
+        gaits_(gaits_of(scenario)),
         timer_(std::make_unique<runtime::StageTimer>()) {
-    own_->set_stage_observer(timer_.get());
+    (**this).set_stage_observer(timer_.get());
   }
-  /// `controller` is another's and must outlive this.
-  BoundController(model::RobotDescription robot, control::Controller& controller)
-      : robot_(std::move(robot)), controller_(&controller) {}
+  BoundController(const config::Scenario& scenario, control::Controller& of_run)
+      : Lent(of_run, "controller"), robot_(scenario.robot), gaits_(gaits_of(scenario)) {}
 
-  control::Controller& operator*() { return *controller_; }
-  control::Controller* operator->() { return controller_; }
-  const control::Controller* operator->() const { return controller_; }
   [[nodiscard]] const model::RobotDescription& robot() const { return robot_; }
+  /// With the interpreter's lock. Throws Error on a command that makes no sense.
+  void step(const SensorReading& reading, const NamedCommand& user);
+  /// How many ticks it has made, but not in a run.
+  [[nodiscard]] long ticks() const { return ticks_; }
+  /// A command with its gait found. Throws Error on NaN and on a gait that is not the scenario's.
+  [[nodiscard]] UserCommand checked(const NamedCommand& user) const;
   /// What a part of the user's own did wrong, when it does so first.
   [[nodiscard]] std::string new_fault() {
-    std::string fault = controller_->fault();
+    std::string fault = (*this)->fault();
     if (fault == told_) return {};
     return told_ = fault;
   }
   /// Of the last tick; in a run it is not known.
   [[nodiscard]] TickTiming timing() const { return timer_ ? timer_->timing() : TickTiming{}; }
 
+  Changes changes;
+
  private:
+  [[nodiscard]] static std::vector<std::string> gaits_of(const config::Scenario& scenario);
+
   model::RobotDescription robot_;
-  std::unique_ptr<control::Controller> own_;
-  control::Controller* controller_;
+  std::vector<std::string> gaits_;
   std::unique_ptr<runtime::StageTimer> timer_;
   std::string told_;
+  long ticks_ = 0;
 };
 
 }  // namespace surefoot::python

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "python/bindings.hpp"
 #include "python/numbers.hpp"
 #include "surefoot/evaluation/alignment_fields.hpp"  // fields() must be known where signal() calls it
 #include "surefoot/evaluation/truth_fields.hpp"
@@ -76,7 +77,7 @@ class FieldProperties {
   };
 
   static constexpr bool kIsCommand =
-      std::is_same_v<T, UserCommand> || std::is_same_v<T, JointCommand>;
+      std::is_base_of_v<UserCommand, T> || std::is_same_v<T, JointCommand>;
 
   /// Lets `command.velocity = [0.1, 0]` write into the vector.
   template <typename Vector>
@@ -256,7 +257,7 @@ class FieldProperties {
 /// A class for a signal, with all fields of what the log describes.
 template <typename T, typename Described = T>
 nb::class_<T> signal(nb::module_& module, const char* name, const char* doc) {
-  nb::class_<T> type(module, name, doc);
+  nb::class_<T> type(module, name, doc, nb::type_slots(kNoVectorcall));
   const T example{};
   FieldProperties<T> properties(type, example);
   logged::fields(properties, static_cast<const Described&>(example));

@@ -9,27 +9,49 @@ namespace surefoot::python {
 
 namespace nb = nanobind;
 
+/// Of this thread: what a part of the user's own raised that ends a program, as Ctrl-C or
+/// sys.exit(). It waits here until the tick is over, because a tick always gives a command.
+inline std::optional<nb::python_error>& waiting_exit() {
+  thread_local std::optional<nb::python_error> exit;
+  return exit;
+}
+
+[[nodiscard]] inline bool ends_program(const nb::python_error& error) {
+  return !error.matches(PyExc_Exception);
+}
+
+/// With the lock, after a tick.
+inline void raise_waiting_exit() {
+  if (!waiting_exit()) return;
+  nb::python_error exit = std::move(*waiting_exit());
+  waiting_exit().reset();
+  throw std::move(exit);
+}
+
 /// Ctrl-C while C++ runs without the interpreter's lock.
 class Interrupt {
  public:
   /// Called often, without the lock.
   [[nodiscard]] bool is_asked() {
-    if (has_come_ || ++calls_ % kCalls != 0) return has_come_;
-    const nb::gil_scoped_acquire python;
-    has_come_ = PyErr_CheckSignals() != 0;
-    if (has_come_) error_.emplace();
-    return has_come_;
+    if (has_come()) return true;
+    if (waiting_exit()) {
+      error_.emplace(std::move(*waiting_exit()));
+      waiting_exit().reset();
+    } else if (++calls_ % kCalls == 0) {
+      const nb::gil_scoped_acquire python;
+      if (PyErr_CheckSignals() != 0) error_.emplace();
+    }
+    return has_come();
   }
-  [[nodiscard]] bool has_come() const { return has_come_; }
+  [[nodiscard]] bool has_come() const { return error_.has_value(); }
   /// With the lock: the exception of the signal's handler, if there was one.
   void raise() {
-    if (has_come_) throw std::move(*error_);
+    if (has_come()) throw std::move(*error_);
   }
 
  private:
   static constexpr int kCalls = 40;
   int calls_ = 0;
-  bool has_come_ = false;
   std::optional<nb::python_error> error_;
 };
 

@@ -52,6 +52,7 @@ Array numbers_of(nb::handle given, const std::string& name, std::size_t axes, co
 struct Block {
   std::string key;
   std::vector<std::string> names;
+  std::vector<int> ids;  ///< empty: rows are known by their places
   solver::Rows::RowMajor A;
   Eigen::VectorXd lower, upper, weights;
 };
@@ -188,9 +189,15 @@ class LevelDict {
 
   [[nodiscard]] Block block(const std::string& key, const std::string& lower,
                             const std::string& upper) const {
-    Block result{
-        .key = key, .names = {}, .A = matrix(key), .lower = {}, .upper = {}, .weights = {}};
+    Block result{.key = key,
+                 .names = {},
+                 .ids = {},
+                 .A = matrix(key),
+                 .lower = {},
+                 .upper = {},
+                 .weights = {}};
     result.names = names(result);
+    result.ids = one_for_each_row<int>(result, "_ids", "a list of whole numbers");
     result.lower = vector(lower, result, -kInfinity);
     result.upper = vector(upper, result, kInfinity);
     for (Eigen::Index i = 0; i < result.A.rows(); ++i) check_bounds(result, i);
@@ -201,19 +208,26 @@ class LevelDict {
 
   /// "A[0]", "A[1]", … where none are given.
   [[nodiscard]] std::vector<std::string> names(const Block& block) const {
-    const std::string key = block.key + "_names";
-    std::vector<std::string> result;
-    if (has(key) && !nb::try_cast(dict_[key.c_str()], result))
-      fail(key + " is " + text(nb::repr(dict_[key.c_str()])) + "; expected a list of texts");
-    const auto rows = static_cast<std::size_t>(block.A.rows());
-    if (has(key) && result.size() != rows) {
-      fail(key + " has " + count(static_cast<Eigen::Index>(result.size()), "element") + ", " +
-           block.key + " has " + count(block.A.rows(), "row") +
-           "; expected one element for each row");
-    }
-    for (std::size_t i = result.size(); i < rows; ++i)
+    std::vector<std::string> result =
+        one_for_each_row<std::string>(block, "_names", "a list of texts");
+    for (std::size_t i = result.size(); i < static_cast<std::size_t>(block.A.rows()); ++i)
       result.push_back(block.key + "[" + std::to_string(i) + "]");
     return result;
+  }
+
+  /// What a key says of each row; empty where there is no such key.
+  template <typename T>
+  [[nodiscard]] std::vector<T> one_for_each_row(const Block& block, const char* ending,
+                                                const char* expected) const {
+    const std::string key = block.key + ending;
+    std::vector<T> result;
+    if (!has(key)) return result;
+    if (!nb::try_cast(dict_[key.c_str()], result))
+      fail(key + " is " + text(nb::repr(dict_[key.c_str()])) + "; expected " + expected);
+    if (result.size() == static_cast<std::size_t>(block.A.rows())) return result;
+    fail(key + " has " + count(static_cast<Eigen::Index>(result.size()), "element") + ", " +
+         block.key + " has " + count(block.A.rows(), "row") +
+         "; expected one element for each row");
   }
 
   /// The weighted row has numbers as any other.

@@ -39,6 +39,7 @@ NB_MODULE(_core, module) {
   bind_parts(module);
   bind_controller(module);
   bind_evaluation(module);
+  bind_running(module);
   bind_explaining(module);
   bind_solving(module);
 }

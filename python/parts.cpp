@@ -4,6 +4,8 @@
 
 #include "python/bindings.hpp"
 #include "python/dynamics.hpp"
+#include "python/interrupt.hpp"
+#include "python/named_command.hpp"
 #include "python/numbers.hpp"
 #include "surefoot/estimation/leg_inertial_estimator.hpp"
 #include "surefoot/tasks/task.hpp"
@@ -11,6 +13,8 @@
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/shared_ptr.h>
 
+#include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -36,14 +40,16 @@ std::string one_line(const nb::python_error& error) {
          text_of(last.attr("lineno")) + ")";
 }
 
-/// Calls with the interpreter's lock.
+/// Calls with the interpreter's lock. What ends a program waits until the tick is over.
 template <typename Call>
 auto in_python(const Call& call) {
   const nb::gil_scoped_acquire python;
   try {
     return call();
-  } catch (const nb::python_error& error) {
-    throw Error(one_line(error));
+  } catch (nb::python_error& error) {
+    const std::string told = one_line(error);
+    if (ends_program(error)) waiting_exit().emplace(std::move(error));
+    throw Error(told);
   }
 }
 
@@ -57,10 +63,24 @@ const T& result_of(nb::handle object, const char* method, const char* type, nb::
 
 // Estimator.
 
-/// `Estimator` in Python: a base class that can ask the library's.
-struct BoundEstimator {
-  std::unique_ptr<estimation::StateEstimator> library;
+/// A base class in Python that can ask the library's part, which is made anew with each controller.
+template <typename Part>
+struct BoundPart {
+  std::function<std::unique_ptr<Part>()> make;
+  std::unique_ptr<Part> library = make ? make() : nullptr;
+};
 
+/// Before a controller takes it: what it remembers of another run is gone.
+template <typename Bound>
+void begin_anew(const SharedObject& object) {
+  const nb::gil_scoped_acquire python;
+  (*object).attr("restart")();
+  if (Bound* base = nullptr; nb::try_cast<Bound*>(*object, base) && base != nullptr && base->make)
+    base->library = base->make();
+}
+
+/// `Estimator` in Python.
+struct BoundEstimator : BoundPart<estimation::StateEstimator> {
   [[nodiscard]] estimation::StateEstimator& asked() const {
     if (library) return *library;
     throw Error("Estimator() estimates nothing by itself: write update(), or give it a scenario");
@@ -92,13 +112,16 @@ void bind_estimator(nb::module_& module) {
   nb::class_<Self>(module, "Estimator",
                    "Estimates the state from sensor readings. Derive your own and write update(); "
                    "what it raises "
-                   "makes the\ncontroller act as without a state: it holds, then sits down.")
+                   "makes the\ncontroller act as without a state: it holds, then sits down.",
+                   nb::type_slots(kNoVectorcall))
       .def(nb::init<>())
       .def(
           "__init__",
           [](Self* self, const config::Scenario& scenario) {
-            new (self) Self{std::make_unique<estimation::LegInertialEstimator>(
-                scenario.robot, scenario.estimator, scenario.controller.period)};
+            new (self) Self{{[robot = scenario.robot, options = scenario.estimator,
+                              period = scenario.controller.period] {
+              return std::make_unique<estimation::LegInertialEstimator>(robot, options, period);
+            }}};
           },
           nb::arg("scenario"), "With the library's, which super().update() then asks.")
       .def(
@@ -114,29 +137,27 @@ void bind_estimator(nb::module_& module) {
           [](Self& self) {
             if (self.library) self.library->restart();
           },
-          "Before an update: forgets all readings so far.");
+          "Forgets all readings so far: called when a controller is made with it, and where the "
+          "robot is set down elsewhere.");
 }
 
 // Planner.
 
-/// `Planner` in Python: a base class that can ask the library's.
-struct BoundPlanner {
-  std::unique_ptr<gaits::MotionPlanner> library;
-};
+/// `Planner` in Python.
+using BoundPlanner = BoundPart<gaits::MotionPlanner>;
 
 class PythonPlanner final : public gaits::MotionPlanner {
  public:
   PythonPlanner(const SharedObject& object, const model::RobotDescription& robot)
       : object_(object), robot_(std::make_shared<Robot>(robot)) {
-    if (BoundPlanner* base = nullptr; nb::try_cast<BoundPlanner*>(*object, base) && base != nullptr)
-      library_ = base->library.get();
+    (void)nb::try_cast<BoundPlanner*>(*object, base_);
   }
 
   const MotionPlan& update(const UserCommand& user, const RobotState& state,
                            const model::Dynamics& dynamics, const HierarchyOutcome& last) override {
     in_python([&] {
-      const nb::object result =
-          (*object_).attr("update")(user, state, NamedDynamics{robot_, dynamics}, last);
+      const nb::object result = (*object_).attr("update")(NamedCommand(user), state,
+                                                          NamedDynamics{robot_, dynamics}, last);
       plan_ = result_of<MotionPlan>(*object_, "update", "MotionPlan", result);
     });
     return plan_;
@@ -144,25 +165,30 @@ class PythonPlanner final : public gaits::MotionPlanner {
   void restart() override {
     in_python([&] { (*object_).attr("restart")(); });
   }
-  int steps_taken() const noexcept override { return library_ ? library_->steps_taken() : 0; }
+  int steps_taken() const noexcept override { return library() ? library()->steps_taken() : 0; }
   void set_friction(double friction) override {
-    library_ ? library_->set_friction(friction) : MotionPlanner::set_friction(friction);
+    library() ? library()->set_friction(friction) : MotionPlanner::set_friction(friction);
   }
   Vec3 terrain_normal(const MotionPlan& last) const noexcept override {
-    return library_ ? library_->terrain_normal(last) : MotionPlanner::terrain_normal(last);
+    return library() ? library()->terrain_normal(last) : MotionPlanner::terrain_normal(last);
   }
-  bool restarts() const noexcept override { return library_ && library_->restarts(); }
+  bool restarts() const noexcept override { return library() && library()->restarts(); }
   bool is_undisturbed(const RobotState& state) const noexcept override {
-    return library_ && library_->is_undisturbed(state);
+    return library() && library()->is_undisturbed(state);
   }
   void tell_calibration_known(bool known) noexcept override {
-    if (library_) library_->tell_calibration_known(known);
+    if (library()) library()->tell_calibration_known(known);
   }
 
  private:
+  /// That of the object; null: it asks none.
+  [[nodiscard]] gaits::MotionPlanner* library() const {
+    return base_ == nullptr ? nullptr : base_->library.get();
+  }
+
   SharedObject object_;
   std::shared_ptr<Robot> robot_;
-  gaits::MotionPlanner* library_ = nullptr;  // of the object
+  BoundPlanner* base_ = nullptr;
   MotionPlan plan_;
 };
 
@@ -199,20 +225,21 @@ void bind_planner(nb::module_& module) {
   using Self = BoundPlanner;
   nb::class_<Self>(module, "Planner",
                    "Plans the motion that the tasks follow. Derive your own and write update(); of "
-                   "what it raises the\ncontroller tells you, holds its posture, then sits down.")
+                   "what it raises the\ncontroller tells you, holds its posture, then sits down.",
+                   nb::type_slots(kNoVectorcall))
       .def(nb::init<>())
       .def(
           "__init__",
           [](Self* self, const config::Scenario& scenario) {
-            const control::ControllerOptions& options = scenario.controller;
-            new (self)
-                Self{gaits::make_planner(options.planner, options.period, scenario.robot.scale,
-                                         options.gaits, options.first_gait)};
+            new (self) Self{[options = scenario.controller, scale = scenario.robot.scale] {
+              return gaits::make_planner(options.planner, options.period, scale, options.gaits,
+                                         options.first_gait);
+            }};
           },
           nb::arg("scenario"), "With the library's, which super().update() then asks.")
       .def(
           "update",
-          [](Self& self, const UserCommand& user, const RobotState& state,
+          [](Self& self, const NamedCommand& user, const RobotState& state,
              const NamedDynamics& dynamics, const HierarchyOutcome& last) {
             if (!self.library)
               throw Error(
@@ -226,7 +253,8 @@ void bind_planner(nb::module_& module) {
           [](Self& self) {
             if (self.library) self.library->restart();
           },
-          "Before an update: forgets all plans, as the robot may stand elsewhere.");
+          "Forgets all plans: called when a controller is made with it, and where the robot may "
+          "stand elsewhere.");
   module.def(
       "standing_plan", &standing_plan, nb::arg("dynamics"), nb::arg("time") = 0.0,
       nb::arg("friction") = 0.5, nb::arg("force_max") = 1000.0,
@@ -353,11 +381,13 @@ void bind_task_tick(nb::module_& module) {
 
 std::unique_ptr<estimation::StateEstimator> own_estimator(const SharedObject& object,
                                                           const model::RobotDescription&) {
+  begin_anew<BoundEstimator>(object);
   return std::make_unique<PythonEstimator>(object);
 }
 
 std::unique_ptr<gaits::MotionPlanner> own_planner(const SharedObject& object,
                                                   const model::RobotDescription& robot) {
+  begin_anew<BoundPlanner>(object);
   const nb::gil_scoped_acquire python;
   return std::make_unique<PythonPlanner>(object, robot);
 }
@@ -365,6 +395,8 @@ std::unique_ptr<gaits::MotionPlanner> own_planner(const SharedObject& object,
 tasks::OwnTasks own_tasks(const nb::list& list) {
   tasks::OwnTasks own;
   for (const nb::handle each : list) {
+    if (!nb::hasattr(each, "rows"))
+      throw Error("own has " + text_of(nb::repr(each)) + "; an OwnTask would be valid");
     const SharedObject object(nb::borrow<nb::object>(each));
     (void)PythonTask(object);  // refuses one without rows
     own.add({.info = {.name = nb::cast<std::string>(each.attr("task")),

@@ -1,19 +1,19 @@
-#include "surefoot/simulation/plant.hpp"
+#include "python/plant.hpp"
 
 #include "python/bindings.hpp"
 #include "python/joint_command.hpp"
 #include "surefoot/base/fields.hpp"
+#include "surefoot/base/formatted.hpp"
 #include "surefoot/base/nearest_name.hpp"
-#include "surefoot/config/scenario.hpp"
+#include "surefoot/closed_loop/change_log.hpp"
 
-#include <nanobind/stl/array.h>
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/string_view.h>
 #include <nanobind/stl/vector.h>
 
 #include <algorithm>
-#include <array>
+#include <cmath>
 #include <optional>
 #include <string>
 #include <variant>
@@ -21,6 +21,12 @@
 
 namespace surefoot::python {
 namespace {
+
+void check_duration(double duration) {
+  if (!(duration > 0.0))
+    throw Error("duration is " + std::to_string(duration) +
+                "; a number of seconds above 0 is valid");
+}
 
 /// Sets a choice of an option by its name.
 void choose(const std::string& key, const std::string& word, Group group) {
@@ -35,68 +41,93 @@ void choose(const std::string& key, const std::string& word, Group group) {
   }
 }
 
-void fail(simulation::Plant& plant, const std::string& sensor, const std::string& kind,
-          double duration, double size, const std::string& element) {
+/// "imu late (3)", "encoders jump (0.1), LF_KFE, for 0.2 s"
+std::string fault_text(const std::string& sensor, const std::string& kind, double duration,
+                       double size, const std::string& element) {
+  return "sensor fault: " + sensor + " " + kind + (size == 0.0 ? "" : formatted(" (%.3g)", size)) +
+         (element.empty() ? "" : ", " + element) +
+         (std::isfinite(duration) ? formatted(", for %.3g s", duration) : "");
+}
+
+void write(BoundPlant& self, const JointCommand& command) {
+  for (Eigen::Index i = 0; i < command.torque.size(); ++i)
+    check_finite(command.torque[i], "torque[" + std::to_string(i) + "]");
+  self.unlocked([&](simulation::Plant& plant) { plant.write(command); });
+  self.changes.end_tick();
+}
+
+void fail(BoundPlant& self, const std::string& sensor, const std::string& kind, double duration,
+          double size, const std::string& element) {
+  check_finite(size, "size");
+  check_duration(duration);
   simulation::SensorFault fault;
-  fault.num_legs = static_cast<int>(plant.truth().feet.size());
+  fault.num_legs = static_cast<int>(self->truth().feet.size());
   choose("sensor", sensor, fields(fault));
   choose("kind", kind, fields(fault));
   fault.duration = duration;
   fault.size = size;
   const bool is_of_feet = fault.sensor == simulation::FaultySensor::foot_force;
   if (!element.empty()) choose(is_of_feet ? "leg" : "joint", element, fields(fault));
-  plant.fail(fault);
+  self->fail(fault);
+  self.changes.add({.time = self->time(),
+                    .kind = "fault",
+                    .text = fault_text(sensor, kind, duration, size, element),
+                    .stack = {},
+                    .duration = duration,
+                    .body = {}},
+                   0);
 }
 
-void push(simulation::Plant& plant, const std::array<double, 3>& force, const std::string& body,
+void push(BoundPlant& self, const std::vector<double>& force, const std::string& body,
           double duration, std::optional<double> time) {
-  for (const double component : force) check_finite(component, "force");
-  if (!(duration > 0.0))
-    throw Error("duration is " + std::to_string(duration) +
-                "; a number of seconds above 0 is valid");
-  plant.push({.body = body,
-              .time = time.value_or(plant.time()),
-              .duration = duration,
-              .force = Vec3(force.data())});
+  simulation::Push push{.body = body, .time = time.value_or(self->time()), .duration = duration};
+  assign(push.force, force, "force", true);
+  check_duration(duration);
+  check_finite(duration, "duration");
+  check_finite(push.time, "time");
+  push.time = std::max(push.time, self->time());
+  self->push(push);
+  if (body.empty()) push.body = self.base();
+  self.changes.add(closed_loop::push_change(push), 0);
 }
 
 }  // namespace
 
 void bind_plant(nb::module_& module) {
-  nb::class_<simulation::Plant>(
-      module, "Plant",
-      "The robot's stand-in: MuJoCo with actuators, sensors, terrain and disturbances.")
-      .def(
-          "__init__",
-          [](simulation::Plant* self, const config::Scenario& scenario) {
-            new (self) simulation::Plant(scenario.robot, scenario.plant);
-          },
-          nb::arg("scenario"), nb::call_guard<nb::gil_scoped_release>())
+  using Self = BoundPlant;
+  nb::class_<Self>(module, "Plant",
+                   "The robot's stand-in: MuJoCo with actuators, sensors, terrain and "
+                   "disturbances. That of a run's Tick ends with the run.",
+                   nb::type_slots(kNoVectorcall))
+      .def(nb::init<const config::Scenario&>(), nb::arg("scenario"),
+           nb::call_guard<nb::gil_scoped_release>())
       .def("__repr__",
-           [](const simulation::Plant& self) {
-             return "<plant after " + std::to_string(self.time()) + " s>";
+           [](const Self& self) {
+             return self.has_ended() ? std::string("<plant of a run that has ended>")
+                                     : "<plant after " + std::to_string(self->time()) + " s>";
            })
-      .def("read", &simulation::Plant::read, nb::rv_policy::copy,
-           "Readings at the current time; the first is there before the first write().")
-      .def("write", &simulation::Plant::write, nb::arg("command"),
-           nb::call_guard<nb::gil_scoped_release>(),
+      .def(
+          "read", [](const Self& self) { return self->read(); },
+          "Readings at the current time; the first is there before the first write().")
+      .def("write", &write, nb::arg("command"),
            "Applies a command and advances the physics by one control period.")
       .def(
           "write",
-          [](simulation::Plant& self, const JointNumbers& torque) {
-            self.write(joint_command(torque));
-          },
-          nb::arg("torque"), nb::call_guard<nb::gil_scoped_release>(),
-          "The same for a torque of each joint [N·m].")
-      .def_prop_ro("time", &simulation::Plant::time, "since the start of the run [s]")
-      .def_prop_ro("truth", &simulation::Plant::truth, nb::rv_policy::copy,
-                   "What really happens, at the current time.")
-      .def_prop_ro("notes", &simulation::Plant::notes, nb::rv_policy::copy, "Lines worth telling.")
+          [](Self& self, const JointNumbers& torque) { write(self, joint_command(torque)); },
+          nb::arg("torque"), "The same for a torque of each joint [N·m].")
+      .def_prop_ro(
+          "time", [](const Self& self) { return self->time(); }, "since the start of the run [s]")
+      .def_prop_ro(
+          "truth", [](const Self& self) { return self->truth(); },
+          "What really happens, at the current time.")
+      .def_prop_ro(
+          "notes", [](const Self& self) { return self->notes(); }, "Lines worth telling.")
       .def("push", &push, nb::arg("force"), nb::arg("body") = "", nb::arg("duration") = 0.1,
            nb::arg("time") = nb::none(),
            "Pushes a link of the URDF, by default the base, with a force [N] along the axes of the "
            "ground, from a time on [s]; without it from now on.")
-      .def_prop_ro("bodies", &simulation::Plant::bodies, "links that can be pushed")
+      .def_prop_ro(
+          "bodies", [](const Self& self) { return self->bodies(); }, "links that can be pushed")
       .def("fail", &fail, nb::arg("sensor"), nb::arg("kind") = "stops",
            nb::arg("duration") = kInfinity, nb::arg("size") = 0.0, nb::arg("element") = "",
            nb::sig(
@@ -108,10 +139,18 @@ void bind_plant(nb::module_& module) {
            "`size`, "
            "late samples come\n`size` ticks later, scaled ones are multiplied by `size`.\n"
            "element: a joint, as LF_KFE, or the leg of a foot sensor; without it all.")
-      .def("terrain_height", &simulation::Plant::terrain_height, nb::arg("x"), nb::arg("y"),
-           "Height of the terrain under a point [m]; NaN where there is none.")
-      .def("model_xml", &simulation::Plant::model_xml,
-           "The physics model as MJCF text, for MuJoCo's own tools.");
+      .def(
+          "terrain_height",
+          [](const Self& self, double x, double y) {
+            check_finite(x, "x");
+            check_finite(y, "y");
+            return self->terrain_height(x, y);
+          },
+          nb::arg("x"), nb::arg("y"),
+          "Height of the terrain under a point [m]; NaN where there is none.")
+      .def(
+          "model_xml", [](const Self& self) { return self->model_xml(); },
+          "The physics model as MJCF text, for MuJoCo's own tools.");
 }
 
 }  // namespace surefoot::python

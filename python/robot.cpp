@@ -233,13 +233,11 @@ void bind_robot(nb::module_& module) {
   bind_dynamics(module);
   using Self = Robot;
   nb::class_<Self> robot(module, "Robot",
-                         "A robot: what its URDF and its robot file say, and its dynamics.");
+                         "A robot: what its URDF and its robot file say, and its dynamics.",
+                         nb::type_slots(kNoVectorcall));
   robot
       .def(
-          nb::new_([](const std::string& name_or_path) {
-            return std::make_shared<Robot>(name_or_path);
-          }),
-          nb::arg("name_or_path"),
+          nb::init<const std::string&>(), nb::arg("name_or_path"),
           "By the name of a robot that ships, or as a path of a robot file (.yaml), a URDF (.urdf) "
           "or an MJCF (.xml).\nOf the latter two, what the doctor guesses stands in for what they "
           "lack: see doctor().")

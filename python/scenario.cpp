@@ -1,4 +1,5 @@
 #include "python/bindings.hpp"
+#include "python/named_command.hpp"
 #include "python/numbers.hpp"
 #include "python/parts.hpp"
 #include "python/robot.hpp"
@@ -53,7 +54,8 @@ nb::typed<nb::dict, std::string, std::string> scenarios() {
 
 void bind_scenario(nb::module_& module) {
   nb::class_<config::Scenario>(module, "Scenario",
-                               "An experiment, complete: everything that a run is made from.")
+                               "An experiment, complete: everything that a run is made from.",
+                               nb::type_slots(kNoVectorcall))
       .def("__repr__",
            [](const config::Scenario& self) {
              return "<scenario " + self.name + " of " + self.robot.name + ", seed " +
@@ -84,26 +86,32 @@ void bind_scenario(nb::module_& module) {
             for (const gaits::NamedGait& gait : self.controller.gaits) names.push_back(gait.name);
             return names;
           },
-          "names of those that a command may change to; UserCommand.gait counts them from 0")
+          "names of those that a command may change to, for UserCommand.gait")
       .def_prop_ro("arms", &arm_names, "their names; ReachCommand.arm counts them from 0")
       .def_prop_ro(
           "torque_limit",
           [](nb::handle_t<config::Scenario> self) {
-            JointVector& limit = nb::inst_ptr<config::Scenario>(self)->robot.torque_limit;
-            return View<-1>(limit.data(), {static_cast<std::size_t>(limit.size())}, self);
+            const JointVector& limit = nb::inst_ptr<config::Scenario>(self)->robot.torque_limit;
+            return nb::ndarray<nb::numpy, const double, nb::shape<-1>>(
+                limit.data(), {static_cast<std::size_t>(limit.size())}, self);
           },
           "|torque| ≤ limit [N·m], shape (number of joints,)")
       .def_prop_ro("drawn", &drawn, "what the seed chose: path → value")
       .def_ro("options_json", &config::Scenario::options_json,
               "the whole scenario as it was read, assignments and draws included")
-      .def("user", &config::Scenario::user, nb::arg("time"), nb::rv_policy::copy,
-           "The operator's command at a time [s].");
+      .def(
+          "user",
+          [](const config::Scenario& self, double time) {
+            check_finite(time, "time");
+            return NamedCommand(self.user(time));
+          },
+          nb::arg("time"), "The operator's command at a time [s].");
 
   module.def(
       "read_scenario", &load, nb::arg("name"), nb::arg("seed") = 0,
       nb::arg("set") = std::vector<std::string>(), nb::arg("own") = nb::list(),
       nb::sig("def read_scenario(name: str, seed: int = 0, set: typing.Sequence[str] = (), own: "
-              "typing.Sequence[typing.Any] = ()) -> Scenario"),
+              "list[typing.Any] = []) -> Scenario"),
       "Reads a scenario, by its name or as a path that ends in .yaml.\n\n"
       "seed: 0 is the nominal run; any other draws what `randomise:` lists.\n"
       "set: \"path.to.key=value\", laid over the file.\n"

@@ -1,16 +1,18 @@
 #include "python/bindings.hpp"
 #include "python/field_properties.hpp"
 #include "python/joint_command.hpp"
+#include "python/named_command.hpp"
 #include "surefoot/signals/plan_event.hpp"
 #include "surefoot/signals/tick_context.hpp"
 
-#include <nanobind/stl/array.h>
 #include <nanobind/stl/optional.h>
+#include <nanobind/stl/variant.h>
 #include <nanobind/stl/vector.h>
 
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <variant>
 
 namespace surefoot::python {
 
@@ -37,6 +39,19 @@ RobotState robot_state(int num_joints, int num_legs) {
   state.size_legs(num_legs);
   state.foot_force = per_leg<Vec3>(Vec3::Constant(kNaN), num_legs);
   return state;
+}
+
+using Gait = std::variant<int, std::string>;
+
+Gait gait_of(const NamedCommand& self) {
+  if (self.gait_name.empty()) return self.gait;
+  return self.gait_name;
+}
+
+void set_gait(NamedCommand& self, const Gait& gait) {
+  const int* place = std::get_if<int>(&gait);
+  self.gait = place == nullptr ? UserCommand::kOwnGait : *place;
+  self.gait_name = place == nullptr ? std::get<std::string>(gait) : "";
 }
 
 void bind_context(nb::module_& module) {
@@ -84,42 +99,48 @@ void bind_signals(nb::module_& module) {
                        "stays -1.")
       .def(
           "__init__",
-          [](ReachCommand* self, int arm, std::array<double, 3> position, bool in_world,
-             std::optional<std::array<double, 3>> orientation, int frame) {
-            new (self) ReachCommand{.arm = arm,
-                                    .in_world = in_world,
-                                    .position = Vec3(position.data()),
-                                    .frame = frame};
-            if (orientation) self->orientation = Vec3(orientation->data());
+          [](ReachCommand* self, int arm, const std::vector<double>& position, bool in_world,
+             const std::optional<std::vector<double>>& orientation, int frame) {
+            ReachCommand command{.arm = arm, .in_world = in_world, .frame = frame};
+            assign(command.position, position, "position", true);
+            if (orientation) assign(command.orientation, *orientation, "orientation", false);
+            new (self) ReachCommand(command);
           },
-          nb::arg("arm") = -1, nb::arg("position") = std::array<double, 3>{},
+          nb::arg("arm") = -1, nb::arg("position") = std::vector<double>(3),
           nb::arg("in_world") = false, nb::arg("orientation") = nb::none(), nb::arg("frame") = -1,
           "frame: instead of an arm, its place in robot.frames; it stays there when other commands "
           "follow.");
 
-  signal<UserCommand>(module, "UserCommand", "What the operator asks for.")
-      .def(
-          "__init__",
-          [](UserCommand* self, bool walk, const std::vector<double>& velocity, double yaw_rate,
-             double height, bool calibrate, const ReachCommand& reach,
-             const std::vector<double>& shift, int gait) {
-            UserCommand command{.walk = walk,
-                                .yaw_rate = yaw_rate,
-                                .height = height,
-                                .calibrate = calibrate,
-                                .reach = reach,
-                                .gait = gait};
-            assign(command.velocity, velocity, "velocity", true);
-            assign(command.shift, shift, "shift", true);
-            check_finite(yaw_rate, "yaw_rate");
-            check_finite(height, "height");
-            new (self) UserCommand(command);
-          },
-          nb::arg("walk") = false, nb::arg("velocity") = std::vector<double>(2),
-          nb::arg("yaw_rate") = 0.0, nb::arg("height") = 0.0, nb::arg("calibrate") = false,
-          nb::arg("reach").sig("ReachCommand()") = ReachCommand(),
-          nb::arg("shift") = std::vector<double>(2), nb::arg("gait") = UserCommand::kOwnGait,
-          "gait: its place in scenario.gaits; -1: the scenario's own, -2: by the speed.");
+  nb::class_<NamedCommand> user =
+      signal<NamedCommand, UserCommand>(module, "UserCommand", "What the operator asks for.")
+          .def(
+              "__init__",
+              [](NamedCommand* self, bool walk, const std::vector<double>& velocity,
+                 double yaw_rate, double height, bool calibrate, const ReachCommand& reach,
+                 const std::vector<double>& shift, const Gait& gait) {
+                NamedCommand command(UserCommand{.walk = walk,
+                                                 .yaw_rate = yaw_rate,
+                                                 .height = height,
+                                                 .calibrate = calibrate,
+                                                 .reach = reach});
+                assign(command.velocity, velocity, "velocity", true);
+                assign(command.shift, shift, "shift", true);
+                check_finite(yaw_rate, "yaw_rate");
+                check_finite(height, "height");
+                set_gait(command, gait);
+                new (self) NamedCommand(command);
+              },
+              nb::arg("walk") = false, nb::arg("velocity") = std::vector<double>(2),
+              nb::arg("yaw_rate") = 0.0, nb::arg("height") = 0.0, nb::arg("calibrate") = false,
+              nb::arg("reach").sig("ReachCommand()") = ReachCommand(),
+              nb::arg("shift") = std::vector<double>(2), nb::arg("gait") = UserCommand::kOwnGait,
+              "gait: one of scenario.gaits, by its name or its place, or \"auto\": by the speed; "
+              "-1: "
+              "the scenario's own.");
+  user.def_prop_rw(
+      "gait", &gait_of, &set_gait, nb::for_getter(nb::sig("def gait(self) -> int | str")),
+      "one of scenario.gaits, by its name or its place, or \"auto\"; -1: the scenario's own. A "
+      "controller refuses one that its scenario has not.");
 
   signal<JointCommand>(module, "JointCommand", "Torques for the actuators at one tick.")
       .def(

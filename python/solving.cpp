@@ -1,5 +1,6 @@
 #include "python/bindings.hpp"
 #include "python/explanation.hpp"
+#include "python/lent.hpp"
 #include "python/level_dict.hpp"
 #include "python/level_outcome.hpp"
 #include "python/numbers.hpp"
@@ -13,8 +14,10 @@
 #include "surefoot/solver/extra_rows.hpp"
 #include "surefoot/solver/lexicographic_solver.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -36,13 +39,15 @@ struct NamedSolution {
 
 void append(const Block& block, solver::Level& level, std::vector<std::string>& row_names,
             std::vector<double>& weights) {
-  solver::Rows rows = level.add(block.A.rows(), static_cast<int>(level.num_rows()));
-  rows.A = block.A;
-  rows.lower = block.lower;
-  rows.upper = block.upper;
   for (Eigen::Index i = 0; i < block.A.rows(); ++i) {
-    rows.weigh(i, block.weights[i]);
-    row_names.push_back(block.names[static_cast<std::size_t>(i)]);
+    const auto k = static_cast<std::size_t>(i);
+    const int place = static_cast<int>(level.num_rows());
+    solver::Rows row = level.add(1, block.ids.empty() ? place : block.ids[k]);
+    row.A = block.A.row(i);
+    row.lower[0] = block.lower[i];
+    row.upper[0] = block.upper[i];
+    row.weigh(0, block.weights[i]);
+    row_names.push_back(block.names[k]);
     weights.push_back(block.weights[i]);
   }
 }
@@ -191,11 +196,8 @@ void tell_certificates(NamedSolution& result) {
   result.verdict = std::string(name(worst));
 }
 
-NamedSolution solve_levels(const nb::list& levels, const nb::object& x_ref,
-                           const std::string& method, double budget, bool is_certified) {
-  check_method(method, budget);
-  config::NamedHierarchy question = read_hierarchy(levels, x_ref);
-  solver::Solution solution = solve(question.hierarchy, method, budget);
+NamedSolution answer(config::NamedHierarchy question, solver::Solution solution, double budget,
+                     bool is_certified) {
   if (solution.status == solver::SolveStatus::invalid_input) {
     throw Error(
         "the answer is beyond the range of doubles; expected rows and bounds of similar size");
@@ -209,6 +211,62 @@ NamedSolution solve_levels(const nb::list& levels, const nb::object& x_ref,
   if (is_certified) tell_certificates(result);
   return result;
 }
+
+NamedSolution solve_levels(const nb::list& levels, const nb::object& x_ref,
+                           const std::string& method, double budget, bool is_certified) {
+  check_method(method, budget);
+  config::NamedHierarchy question = read_hierarchy(levels, x_ref);
+  solver::Solution solution = solve(question.hierarchy, method, budget);
+  return answer(std::move(question), std::move(solution), budget, is_certified);
+}
+
+/// The controller's solver, kept over ticks; `HierarchicalSolver` in Python.
+class WarmSolver {
+ public:
+  explicit WarmSolver(double budget) : budget_(budget) {
+    check_method(std::string(name(control::SolverMethod::lexicographic)), budget);
+  }
+
+  NamedSolution solve(const nb::list& levels, const nb::object& x_ref, bool is_certified) {
+    config::NamedHierarchy question = read_hierarchy(levels, x_ref);
+    if (!fits(question.hierarchy)) make_room(question.hierarchy);
+    solver_->unlocked(
+        [&](solver::LexicographicSolver& solver) { solver.solve(question.hierarchy); });
+    return answer(std::move(question), (*solver_)->solution(), budget_, is_certified);
+  }
+  void forget() {
+    if (solver_) (*solver_)->forget();
+  }
+  [[nodiscard]] int num_sweeps() const { return solver_ ? (*solver_)->num_sweeps() : 0; }
+
+ private:
+  [[nodiscard]] bool fits(const solver::Hierarchy& hierarchy) const {
+    bool is_enough = hierarchy.unknowns() == capacity_.unknowns() &&
+                     hierarchy.num_levels() <= capacity_.num_levels();
+    for (std::size_t k = 0; is_enough && k < hierarchy.num_levels(); ++k)
+      is_enough = hierarchy.level(k).num_rows() <= capacity_.level(k).max_rows();
+    return is_enough;
+  }
+  /// The next solve begins cold.
+  void make_room(const solver::Hierarchy& hierarchy) {
+    solver::Hierarchy capacity(hierarchy.unknowns());
+    for (std::size_t k = 0; k < std::max(hierarchy.num_levels(), capacity_.num_levels()); ++k) {
+      const auto rows = [k](const solver::Hierarchy& of) {
+        return k < of.num_levels() ? of.level(k).max_rows() : 0;
+      };
+      capacity.add_level("", std::max(rows(hierarchy), rows(capacity_)));
+    }
+    capacity_ = std::move(capacity);
+    solver::LexicographicOptions options;
+    options.budget.flops = budget_;
+    options.clock = runtime::steady_seconds;
+    solver_.emplace(std::make_unique<solver::LexicographicSolver>(capacity_, options), "solver");
+  }
+
+  double budget_;  // [flops]
+  solver::Hierarchy capacity_{0};
+  std::optional<Lent<solver::LexicographicSolver>> solver_;
+};
 
 Explanation explained(const NamedSolution& solved) {
   const nb::gil_scoped_release others_may_run;
@@ -253,6 +311,28 @@ void bind_solving(nb::module_& module) {
       .def("__repr__", [](nb::handle_t<NamedSolution> self) {
         return nb::str("Solution({!r}, x={}, levels={})")
             .format(self.attr("status"), self.attr("x"), self.attr("levels"));
+      });
+
+  using Warm = WarmSolver;
+  nb::class_<Warm>(module, "HierarchicalSolver",
+                   "The controller's solver, kept over ticks: each solve begins with the active "
+                   "rows of the last,\nfound by the name of their level and their place or id "
+                   "(A_ids, D_ids). The answer is that of solve();\nonly the time differs.",
+                   nb::type_slots(kNoVectorcall))
+      .def(nb::init<double>(), nb::arg("budget") = std::numeric_limits<double>::infinity(),
+           "budget: of each solve, as for solve().")
+      .def("solve", &Warm::solve, nb::arg("levels"), nb::kw_only(), nb::arg("x_ref") = nb::none(),
+           nb::arg("certify") = false,
+           nb::sig("def solve(self, levels: list[dict[str, typing.Any]], *, x_ref: list[float] | "
+                   "None = None, certify: bool = False) -> Solution"),
+           "A tick: levels, x_ref and certify as for surefoot.solve(), weights of rows and damping "
+           "included.")
+      .def("forget", &Warm::forget, "The next solve begins without a guess.")
+      .def_prop_ro("num_sweeps", &Warm::num_sweeps,
+                   "of the last solve, over all levels: 1 where the guess was right")
+      .def("__repr__", [](const Warm& self) {
+        return "<hierarchical solver, " + std::to_string(self.num_sweeps()) +
+               " sweeps in the last solve>";
       });
 
   module.def(

@@ -101,7 +101,7 @@ void bind_stack(nb::module_& module) {
       },
       nb::arg("text"), nb::arg("name"), nb::arg("robot") = nb::none(), nb::arg("own") = nb::list(),
       nb::sig((std::string("def parse_stack(text: str, name: str, robot: Robot | None = None, own: "
-                           "typing.Sequence[typing.Any] = ()) ") +
+                           "list[typing.Any] = []) ") +
                levels)
                   .c_str()),
       "The same for a stack file's text, with every parameter. Raises Error on what is wrong.");

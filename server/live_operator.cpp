@@ -3,6 +3,7 @@
 #include "server/view_tasks.hpp"
 #include "surefoot/base/error.hpp"
 #include "surefoot/base/nearest_name.hpp"
+#include "surefoot/config/loaded_gaits.hpp"
 #include "surefoot/config/stack_text.hpp"
 #include "surefoot/tasks/catalog.hpp"
 
@@ -14,8 +15,6 @@ namespace surefoot::server {
 namespace {
 
 using Type = ViewCommandType;
-
-constexpr const char* kAuto = "auto";  // the speed decides
 
 template <typename... Parts>
 std::string text(const Parts&... parts) {
@@ -71,29 +70,18 @@ LiveOperator::LiveOperator(const config::Scenario& scenario, ViewLimits limits)
       reach_(control::reach_of(model::RobotModel(scenario.robot))),
       first_gait_(scenario.controller.first_gait) {
   wishes_.control = scenario_control_;
-  bool has_choice = false;
-  for (const gaits::NamedGait& gait : scenario.controller.gaits) {
-    gaits_.push_back(gait.name);
-    has_choice = has_choice || gait.options.rhythm.chosen_to > 0.0;
-  }
-  if (has_choice) gaits_.emplace_back(kAuto);
+  gaits_ = config::gait_names(scenario.controller.gaits);
 }
 
 std::string LiveOperator::gait_name(int gait) const {
   if (gait == UserCommand::kOwnGait) gait = first_gait_;
-  if (gait == UserCommand::kAutoGait) return kAuto;
+  if (gait == UserCommand::kAutoGait) return config::kAutoGait;
   return gait < 0 ? "" : gaits_[static_cast<std::size_t>(gait)];
 }
 
 int LiveOperator::gait(const std::string& name) const {
   if (name.empty()) return wishes_.walk ? wishes_.walk->gait : UserCommand::kOwnGait;
-  const auto found = std::ranges::find(gaits_, name);
-  if (found == gaits_.end()) {
-    throw Error(
-        "unknown gait \"" + name + "\"; " +
-        (gaits_.empty() ? "the scenario's `gaits:` names none" : valid_names(name, gaits_)));
-  }
-  return name == kAuto ? UserCommand::kAutoGait : static_cast<int>(found - gaits_.begin());
+  return config::gait_place(name, gaits_);
 }
 
 std::string LiveOperator::command(const ViewCommand& command) {

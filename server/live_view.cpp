@@ -3,6 +3,7 @@
 #include "server/view_tasks.hpp"
 #include "surefoot/base/error.hpp"
 #include "surefoot/base/formatted.hpp"
+#include "surefoot/closed_loop/change_log.hpp"
 #include "surefoot/config/stack_text.hpp"
 #include "surefoot/logging/hierarchy_status.hpp"
 
@@ -16,14 +17,6 @@ namespace {
 constexpr std::chrono::milliseconds kNap{4};       // while paused or waiting
 constexpr std::chrono::milliseconds kLongest{20};  // sleep before the wishes are checked again
 constexpr double kFade = 0.3;                      // blend between stacks [s]
-
-std::string vector_text(const Vec3& v) {
-  return formatted("(%.3g, %.3g, %.3g)", v.x(), v.y(), v.z());
-}
-
-std::string push_text(const simulation::Push& push) {
-  return formatted("push of %.3g N·s at ", push.force.norm() * push.duration) + push.body;
-}
 
 /// After a refused state the calibration is unknown and taken to continue.
 bool calibrates(const TickRecord& tick) {
@@ -86,7 +79,7 @@ closed_loop::RunOrder LiveView::before_tick(double time) {
     std::this_thread::sleep_until(std::min(due, now + kLongest));
   }
   if (steps_ > 0) --steps_;
-  begin_pushes(time);
+  begin_pushes();
   take_control(time);
   take_walk(time);
   return closed_loop::RunOrder::tick;
@@ -126,17 +119,10 @@ void LiveView::book(const simulation::Push& wanted, double time) {
   pushes_.push_back(booked_.back());
 }
 
-void LiveView::begin_pushes(double time) {
+void LiveView::begin_pushes() {
   for (const simulation::Push& push : booked_) {
     parts_->plant.push(push);
-    keep({.time = time,
-          .kind = "push",
-          .text = push_text(push) + ", force " + vector_text(push.force) +
-                  formatted(" N for %.3g s", push.duration),
-          .stack = {},
-          .duration = push.duration,
-          .body = push.body,
-          .force = push.force});
+    keep(closed_loop::push_change(push));
   }
   booked_.clear();
 }

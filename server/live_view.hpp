@@ -37,7 +37,7 @@ class LiveView final : public closed_loop::RunSteering {
   void take_control(double time);
   void take_walk(double time);
   void book(const simulation::Push& push, double time);
-  void begin_pushes(double time);
+  void begin_pushes();
   [[nodiscard]] bool change_stack(const std::string& text, double time);
   void keep(logged::Change change);
 

@@ -27,6 +27,10 @@ except ImportError as error:
 if _trouble := _installation.two_versions():
     raise ImportError(_trouble)
 
+from surefoot import _arguments as _arguments
+
+_arguments.tell()
+
 from surefoot._core import *
 from surefoot import tasks as tasks
 from surefoot._errors import told_as_error as _told_as_error
@@ -57,12 +61,13 @@ def _find_program() -> None:
             _os.environ.setdefault("SUREFOOT_PROGRAM", str(program))
 
 
+@_arguments.checked
 def read(path: "str | _os.PathLike[str]") -> "Recorded":
     """Reads the log of a run: `read("run.mcap")["state.p_WB.x"]` is a NumPy array. A topic is read when something of it is asked for."""
     from surefoot_log.recorded import Recorded
 
     with _told_as_error():
-        return Recorded(path)
+        return _arguments.checked(Recorded)(path)
 
 
 _find_program()

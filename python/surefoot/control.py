@@ -2,18 +2,21 @@
 
 from __future__ import annotations
 
+import json
 import os
 import pathlib
 import tempfile
 from collections.abc import Sequence
 
 from surefoot import _core
+from surefoot._arguments import checked
 from surefoot._core import Error, Estimator, Planner, Plant, Robot, Scenario
 from surefoot.stack import Stack, registered_tasks
 
 PLAIN = "walk_flat"  # whose options a controller of a robot alone has
 
 
+@checked
 def load_scenario(
     name: str | os.PathLike[str],
     seed: int = 0,
@@ -28,8 +31,6 @@ def load_scenario(
     set: "path.to.key=value", laid over the file; `surefoot list options` has all keys.
     robot, stack: others than the file's.
     Raises Error, naming file, line and key, on everything that is unknown or out of range."""
-    if isinstance(set, str):
-        raise Error(f"set is the text {set!r}; a list of texts, [{set!r}], would be valid")
     words = list(set)
     if robot is not None:
         robot = Robot(robot) if isinstance(robot, str) else robot
@@ -50,6 +51,7 @@ def robot_of(name: str | os.PathLike[str], seed: int, words: list[str]) -> Robot
     return _core.read_scenario(os.fspath(name), seed, words, registered_tasks()).robot_model
 
 
+@checked
 class Controller(_core.ControllerBase):
     """The whole-body controller: one step() a tick, 400 times a second, turns sensor readings into joint torques.
 
@@ -78,6 +80,7 @@ class Controller(_core.ControllerBase):
 
     def set_stack(self, stack: Stack | str, duration: float = 0.3) -> bool:
         """Between two ticks: another stack with the same levels, in any order and with any gains. The torques fade to the new ones over
-        `duration` [s]. False, and without effect, during another change."""
+        `duration` [s]. False, and without effect, during another change. The scenario's `tasks:` hold for it, but for what you give yourself."""
         made = stack if isinstance(stack, Stack) else Stack(stack)
-        return self.set_stack_text(made.text(self.scenario.robot_model), made.name, duration, made.own_tasks)
+        changed = json.loads(self.scenario.options_json).get("tasks") or {}
+        return self.set_stack_text(made.text(self.scenario.robot_model, changed), made.name, duration, made.own_tasks)

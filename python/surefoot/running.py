@@ -7,6 +7,7 @@ import io
 import json
 import os
 import pathlib
+import re
 import tempfile
 from collections.abc import Callable, Mapping, Sequence
 from types import SimpleNamespace
@@ -14,6 +15,7 @@ from typing import TYPE_CHECKING, Any
 
 from surefoot import _core
 from surefoot._core import Error, Estimator, Planner, Result, Robot, Scenario, Tick
+from surefoot._arguments import checked
 from surefoot._errors import told_as_error
 from surefoot.control import load_scenario
 from surefoot.stack import Stack
@@ -22,6 +24,7 @@ if TYPE_CHECKING:
     import pyarrow as pa
 
 
+@checked
 def run(
     scenario: Scenario | str,
     *,
@@ -89,6 +92,7 @@ def data_frame(table: pa.Table) -> Any:
         raise ModuleNotFoundError(f"{error.name} is not installed: `pip install {error.name}`, or use `.table`, which needs no pandas") from None
 
 
+@checked
 def campaign(spec: str | os.PathLike[str] | Mapping[str, Any], *, out: str | os.PathLike[str] | None = None, jobs: int | None = None) -> Campaign:
     """Runs a grid of scenario parameters times seeds, each run in a process of its own, as `surefoot campaign` does.
 
@@ -97,15 +101,22 @@ def campaign(spec: str | os.PathLike[str] | Mapping[str, Any], *, out: str | os.
     """
     from surefoot_campaign.cli import make_campaign
     from surefoot_campaign.command_line import WRONG_INPUT
+    from surefoot_campaign.errors import InputError
     from surefoot_campaign.plan import make_plan
     from surefoot_campaign.program import Program
     from surefoot_campaign.spec import load_spec
 
+    if jobs is not None and jobs < 1:
+        raise Error(f"jobs is {jobs}; a whole number above 0 would be valid")
     with told_as_error(), tempfile.TemporaryDirectory(prefix="surefoot_") as folder:
         path = pathlib.Path(spec) if not isinstance(spec, Mapping) else pathlib.Path(folder) / f"{spec.get('name', 'campaign')}.yaml"
         if isinstance(spec, Mapping):
             path.write_text(json.dumps(dict(spec)))  # JSON is YAML
-        loaded, program, workers = load_spec(path), Program(), jobs or len(os.sched_getaffinity(0))
+        try:
+            loaded = load_spec(path)
+        except InputError as error:
+            raise Error(re.sub(re.escape(str(path)) + r"(:\d+)?", "spec", str(error)) if isinstance(spec, Mapping) else str(error)) from None
+        program, workers = Program(), jobs or len(os.sched_getaffinity(0))
         place = pathlib.Path(out or pathlib.Path("results") / loaded.name)
         arguments = SimpleNamespace(scheduler="local", jobs=workers, retry=False, no_plots=True, json=True)
         with contextlib.redirect_stdout(io.StringIO()):

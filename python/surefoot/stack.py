@@ -7,13 +7,14 @@ import json
 import os
 import pathlib
 import re
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy.typing as npt
 
 from surefoot import _core
+from surefoot._arguments import checked
 from surefoot._core import Error, Robot, TaskTick, UnknownNameError
 
 
@@ -22,6 +23,7 @@ _registered: dict[str, OwnTask] = {}
 Rows = tuple[npt.ArrayLike, npt.ArrayLike] | tuple[npt.ArrayLike, npt.ArrayLike, npt.ArrayLike]
 
 
+@checked
 class Task:
     """One objective or limit of a stack. Those of the library are in `surefoot.tasks`; derive OwnTask for one of your own.
 
@@ -39,6 +41,7 @@ class Task:
         return f"Task({', '.join(words + [f'{key}={value!r}' for key, value in self.parameters.items()])})"
 
 
+@checked
 class OwnTask(Task):
     """A task of your own, written in Python; the same semantics as those of the library, and slower by some tens of microseconds.
 
@@ -57,11 +60,13 @@ class OwnTask(Task):
 
     def __init__(self, name: str, *, weight: float = 1.0) -> None:
         super().__init__(name, name, weight=weight)
+        if type(self).rows is OwnTask.rows:
+            raise Error(f"{type(self).__name__} has no rows(self, tick); a method that returns (A, b), (A, lower, upper) or None would be valid")
 
     def rows(self, tick: TaskTick) -> Rows | None:
         """The rows of a tick, lower ≤ A x ≤ upper over x = (u̇, τ): (A, lower, upper), (A, b) for A x = b, or None for
         none. A has a column for each acceleration, or for each of tick.unknowns with the torques."""
-        raise NotImplementedError(f"{type(self).__name__} has no rows(); write it")
+        raise NotImplementedError
 
 
 def register_task(task: OwnTask) -> None:
@@ -95,6 +100,7 @@ def check_name(name: str) -> None:
         raise Error(f"{name!r} is no name of a level; a text without quotes, brackets, colons and commas is valid")
 
 
+@checked
 @dataclass(frozen=True)
 class StackLevel:
     """A level of a stack: its name and its tasks, which share it by their weights. damping d adds the rows d x = 0 for singularities."""
@@ -125,11 +131,7 @@ Step = Callable[[list[StackLevel]], list[StackLevel]]
 
 
 def as_level(given: Task | StackLevel) -> StackLevel:
-    if isinstance(given, StackLevel):
-        return given
-    if isinstance(given, Task):
-        return StackLevel(given.name, (given,))
-    raise Error(f"{given!r} is neither a task nor a level; surefoot.tasks.ComXy(kp=300) or surefoot.StackLevel(name, [tasks]) would be valid")
+    return given if isinstance(given, StackLevel) else StackLevel(given.name, (given,))
 
 
 def place_of(levels: Sequence[StackLevel], name: str) -> int:
@@ -141,6 +143,7 @@ def place_of(levels: Sequence[StackLevel], name: str) -> int:
     return names.index(name)
 
 
+@checked
 class Stack:
     """A strict hierarchy, highest priority first: `Stack("terrain_adaptation")`, or one that begins empty. What changes it returns another stack:
 
@@ -157,10 +160,10 @@ class Stack:
         check_name(self.name)
         self.levels()
 
-    def levels(self, robot: Robot | None = None) -> list[StackLevel]:
-        """With the numbers of the base for this robot; without one for ANYmal B."""
+    def levels(self, robot: Robot | None = None, changed: Mapping[str, Mapping[str, float | str]] = {}) -> list[StackLevel]:
+        """With the numbers of the base for this robot; without one for ANYmal B. changed: parameters of the base's tasks, as a scenario's `tasks:`."""
         found = [] if self._base is None else _core.stack_levels(self._base, robot, own=registered_tasks())
-        levels = [StackLevel(name, tuple(Task(task, name, weight=weight, **parameters) for task, weight, parameters in tasks), damping)
+        levels = [StackLevel(name, tuple(Task(task, name, weight=weight, **(parameters | dict(changed.get(task, {})))) for task, weight, parameters in tasks), damping)
                   for name, damping, tasks in found]  # fmt: skip
         for step in self._steps:
             levels = step(levels)
@@ -228,9 +231,9 @@ class Stack:
             made = made._with(lambda levels, name=name, weight=weight: weighed(levels, name, weight))  # type: ignore[misc]
         return made._with(list, weighted_from=level)
 
-    def text(self, robot: Robot | None = None) -> str:
-        """As a stack file (stacks/*.yaml), complete in itself, for this robot."""
-        lines = [f"name: {self.name}", "levels:", *(f"  - {yaml_of(level)}" for level in self.levels(robot))]
+    def text(self, robot: Robot | None = None, changed: Mapping[str, Mapping[str, float | str]] = {}) -> str:
+        """As a stack file (stacks/*.yaml), complete in itself, for this robot. changed: as for levels()."""
+        lines = [f"name: {self.name}", "levels:", *(f"  - {yaml_of(level)}" for level in self.levels(robot, changed))]
         return "\n".join(lines + [f"weighted_from: {self._weighted_from}"] * (self._weighted_from is not None)) + "\n"
 
     def write(self, path: str | os.PathLike[str]) -> None:

@@ -5,7 +5,6 @@ from __future__ import annotations
 import os
 import pathlib
 from collections.abc import Iterator
-from contextlib import contextmanager
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
@@ -13,7 +12,8 @@ import numpy as np
 import numpy.typing as npt
 import pyarrow as pa
 
-from surefoot_campaign.errors import InputError, valid_names
+from surefoot._errors import told_as_error
+from surefoot_campaign.errors import valid_names
 from surefoot_log.figures import figure_of
 from surefoot_log.log_file import LogFile
 from surefoot_log.table import Table
@@ -26,16 +26,6 @@ if TYPE_CHECKING:
 Array = npt.NDArray[Any]
 ERRORS = ["com", "height", "base", "heading"]  # of /alignment
 KEPT = 1 << 28  # bytes: of a larger topic only the channels asked for stay in memory
-
-
-@contextmanager
-def told_as_error() -> Iterator[None]:
-    from surefoot import Error
-
-    try:
-        yield
-    except InputError as error:
-        raise Error(str(error)) from None
 
 
 class Recorded:

@@ -1,9 +1,23 @@
 #include "surefoot/closed_loop/change_log.hpp"
 
+#include "surefoot/base/formatted.hpp"
 #include "surefoot/closed_loop/run_log.hpp"
 #include "surefoot/logging/message_codec.hpp"
 
 namespace surefoot::closed_loop {
+
+logged::Change push_change(const simulation::Push& push) {
+  const Vec3& force = push.force;
+  return {.time = push.time,
+          .kind = "push",
+          .text = formatted("push of %.3g N·s at ", force.norm() * push.duration) + push.body +
+                  formatted(", force (%.3g, %.3g, %.3g) N for %.3g s", force.x(), force.y(),
+                            force.z(), push.duration),
+          .stack = {},
+          .duration = push.duration,
+          .body = push.body,
+          .force = force};
+}
 
 ChangeLog::ChangeLog(logging::Recorder& recorder)
     : recorder_(recorder),

@@ -3,8 +3,12 @@
 #include "surefoot/control/controller.hpp"
 #include "surefoot/logging/message_fields.hpp"
 #include "surefoot/logging/recorder.hpp"
+#include "surefoot/simulation/plant_options.hpp"
 
 namespace surefoot::closed_loop {
+
+/// A push from outside, as a change at its start.
+[[nodiscard]] logged::Change push_change(const simulation::Push& push);
 
 /// The log's channel `/changes`: what was changed from outside between two ticks.
 class ChangeLog {

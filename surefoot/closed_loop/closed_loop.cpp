@@ -1,14 +1,13 @@
 #include "surefoot/closed_loop/closed_loop.hpp"
 
 #include "surefoot/base/build_info.hpp"
-#include "surefoot/base/formatted.hpp"
 #include "surefoot/closed_loop/change_log.hpp"
 #include "surefoot/closed_loop/goal_watch.hpp"
 #include "surefoot/closed_loop/run_log.hpp"
+#include "surefoot/closed_loop/stop_watch.hpp"
 #include "surefoot/evaluation/evaluator.hpp"
 #include "surefoot/evaluation/torque_hash.hpp"
 #include "surefoot/evaluation/truth_log.hpp"
-#include "surefoot/logging/stop_text.hpp"
 #include "surefoot/runtime/stage_timer.hpp"
 #include "surefoot/runtime/steady_clock.hpp"
 #include "surefoot/simulation/make_estimator.hpp"
@@ -189,13 +188,7 @@ class ClosedLoop {
     if (options_.interrupted && options_.interrupted()) return Ending::interrupted;
     // If fall and stop are at the same tick, the fall counts: the controller was too late.
     if (evaluator_.fell()) return Ending::fell;
-    if (command.cause != StopCause::none && std::isnan(stopped_at_)) {
-      stopped_at_ = time;
-      why_stopped_ = logging::text_of_stop(
-          controller_.record(),
-          told_joints(scenario_.robot.joint_names(), scenario_.robot.num_legs()));
-      if (command.cause == StopCause::own_part) why_stopped_ += ": " + controller_.fault();
-    }
+    stop_.update(controller_, time);
     if (command.mode == CommandMode::damping && std::isnan(damped_at_)) damped_at_ = time;
     if (time - damped_at_ > kTimeAfterStop) return Ending::safety;
     if (goal_.update(plant_.truth())) return Ending::goal_reached;
@@ -208,16 +201,10 @@ class ClosedLoop {
     options_.progress(plant_.time());
   }
 
-  /// The stop first, as it decides the exit code; then a later fall.
-  std::string safety_reason(const std::string& fall) const {
-    return formatted("the controller stopped for safety at %.4f s: ", stopped_at_) + why_stopped_ +
-           (fall.empty() ? "" : ", then " + fall);
-  }
-
   RunResult finish(Ending ending, double wall_seconds) {
     RunResult result;
     result.ending = ending;
-    result.safety_stop = !std::isnan(stopped_at_);
+    result.safety_stop = stop_.has_stopped();
     result.metrics = evaluator_.metrics({.reason = reason(ending),
                                          .wall_seconds = wall_seconds,
                                          .seed = scenario_.seed,
@@ -225,7 +212,7 @@ class ClosedLoop {
                                          .goal_reached = goal_.reached()});
     const bool is_cut = ending == Ending::interrupted || ending == Ending::reset;
     if (result.safety_stop && !is_cut) {
-      result.metrics.reason = safety_reason(evaluator_.fall());
+      result.metrics.reason = stop_.reason(evaluator_.fall());
     }
     const bool is_short =
         ending == Ending::finished && result.metrics.duration_s < scenario_.judged_after - 1e-9;
@@ -240,7 +227,8 @@ class ClosedLoop {
     result.torques_hash = torques_.value();
     result.drawn = scenario_.drawn;
     result.notes = notes();
-    if (!controller_.fault().empty()) result.notes.push_back(controller_.fault());
+    result.fault = controller_.fault();
+    if (!result.fault.empty()) result.notes.push_back(result.fault);
     if (options_.steering != nullptr) result.changes = changes_;
     if (recorder_) close_log(result);
     return result;
@@ -269,9 +257,8 @@ class ClosedLoop {
   std::optional<logging::Recorder> recorder_;
   std::optional<evaluation::TruthLog> truth_log_;
   std::optional<ChangeLog> change_log_;
-  double stopped_at_ = kNaN;  // time of the safety stop [s]
-  double damped_at_ = kNaN;   // time of the first tick in mode damping [s]
-  std::string why_stopped_;
+  StopWatch stop_{scenario_.robot};
+  double damped_at_ = kNaN;     // time of the first tick in mode damping [s]
   int changes_ = 0;             // from outside
   double next_progress_ = 0.0;  // [s]
 };

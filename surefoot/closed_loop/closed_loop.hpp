@@ -50,6 +50,7 @@ struct RunResult {
   std::vector<TroubleCount> troubles;          ///< with sensors and torques
   std::vector<config::RandomDraw> drawn;
   std::vector<std::string> notes;  ///< as run_notes() gives them
+  std::string fault;               ///< what a part of your own did wrong last; also a note
   std::uint64_t torques_hash = 0;  ///< of all commanded torques, as TorqueHash makes it
   std::optional<int> changes;      ///< from outside, as in its log; empty without steering
 };

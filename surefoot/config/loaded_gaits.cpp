@@ -1,5 +1,6 @@
 #include "surefoot/config/loaded_gaits.hpp"
 
+#include "surefoot/base/error.hpp"
 #include "surefoot/base/nearest_name.hpp"
 #include "surefoot/config/section.hpp"
 
@@ -24,7 +25,7 @@ std::string name_of(const ConfigNode& gait) {
 bool is_auto(const ConfigNode* gait) { return gait != nullptr && gait->text == kAutoGait; }
 
 /// The names in the scenario, with those that `auto` stands for.
-class Names {
+class GaitNames {
  public:
   void add(const ConfigNode* gait) {
     if (gait == nullptr || gait->kind == ConfigNode::Kind::null) return;
@@ -45,8 +46,8 @@ class Names {
   std::vector<ConfigNode> all_;
 };
 
-Names names_in(const ConfigNode& tree, const ConfigNode* own) {
-  Names names;
+GaitNames names_in(const ConfigNode& tree, const ConfigNode* own) {
+  GaitNames names;
   const ConfigNode *listed = tree.find("gaits"), *user = tree.find("user");
   if (listed != nullptr && listed->kind != ConfigNode::Kind::null) {  // as logs have it
     if (listed->kind != ConfigNode::Kind::list)
@@ -72,7 +73,7 @@ ConfigNode slowest(const ConfigNode& gait) {
 void load_gaits(ConfigNode& tree, const ConfigNode* own, const gaits::OwnGaits& of_user,
                 const std::function<ConfigNode(const ConfigNode& name)>& planner_of) {
   const bool has_own = own != nullptr && own->kind != ConfigNode::Kind::null;
-  const Names names = names_in(tree, own);
+  const GaitNames names = names_in(tree, own);
   const bool is_of_user = has_own && of_user.find(own->text) != nullptr;
   if (names.all().size() < (has_own && !is_of_user ? 2u : 1u)) return set_path(tree, "gaits", {});
   ConfigNode planners{.kind = ConfigNode::Kind::map, .where = tree.where};
@@ -126,6 +127,28 @@ void read_gaits(const ConfigNode& tree, const gaits::OwnGaits& of_user,
     command.user.gait = place(
         command.gait == kAutoGait ? kAutoGait : std::filesystem::path(command.gait).stem().string(),
         *given);
+}
+
+std::vector<std::string> gait_names(const std::vector<gaits::NamedGait>& gaits) {
+  std::vector<std::string> names;
+  bool has_choice = false;
+  for (const gaits::NamedGait& gait : gaits) {
+    names.push_back(gait.name);
+    has_choice = has_choice || gait.options.rhythm.chosen_to > 0.0;
+  }
+  if (has_choice) names.emplace_back(kAutoGait);
+  return names;
+}
+
+std::string valid_gaits(const std::string& given, const std::vector<std::string>& names) {
+  return names.empty() ? "the scenario's `gaits:` names none" : valid_names(given, names);
+}
+
+int gait_place(const std::string& name, const std::vector<std::string>& names) {
+  const auto found = std::ranges::find(names, name);
+  if (found == names.end())
+    throw UnknownNameError("unknown gait \"" + name + "\"; " + valid_gaits(name, names));
+  return name == kAutoGait ? UserCommand::kAutoGait : static_cast<int>(found - names.begin());
 }
 
 }  // namespace surefoot::config

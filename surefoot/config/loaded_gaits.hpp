@@ -5,6 +5,8 @@
 #include "surefoot/gaits/own_gaits.hpp"
 
 #include <functional>
+#include <string>
+#include <vector>
 
 namespace surefoot::config {
 
@@ -26,5 +28,13 @@ void draw_gaits(ConfigNode& tree, const std::vector<RandomDraw>& drawn);
 void read_gaits(const ConfigNode& tree, const gaits::OwnGaits& of_user,
                 const std::function<gaits::PlannerOptions(const ConfigNode& scenario)>& read,
                 Scenario& scenario);
+
+/// What commands may call a run's gaits: their names, and `auto` where the speed can choose.
+[[nodiscard]] std::vector<std::string> gait_names(const std::vector<gaits::NamedGait>& gaits);
+/// End of an error message about a gait that is not among these names.
+[[nodiscard]] std::string valid_gaits(const std::string& given,
+                                      const std::vector<std::string>& names);
+/// The gait of such a name in a command. Throws UnknownNameError with those that there are.
+[[nodiscard]] int gait_place(const std::string& name, const std::vector<std::string>& names);
 
 }  // namespace surefoot::config

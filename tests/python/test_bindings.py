@@ -434,3 +434,42 @@ def test_a_log_is_read_channel_by_channel(log):
         run["stat.p_WB"]
     with pytest.raises(surefoot.Error, match="none.mcap"):
         surefoot.read("none.mcap")
+
+
+def test_a_warm_solver_gives_the_answers_of_a_cold_one_in_fewer_sweeps():
+    random = np.random.default_rng(3)
+    warm, sweeps = surefoot.HierarchicalSolver(), []
+    A, D = random.normal(size=(4, 12)), random.normal(size=(20, 12))
+    for tick in range(30):
+        limits = {"name": "limits", "D": D, "f": np.full(20, 0.3), "D_weights": np.linspace(1, 2, 20)}
+        goal = {"name": "goal", "A": A, "b": [np.sin(0.01 * tick + i) * 3 for i in range(4)], "A_weights": [1, 2, 3, 4], "damping": 1e-3}
+        levels = [limits, goal, {"name": "small", "A": np.eye(12), "b": np.zeros(12)}]
+        if tick == 20:
+            levels.insert(1, {"name": "more", "A": random.normal(size=(1, 12)), "b": [0.1]})  # comes for a tick
+        ours, theirs = warm.solve(levels, certify=True), surefoot.solve(levels)
+        np.testing.assert_allclose(ours.x, theirs.x, atol=1e-9)
+        assert ours.verdict == "proven" and [level.name for level in ours.levels] == [level["name"] for level in levels]
+        sweeps.append(warm.num_sweeps)
+    assert sweeps[0] > 1 and sum(each == 1 for each in sweeps) > 20, sweeps
+    assert "goal" in str(ours.explain()) and ours.levels[0].active
+    warm.forget()
+    warm.solve(levels)
+    assert warm.num_sweeps > 1 and repr(warm).startswith("<hierarchical solver, ")
+
+
+def test_a_warm_solver_knows_rows_by_their_ids_wherever_they_are():
+    D, f = np.vstack([np.eye(6), -np.eye(6)]), np.full(12, 0.5)
+    wish = {"name": "wish", "A": np.eye(6), "b": [9, -9, 9, -9, 9, 0]}
+    warm = surefoot.HierarchicalSolver()
+
+    def sweeps(order, ids):
+        warm.solve([{"name": "box", "D": D[order], "f": f[order], "D_ids": ids}, wish])
+        return warm.num_sweeps
+
+    straight, turned = list(range(12)), list(range(11, -1, -1))
+    assert sweeps(straight, straight) > 1 and sweeps(straight, straight) == 1
+    assert sweeps(turned, turned) == 1
+    with pytest.raises(surefoot.Error, match="D_ids has 2 elements, D has 12 rows"):
+        warm.solve([{"D": D, "f": f, "D_ids": [1, 2]}])
+    with pytest.raises(surefoot.Error, match="a budget is a number of flops"):
+        surefoot.HierarchicalSolver(-1)

@@ -92,17 +92,21 @@ def test_of_a_run_the_reason_names_the_task():
         def rows(self, tick):
             return raising(tick) if tick.plan.time >= self.begin else super().rows(tick)
 
-    result = surefoot.run(standing(Bad("bad")))
+    with pytest.warns(RuntimeWarning, match='"bad"'):
+        result = surefoot.run(standing(Bad("bad")))
     assert not result.succeeded and '"bad"' in result.reason
     never = Bad("never")
     never.begin = 0.0
-    result = surefoot.run(standing(never, duration=0.2))
+    with pytest.warns(RuntimeWarning, match='"never"'):
+        result = surefoot.run(standing(never, duration=0.2))
+    assert '"never"' in result.fault
     assert result["fallback_ticks"] == 80 and any('"never"' in note for note in result.notes)
 
 
 @pytest.mark.parametrize("make, said", [
-    (lambda: type("Sizeless", (OwnTask,), {})("sizeless"), "max_rows is 0; the largest number of rows that rows"),
+    (lambda: type("Sizeless", (OwnTask,), {"rows": raising})("sizeless"), "max_rows is 0; the largest number of rows that rows"),
     (lambda: Height("com_xy"), "com_xy"),
+    (lambda: type("Writes", (OwnTask,), {"max_rows": 3, "write": lambda self, tick: None})("writes"), "Writes has no rows"),
     (lambda: Height("a: b"), "is no name of a level"),
 ])  # fmt: skip
 def test_a_task_that_can_be_none_is_refused_at_set_up(make, said):
@@ -215,3 +219,37 @@ def test_a_plan_is_written_by_its_names():
     with pytest.raises(surefoot.UnknownNameError, match='phase is "swinging"; valid are: stance, unloading, swing, search'):
         plan.feet["LF"].phase = "swinging"
     assert tasks.ComXy in vars(tasks).values()
+
+
+@pytest.mark.parametrize("run", [
+    lambda scenario, own: surefoot.run(scenario, **own).torques_hash,
+    lambda scenario, own: by_hand(surefoot.Controller(scenario, **own), scenario),
+])  # fmt: skip
+def test_a_planner_and_an_estimator_forget_the_run_before(run):
+    """Friction and steps are the planner's, position and bias the estimator's."""
+
+    class Counts(Walks):
+        ticks = 0
+
+        def update(self, user, state, dynamics, last):
+            self.ticks += 1
+            return super().update(user, state, dynamics, last)
+
+        def restart(self):
+            self.ticks = 0
+            super().restart()
+
+    scenario = surefoot.load_scenario("walk_flat", set=["duration=2"])
+    own = {"planner": Counts(scenario), "estimator": Asks(scenario)}
+    first = run(scenario, own)
+    surefoot.run(scenario, **own, every_tick=lambda tick: tick.controller.set_friction(0.2))
+    assert run(scenario, own) == first and 700 < own["planner"].ticks <= 800
+
+
+def by_hand(controller, scenario):
+    plant = surefoot.Plant(scenario)
+    torques = []
+    while plant.time < scenario.duration - 1e-9:
+        torques.append(controller.step(plant.read(), scenario.user(plant.time)).torque.tobytes())
+        plant.write(controller.command)
+    return torques

@@ -125,7 +125,7 @@ def test_sensors_fail_on_demand(scenario):
 
 def test_pushes_that_make_no_sense_are_refused(scenario):
     plant = surefoot.Plant(scenario)
-    with pytest.raises(surefoot.Error, match="force is nan"):
+    with pytest.raises(surefoot.Error, match=r"force\[2\] is nan"):
         plant.push([0, 0, float("nan")])
     with pytest.raises(surefoot.Error, match="duration is -1"):
         plant.push([0, 0, 1], duration=-1)
@@ -151,13 +151,69 @@ def test_a_campaign_gives_tables_and_compares_cases_seed_by_seed(tmp_path):
         surefoot.campaign({"scenario": "walk_flat"})
 
 
-def test_a_tick_that_is_kept_says_that_its_run_has_ended():
-    ticks = []
-    surefoot.run("walk_flat_ideal", set=["duration=0.01"], every_tick=ticks.append)
-    assert "ended" in repr(ticks[-1])
-    for name in ("time", "plant", "controller"):
-        with pytest.raises(surefoot.Error, match="the run of this tick has ended"):
-            getattr(ticks[-1], name)
+def test_what_is_kept_of_a_tick_says_that_its_run_has_ended():
+    kept = []
+    surefoot.run("walk_flat_ideal", set=["duration=0.01"], every_tick=lambda tick: kept.append((tick, tick.plant, tick.controller)))
+    tick, plant, controller = kept[-1]
+    assert all("ended" in repr(each) for each in kept[-1])
+    for use in (lambda: tick.time, lambda: tick.plant.truth, lambda: plant.time, lambda: plant.push([0, 1, 0]), lambda: plant.write([0.0] * 12),
+                lambda: controller.state, lambda: controller.set_friction(0.5), lambda: tick.controller.levels()):  # fmt: skip
+        with pytest.raises(surefoot.Error, match="the run of this (plant|controller) has ended"):
+            use()
+
+
+def test_a_plant_of_a_run_is_for_no_second_controller(scenario):
+    def second(tick):
+        with pytest.raises(surefoot.Error, match=r"that of a run.* a Plant\(scenario\) would be valid"):
+            surefoot.Controller(scenario, tick.plant)
+        tick.stop()
+
+    surefoot.run(scenario, every_tick=second)
+
+
+def test_one_thread_at_a_time_steps_a_controller():
+    class Steps(surefoot.Planner):
+        def update(self, user, state, dynamics, last):
+            controller.step(plant.read(), user)
+
+    scenario = surefoot.load_scenario("walk_flat_ideal")
+    plant = surefoot.Plant(scenario)
+    controller = surefoot.Controller(scenario, plant, planner=Steps())
+    with pytest.warns(RuntimeWarning, match="this controller is busy"):
+        controller.step(plant.read(), scenario.user(0))
+
+
+@pytest.mark.parametrize("gait, walked", [("trot", "trot"), ("crawl", "crawl"), (1, "trot")])
+def test_a_command_names_its_gait(gait, walked):
+    scenario = surefoot.load_scenario("walk_flat", set=["gaits=[crawl, trot]", "duration=16"])
+    assert scenario.gaits == ["crawl", "trot"]
+    user = surefoot.UserCommand(walk=True, velocity=[0.2, 0], gait=gait)
+    assert user.gait == gait
+    flights = []
+
+    def tick(now):
+        now.user = user if now.time > 10 else now.user
+        flights.append(sum(foot.phase == "swing" for foot in now.controller.plan.feet.values()))
+
+    surefoot.run(scenario, every_tick=tick)
+    assert max(flights) == {"trot": 2, "crawl": 1}[walked]
+
+
+def test_gaits_that_are_not_there_are_refused_with_those_that_are():
+    scenario = surefoot.load_scenario("walk_flat_ideal", set=["gaits=[crawl, trot]"])
+    plant = surefoot.Plant(scenario)
+    controller = surefoot.Controller(scenario, plant)
+    user = surefoot.UserCommand()
+    for gait, said in [("trott", 'unknown gait "trott"; did you mean "trot"?.*crawl'), (99, "gait is 99; .*crawl.*trot.*-1"), (-3, "gait is -3")]:
+        user.gait = gait
+        with pytest.raises(surefoot.Error, match=said):
+            controller.step(plant.read(), user)
+        with pytest.raises(surefoot.Error, match=said):
+            surefoot.run(scenario, every_tick=lambda tick, user=user: setattr(tick, "user", user))
+    user.gait = "trot"
+    controller.step(plant.read(), user)
+    with pytest.raises(surefoot.Error, match="names none"):
+        surefoot.Controller("anymal_b").step(plant.read(), user)
 
 
 def test_what_is_for_a_name_is_refused_for_a_scenario():

@@ -1,5 +1,6 @@
 """Stacks put together in Python."""
 
+import numpy as np
 import pytest
 
 import surefoot
@@ -121,7 +122,7 @@ def test_a_registered_task_can_be_named_by_stack_files(tmp_path):
 @pytest.mark.parametrize("change, said", [
     (lambda s: s.before("torso_yow", tasks.Posture()), "has no level 'torso_yow'; did you mean \"torso_yaw\"?"),
     (lambda s: s.before("torso_yaw"), "no level was given"),
-    (lambda s: s.last(3), "3 is neither a task nor a level"),
+    (lambda s: s.last(3), "new is 3; a Task or a StackLevel would be valid"),
     (lambda s: s.last(tasks.ComXy()), "two levels have the name 'com_xy'"),
     (lambda s: s.last(tasks.ComXy("again", kp=-1)), "level again: kp: com_xy: kp is -1, but must be a number of at least 0"),
     (lambda s: s.tune("com_xy", kp=float("nan")), 'level com_xy: kp: "NaN" is not a finite number'),
@@ -175,3 +176,21 @@ def test_levels_are_taken_off_and_put_back_while_it_walks(stack):
     controller.set_friction(0.4)
     with pytest.raises(surefoot.Error, match="friction"):
         controller.set_friction(-1)
+
+
+@pytest.mark.parametrize("name, set", [("walk_flat", ["robot=spot_arm"]), ("step_down", []), ("walk_flat", ["robot=solo12"])])
+def test_the_same_stack_again_changes_nothing_with_arms_and_with_tasks_of_the_scenario(name, set):
+    scenario = surefoot.load_scenario(name, set=[*set, "stack=terrain_adaptation"])
+    plant = surefoot.Plant(scenario)
+    controller, other = surefoot.Controller(scenario, plant), surefoot.Controller(scenario, plant)
+    for tick in range(120):
+        reading, user = plant.read(), scenario.user(plant.time)
+        if tick == 60:
+            assert other.set_stack("terrain_adaptation", duration=0.05)
+        torque = controller.step(reading, user).torque
+        np.testing.assert_allclose(other.step(reading, user).torque, torque, atol=1e-6)
+        plant.write(torque)
+    assert other.level_names == controller.level_names
+    if name == "step_down":
+        ours = Stack("terrain_adaptation").tune("friction_cone", axes="control")
+        assert "axes: \"control\"" in ours.text(changed={"friction_cone": {"axes": "gravity"}}), "what you give yourself wins"

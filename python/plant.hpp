@@ -1,0 +1,29 @@
+#pragma once
+
+#include "python/changes.hpp"
+#include "python/lent.hpp"
+#include "surefoot/config/scenario.hpp"
+#include "surefoot/simulation/plant.hpp"
+
+#include <memory>
+#include <string>
+
+namespace surefoot::python {
+
+/// `Plant` in Python: one of its own, or that of a run.
+class BoundPlant : public Lent<simulation::Plant> {
+ public:
+  explicit BoundPlant(const config::Scenario& scenario)
+      : Lent(std::make_unique<simulation::Plant>(scenario.robot, scenario.plant), "plant"),
+        base_(scenario.robot.base_link) {}
+  BoundPlant(const config::Scenario& scenario, simulation::Plant& of_run)
+      : Lent(of_run, "plant"), base_(scenario.robot.base_link) {}
+
+  [[nodiscard]] const std::string& base() const { return base_; }
+  Changes changes;
+
+ private:
+  std::string base_;  // its link
+};
+
+}  // namespace surefoot::python

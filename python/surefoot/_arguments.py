@@ -1,0 +1,220 @@
+"""What is wrong with an argument, in words. Stands before all functions of the package, compiled or not, so that each names the argument, what
+was given and what would be valid."""
+
+from __future__ import annotations
+
+import ast
+import contextlib
+import functools
+import inspect
+import operator
+import os
+import re
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from typing import Any, TypeVar
+
+from surefoot import _core
+from surefoot._core import Error
+
+MISMATCH = "incompatible function arguments"  # nanobind's
+LARGEST = 2**31  # of a C++ int
+F = TypeVar("F", bound=Callable[..., Any])
+
+
+class ArgumentError(Error, TypeError):
+    """An argument of a wrong type."""
+
+
+class Unbound(Exception):
+    """Arguments of other names, or of another number."""
+
+
+def is_number(value: object) -> bool:
+    return (hasattr(value, "__float__") or hasattr(value, "__index__")) and getattr(value, "shape", ()) == ()
+
+
+def is_whole(value: object) -> bool:
+    return hasattr(value, "__index__") and getattr(value, "shape", ()) == ()
+
+
+def is_list(value: object) -> bool:
+    is_scalar = getattr(value, "shape", None) == ()
+    return isinstance(value, Iterable) and hasattr(value, "__len__") and not is_scalar and not isinstance(value, str | bytes | Mapping | set | frozenset)
+
+
+PLAIN: dict[str, tuple[Callable[[object], bool], str]] = {
+    "float": (is_number, "a number"),
+    "int": (is_whole, "a whole number"),
+    "bool": (lambda value: isinstance(value, bool) or type(value).__name__ == "bool_", "True or False"),
+    "str": (lambda value: isinstance(value, str), "a text"),
+    "None": (lambda value: value is None, "None"),
+    "PathLike": (lambda value: isinstance(value, os.PathLike), "a path"),
+    "Callable": (callable, "a function"),
+    "Mapping": (lambda value: isinstance(value, Mapping), "a dict"),
+    "dict": (lambda value: isinstance(value, dict), "a dict"),
+    "list": (lambda value: isinstance(value, list), "a list"),
+}
+LISTS = {"Sequence", "list"}
+MANY = {"a number": "numbers", "a whole number": "whole numbers", "a text": "texts", "a dict": "dicts"}
+
+
+class Kind:
+    """What an annotation allows: `fits(value)`, and `text` for people. One that is not known allows everything."""
+
+    def __init__(self, node: ast.expr, names: Mapping[str, Any]) -> None:
+        self.fits, self.text = self._read(node, names)
+
+    def _read(self, node: ast.expr, names: Mapping[str, Any]) -> tuple[Callable[[object], bool], str]:
+        if isinstance(node, ast.BinOp):
+            left, right = Kind(node.left, names), Kind(node.right, names)
+            text = left.text if (left.text, right.text) == ("a text", "a path") else " or ".join(filter(None, [left.text, right.text]))
+            return lambda value: left.fits(value) or right.fits(value), text
+        if isinstance(node, ast.Constant) and isinstance(node.value, str):
+            return self._read(ast.parse(node.value, mode="eval").body, names)
+        name = ast.unparse(node.value if isinstance(node, ast.Subscript) else node).rpartition(".")[2]
+        if isinstance(node, ast.Subscript) and name in LISTS:
+            one, fits = Kind(node.slice, names), PLAIN["list"][0] if name == "list" else is_list
+            return lambda value: fits(value) and all(map(one.fits, value)), f"a list of {MANY.get(one.text, one.text or 'values')}"  # type: ignore[arg-type]
+        if name in PLAIN:
+            return PLAIN[name]
+        kind = names.get(name)
+        if isinstance(kind, type):
+            return lambda value: isinstance(value, kind), f"{'an' if name[0] in 'AEIOU' else 'a'} {name}"
+        return lambda value: True, ""
+
+
+class Form:
+    """A function's parameters, with what each allows."""
+
+    def __init__(self, signature: inspect.Signature, names: Mapping[str, Any]) -> None:
+        self.signature = signature
+        self.kinds = {name: Kind(ast.parse(parameter.annotation, mode="eval").body, names) for name, parameter in signature.parameters.items()
+                      if isinstance(parameter.annotation, str)}  # fmt: skip
+
+    def misfits(self, args: tuple[Any, ...], kwargs: dict[str, Any]) -> Iterator[tuple[str, Any, str]]:
+        try:
+            bound = self.signature.bind(*args, **kwargs)
+        except TypeError as error:
+            raise Unbound(str(error)) from None
+        for name, value in bound.arguments.items():
+            if name not in self.kinds:
+                continue
+            kind = self.signature.parameters[name].kind
+            each = [(name, value)]
+            if kind is inspect.Parameter.VAR_POSITIONAL:
+                each = [(name, one) for one in value]
+            elif kind is inspect.Parameter.VAR_KEYWORD:
+                each = list(value.items())
+            yield from ((called, one, self.kinds[name].text) for called, one in each if not self.kinds[name].fits(one))
+
+
+def shown(value: object) -> str:
+    text = " ".join(repr(value).split())
+    return ("the text " if isinstance(value, str) else "") + (text if len(text) < 80 else text[:77] + "…")
+
+
+def complaint(misfits: list[tuple[str, Any, str]]) -> ArgumentError:
+    """Of one argument, by what each of a function's forms would take."""
+    name, value, _ = misfits[0]
+    return ArgumentError(f"{name} is {shown(value)}; {' or '.join(dict.fromkeys(text for _, _, text in misfits))} would be valid")
+
+
+def checked(given: F) -> F:
+    """A function of Python, or all public ones of a class, whose arguments are checked by their annotations before each call."""
+    if isinstance(given, type):
+        for name, member in list(vars(given).items()):
+            if inspect.isfunction(member) and (name == "__init__" or name[0] != "_") and not hasattr(member, "__wrapped__"):
+                setattr(given, name, checked(member))
+        return given  # type: ignore[return-value]
+    forms: list[Form] = []
+
+    @functools.wraps(given)
+    def call(*args: Any, **kwargs: Any) -> Any:
+        if not forms:  # once all names are there
+            forms.append(Form(inspect.signature(given), vars(_core) | given.__globals__ | vars(__import__("surefoot"))))
+        with contextlib.suppress(Unbound):  # what Python says of that is good
+            for misfit in forms[0].misfits(args, kwargs):
+                raise complaint([misfit])
+        return given(*args, **kwargs)
+
+    return call  # type: ignore[return-value]
+
+
+def signature_of(text: str, defaults: tuple[Any, ...] | None) -> inspect.Signature:
+    """Of nanobind's "def push(self, force: …, duration: float = \\0) -> None"."""
+    code = re.sub(r"\\=?\d+", "...", text).replace("def (", "def _(")
+    function = ast.parse(f"{code}: ...").body[0]
+    assert isinstance(function, ast.FunctionDef)
+    listed = function.args
+    values = iter(defaults or ())
+    made = []
+    groups: list[tuple[list[ast.arg], Any, Sequence[ast.expr | None]]] = [
+        (listed.posonlyargs + listed.args, inspect.Parameter.POSITIONAL_OR_KEYWORD, listed.defaults),
+        (listed.kwonlyargs, inspect.Parameter.KEYWORD_ONLY, listed.kw_defaults),
+    ]
+    for group, kind, given in groups:
+        missing = len(group) - len(given)
+        for place, argument in enumerate(group):
+            node = given[place - missing] if place >= missing else None
+            default: Any = inspect.Parameter.empty
+            if node is not None:
+                written = ast.unparse(node)
+                default = next(values, ...) if written == "..." else float("inf") if written == "float('inf')" else ast.literal_eval(node)
+            annotation = inspect.Parameter.empty if argument.annotation is None else ast.unparse(argument.annotation)
+            made.append(inspect.Parameter(argument.arg, kind, default=default, annotation=annotation))
+    return inspect.Signature(made, return_annotation=ast.unparse(function.returns) if function.returns else inspect.Signature.empty)
+
+
+def told(function: Any, name: str, argument: str = "") -> Callable[..., Any]:
+    """A compiled function whose complaint about its arguments names one. argument: what its only one is called."""
+    signatures = function.__nb_signature__
+    forms: list[Form] = []
+
+    def call(*args: Any, **kwargs: Any) -> Any:
+        try:
+            return function(*args, **kwargs)
+        except TypeError as error:
+            if MISMATCH not in str(error):
+                raise
+        if not forms:
+            forms.extend(Form(signature_of(each[0], each[2]), vars(_core)) for each in signatures)
+        raise explained(forms, name, argument, args, kwargs) from None
+
+    call.__wrapped__, call.__doc__ = function, function.__doc__  # type: ignore[attr-defined]
+    call.__name__, call.__qualname__, call.__module__ = name.rpartition(".")[2], name, "surefoot"
+    if len(signatures) == 1:
+        call.__signature__ = signature_of(signatures[0][0], signatures[0][2])  # type: ignore[attr-defined]
+        call.__doc__ = signatures[0][1]
+    return call
+
+
+def explained(forms: list[Form], name: str, argument: str, args: tuple[Any, ...], kwargs: dict[str, Any]) -> ArgumentError:
+    found, unbound = [], ""
+    for form in forms:
+        try:
+            found.append([(argument or each, value, text) for each, value, text in form.misfits(args, kwargs)])
+        except Unbound as error:
+            unbound = str(error)
+    if not found:
+        return ArgumentError(f"{name}(): {unbound}; its arguments are {', '.join(one for one in forms[0].signature.parameters if one != 'self')}")
+    fewest = min(found, key=len)
+    if not fewest:
+        with contextlib.suppress(TypeError):
+            for each, value in forms[0].signature.bind(*args, **kwargs).arguments.items():
+                if is_whole(value) and not -LARGEST <= operator.index(value) < LARGEST:
+                    return ArgumentError(f"{argument or each} is {value}; a whole number from {-LARGEST} to {LARGEST - 1} would be valid")
+        return ArgumentError(f"{name}(): these arguments do not go together; help({name}) says which would be valid")
+    return complaint([each[0] for each in found if len(each) == len(fewest)])
+
+
+def tell() -> None:
+    """Lets all functions of the compiled module name what is wrong."""
+    for name, thing in list(vars(_core).items()):
+        if type(thing).__name__ == "nb_func":
+            setattr(_core, name, told(thing, name))
+        elif isinstance(thing, type) and thing.__module__ == _core.__name__:
+            for member, inner in list(vars(thing).items()):
+                if isinstance(inner, property) and inner.fset is not None:
+                    setattr(thing, member, property(inner.fget, told(inner.fset, f"{name}.{member}", member), doc=inner.__doc__))
+                elif type(inner).__name__ == "nb_method" and (member in ("__init__", "__getitem__") or member[0] != "_"):
+                    setattr(thing, member, told(inner, f"{name}.{member}" if member != "__init__" else name))

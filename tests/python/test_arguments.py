@@ -1,0 +1,215 @@
+"""Every function and property of the package with every kind of wrong argument: what it says names the argument and what would be valid."""
+
+import inspect
+import math
+import os
+import re
+
+import numpy as np
+import pytest
+
+import surefoot
+from surefoot import _arguments
+
+BAD = {
+    "an object": object(), "a text": "nonsense", "None": None, "nan": math.nan, "a fraction": 1.5, "minus seven": -7, "a million million": 10**12,
+    "bytes": b"ab", "fifty numbers": [1.0] * 50, "one number": [1.0], "numbers and a text": [0.0, "a", 1.0], "nan in numbers": [math.nan, 0.0, 1.0],
+    "a matrix": np.eye(2), "a dict": {"a": 1}, "a set": {1, 2}, "a function": lambda *given: None, "True": True,
+}  # fmt: skip
+HEAVY = {"film", "report", "picture", "plot", "doctor", "write", "complete"}  # what they take is checked as for all others
+INTERNAL = {"read_scenario", "parse_stack", "stack_levels", "run_scenario", "ControllerBase.__init__", "ControllerBase.set_stack_text", "GaitEvent", "Recorded.__init__", "OwnTask.rows"}  # what surefoot's own Python calls
+VALID = {  # where the parameter's name alone does not say it
+    "Recorded.in_W": {"name": "truth.p_SB"}, "Recorded.aligned_error": {"name": "com"}, "ControllerBase.switch_levels": {"remove": ["torso_height"]},
+}  # fmt: skip
+TOLD = (ValueError, TypeError, KeyError)  # surefoot.Error is a ValueError
+
+
+class World:
+    """Valid arguments and objects, by the names of parameters and classes."""
+
+    def __init__(self, folder, log):
+        self.scenario = surefoot.load_scenario("walk_flat", set=["duration=0.01", "stack=terrain_adaptation"])
+        self.plant = surefoot.Plant(self.scenario)
+        self.controller = surefoot.Controller(self.scenario, self.plant)
+        self.stack = surefoot.Stack("terrain_adaptation")
+        ticks, inputs, kept = [], [], []
+
+        class Keeps(surefoot.OwnTask):
+            max_rows = 1
+
+            def rows(self, tick):
+                ticks.append(tick)
+
+        class Looks(surefoot.Estimator):
+            def update(self, reading, context):
+                inputs.append(context)
+                return super().update(reading, context)
+
+        class Plans(surefoot.Planner):
+            def update(self, user, state, dynamics, last):
+                inputs.append(last)
+                return super().update(user, state, dynamics, last)
+
+        scenario = surefoot.load_scenario("walk_flat", set=["duration=0.5"], stack=self.stack.last(Keeps("keeps")))
+        self.result = surefoot.run(scenario, estimator=Looks(scenario), planner=Plans(scenario), every_tick=kept.append)
+        self.tick, self.task_tick, self.context, self.last = kept[-1], ticks[-1], inputs[-2], inputs[-1]
+        self.controller.step(self.plant.read(), self.scenario.user(0))
+        self.planner, self.estimator = surefoot.Planner(self.scenario), surefoot.Estimator(self.scenario)
+        self.folder, self.log = folder, log
+
+    def argument(self, name):
+        user, robot = surefoot.UserCommand(), self.scenario.robot_model
+        valid = {
+            "name": "walk_flat", "name_or_path": "anymal_b", "scenario": self.scenario, "plant": self.plant, "controller": self.controller,
+            "of": self.scenario, "reading": self.plant.read(), "user": user, "command": self.controller.command, "time": 0.0, "state": self.controller.state,
+            "dynamics": robot.dynamics(), "last": self.last, "context": self.context, "force": [0, 1, 0], "sensor": "imu", "x": 0.0, "y": 0.0,
+            "friction": 0.5, "levels": [{"A": [[1.0]], "b": [1.0]}], "leg": "LF", "link": "base", "metric": "steps_taken", "log": self.log,
+            "path": self.log, "spec": {"scenario": "walk_flat_ideal", "seeds": [1], "set": {"duration": 0.05}, "name": "short"},
+            "task": "com_xy", "tasks": [surefoot.tasks.ComXy()], "level": "com_xy", "stack": self.stack, "text": self.stack.text(), "duration": 0.3,
+            "record": None, "every_tick": None, "estimator": None, "planner": None, "description": robot.urdf, "file": str(self.folder / "a.yaml"),
+            "topic": "state", "names": [], "new": [], "robot": None, "torque": [0.0] * 12, "folder": str(self.folder), "out": str(self.folder / "out"),
+        }  # fmt: skip
+        return valid[name]
+
+    def of_class(self, kind):
+        made = {
+            "Plant": self.plant, "Controller": self.controller, "ControllerBase": self.controller, "Scenario": self.scenario, "Stack": self.stack,
+            "Robot": self.scenario.robot_model, "Dynamics": self.scenario.robot_model.dynamics(), "TaskTick": self.task_tick, "Result": self.result,
+            "Planner": self.planner, "Estimator": self.estimator, "Task": surefoot.tasks.ComXy(), "Aligner": surefoot.Aligner(),
+            "HierarchicalSolver": surefoot.HierarchicalSolver(), "Recorded": surefoot.read(self.log),
+            "Evaluator": surefoot.Evaluator(self.scenario, self.plant, self.controller), "MotionPlan": self.controller.plan,
+            "RobotState": self.controller.state, "GroundTruth": self.plant.truth, "FootPlan": self.controller.plan.feet["LF"],
+            "TorsoPlan": self.controller.plan.torso, "ComPlan": self.controller.plan.com, "ArmPlan": self.controller.plan.arm,
+            "ModelRecord": self.controller.model, "SensorHealth": self.controller.health, "GroupHealth": self.controller.health.imu,
+            "TickTiming": self.controller.timing, "Tick": self.tick, "Solution": surefoot.solve([{"A": [[1.0]], "b": [1.0]}]),
+        }  # fmt: skip
+        inside = {"Alignment": lambda: surefoot.Aligner().update(self.plant, self.controller), "TrueContact": lambda: self.plant.truth.feet["LF"],
+                  "WorldPose": lambda: surefoot.Aligner().update(self.plant, self.controller).feet}  # fmt: skip
+        return made[kind.__name__] if kind.__name__ in made else inside.get(kind.__name__, kind)()
+
+
+@pytest.fixture(scope="module")
+def world(tmp_path_factory, log):
+    folder = tmp_path_factory.mktemp("world")
+    before = os.getcwd()
+    os.chdir(folder)
+    yield World(folder, str(log))
+    os.chdir(before)
+
+
+def parameters(function):
+    """Of each form that a function has."""
+    inner = function.__wrapped__
+    if hasattr(inner, "__nb_signature__"):
+        return [_arguments.signature_of(text, defaults).parameters for text, _, defaults in inner.__nb_signature__]
+    return [inspect.signature(inner).parameters]
+
+
+def public():
+    """(name, class or None, function or property) of all that takes arguments."""
+    from surefoot_log.recorded import Recorded
+
+    _arguments.checked(Recorded)
+    for name, thing in [*vars(surefoot).items(), ("Recorded", Recorded)]:
+        if name[0] == "_" or name in INTERNAL or inspect.ismodule(thing) or (isinstance(thing, type) and issubclass(thing, Exception)):
+            continue
+        if not isinstance(thing, type):
+            yield name, None, thing
+            continue
+        for member, inner in vars(thing).items():
+            if isinstance(inner, property) and inner.fset is not None or member == "__init__" and hasattr(inner, "__wrapped__"):
+                yield f"{name}.{member}", thing, inner
+            elif callable(inner) and member[0] != "_" and not isinstance(inner, type) and member not in HEAVY:
+                yield f"{name}.{member}", thing, inner
+
+
+PUBLIC = {name: (kind, function) for name, kind, function in public() if name not in HEAVY | INTERNAL}
+
+
+def calls(world, name, kind, function):
+    """(parameter, call with a value of it) for each."""
+    if isinstance(function, property):
+        thing = world.of_class(kind)
+        return [(name.partition(".")[2], lambda value: function.fset(thing, value))]
+    found = []
+    for form in parameters(function):
+        names = list(form)[1 if kind else 0 :]
+        if kind is surefoot.StackLevel or name == "OwnTask.__init__":
+            continue
+        thing = None if kind is None or name.endswith("__init__") else world.of_class(kind)
+        target = kind if name.endswith("__init__") else function if kind is None else getattr(thing, function.__name__)
+        needed = [each for each in names if form[each].default is inspect.Parameter.empty and form[each].kind < inspect.Parameter.VAR_POSITIONAL]
+        for each in names:
+            if form[each].kind in (inspect.Parameter.VAR_POSITIONAL, inspect.Parameter.VAR_KEYWORD):
+                continue
+
+            def call(value, each=each, target=target, needed=needed):
+                others = {one: world.argument(one) for one in needed if one != each} | VALID.get(name, {})
+                return target(**others | {each: value})
+
+            found.append((each, call))
+    return found
+
+
+@pytest.mark.parametrize("name", PUBLIC)
+def test_a_wrong_argument_is_named_with_what_was_given_or_would_be_valid(world, name):
+    wrong = []
+    for parameter, call in calls(world, name, *PUBLIC[name]):
+        for what, value in BAD.items():
+            try:
+                call(value)
+            except TOLD as error:
+                text = str(error)
+                given = [_arguments.shown(value)[:20], *([value] if isinstance(value, str) else []), *(["1e+12"] if isinstance(value, int) and value == 10**12 else [])]
+                is_named = re.search(rf"\b{parameter.rstrip('s')}", text) or any(each in text for each in given)
+                if not is_named or "incompatible function" in text or "_core" in text:
+                    wrong.append(f"{parameter} = {what}: {text}")
+            except BaseException as error:
+                wrong.append(f"{parameter} = {what}: {type(error).__name__}: {error}")
+    assert not wrong, "\n".join(wrong)
+
+
+def test_enough_is_looked_at():
+    assert len(PUBLIC) > 150 and {"run", "Plant.push", "UserCommand.velocity", "Controller.__init__", "Stack.tune", "Recorded.in_W"} <= PUBLIC.keys()
+
+
+@pytest.mark.parametrize("call, said", [
+    (lambda world: world.plant.push([0, 60]), "force has 3 numbers; 2 were given"),
+    (lambda world: world.plant.push("north"), "force is the text 'north'; a list of numbers would be valid"),
+    (lambda world: world.controller.step(None, surefoot.UserCommand()), "reading is None; a SensorReading would be valid"),
+    (lambda world: world.plant.write(None), "command is None; a JointCommand or a list of numbers would be valid"),
+    (lambda world: world.plant.write([0.0] * 11), "the command has 11 torques, but the robot has 12 joints"),
+    (lambda world: surefoot.load_scenario("walk_flat", seed=1.5), "seed is 1.5; a whole number would be valid"),
+    (lambda world: surefoot.run("walk_flat", every_tick=3), "every_tick is 3; a function or None would be valid"),
+    (lambda world: surefoot.run("walk_flat", set={"duration": 2}), r"set is \{'duration': 2\}; a list of texts would be valid"),
+    (lambda world: surefoot.run(3), "scenario is 3; a Scenario or a text would be valid"),
+    (lambda world: surefoot.campaign({}), "^spec: "),
+    (lambda world: surefoot.read(world.log).in_W([1, 2]), r"name is \[1, 2\]; a text would be valid"),
+    (lambda world: surefoot.UserCommand(speed=3), r"UserCommand\(\): got an unexpected keyword argument 'speed'; its arguments are walk, velocity"),
+    (lambda world: world.plant.push(), r"Plant.push\(\): missing a required argument: 'force'; its arguments are force, body"),
+    (lambda world: surefoot.Scenario(), "Scenario objects are made by the library, not by hand"),
+    (lambda world: surefoot.Robot(None), "name_or_path is None; a text would be valid"),
+    (lambda world: surefoot.tasks.ComXy(kp=[1]), r"kp is \[1\]; a number or a text or None would be valid"),
+    (lambda world: setattr(surefoot.UserCommand(), "velocity", "fast"), "velocity is the text 'fast'; a list of numbers would be valid"),
+    (lambda world: setattr(surefoot.UserCommand(), "walk", 1), "walk is 1; True or False would be valid"),
+])  # fmt: skip
+def test_it_reads_like_advice(world, call, said):
+    with pytest.raises(surefoot.Error if "objects are made" not in said else TypeError, match=said):
+        call(world)
+
+
+def test_nan_that_was_written_into_a_vector_is_refused_before_the_tick(world):
+    user, command = surefoot.UserCommand(walk=True), surefoot.JointCommand([0.0] * 12)
+    user.velocity[1] = math.nan
+    with pytest.raises(surefoot.Error, match=r"velocity\[1\] is nan"):
+        world.controller.step(world.plant.read(), user)
+    command.torque[3] = math.nan
+    with pytest.raises(surefoot.Error, match=r"torque\[3\] is nan"):
+        world.plant.write(command)
+    with pytest.raises(ValueError, match="read-only"):
+        world.scenario.torque_limit[0] = math.nan
+
+
+def test_help_shows_signature_and_text():
+    assert str(inspect.signature(surefoot.Plant.push)).startswith("(self, force: 'collections.abc.Sequence[float]', body: 'str' = '', duration: 'float' = 0.1")
+    assert surefoot.Plant.push.__doc__.startswith("Pushes a link of the URDF")
