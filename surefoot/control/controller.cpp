@@ -187,6 +187,10 @@ Controller::Implementation::Implementation(
   memory.last = at_start.last = remember({});
   follow_frames();
   if (!robot.arms.empty()) safety.soften_arms(turned_inertia(model));
+  if (robot.can_walk()) {
+    const RobotState at_rest = level_at_rest(robot.q_nominal);
+    safety.soften_roll(limp_inertia(model.update(at_rest, Vec3::UnitZ()))(0, 0));
+  }
 }
 
 void Controller::Implementation::follow_frames() {

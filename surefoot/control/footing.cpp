@@ -1,11 +1,9 @@
 #include "surefoot/control/footing.hpp"
 
 #include "surefoot/control/ease.hpp"
+#include "surefoot/control/standing_torque.hpp"
 #include "surefoot/gaits/parts/leg_limits.hpp"
 #include "surefoot/math/rotation.hpp"
-
-#include <Eigen/Cholesky>
-#include <Eigen/LU>
 
 #include <algorithm>
 #include <cmath>
@@ -29,16 +27,6 @@ constexpr double kRighting = 5.0;         // ω of the righting moment [rad/s]
 constexpr double kRightingDamping = 0.8;  // ζ of it
 constexpr double kMaxError = 0.2;         // of a joint that has reached the posture [rad]
 constexpr double kMaxSpeed = 0.3;         // of a joint at rest [rad/s]
-
-/// The inertia of the torso's rotation with limp joints, in B [kg·m²]: that with the legs, which
-/// stand on the ground, would be many times as large.
-Mat3 limp_inertia(const model::Dynamics& dynamics) {
-  using Columns = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::ColMajor, kMaxVelocities, 3>;
-  Columns moments = Columns::Zero(dynamics.num_velocities(), 3);
-  moments.middleRows<3>(3).setIdentity();
-  const Columns accelerations = dynamics.M.llt().solve(moments);
-  return accelerations.middleRows<3>(3).inverse();
-}
 
 }  // namespace
 

@@ -20,8 +20,10 @@ constexpr double kLastSpring = 0.1;  // share of the spring at the end
 // Shares of the PD gains for a swing leg: `hold` fits a quarter of the robot's inertia, which would
 // make a free leg oscillate with delayed drives.
 constexpr double kSoftSpring = 0.4, kSoftDamping = 0.175;
-constexpr double kFastestArm = 25.0;  // damping of an arm's joint over its inertia [1/s]
-constexpr double kSettleTime = 2.0;   // of `hold` before the first good tick [s]
+constexpr double kFastestArm = 25.0;    // damping of an arm's joint over its inertia [1/s]
+constexpr double kFastestRoll = 60.0;   // damping of all HAA over the torso's inertia [1/s]
+constexpr double kStiffestRoll = 50.0;  // natural frequency of the torso on their springs [rad/s]
+constexpr double kSettleTime = 2.0;     // of `hold` before the first good tick [s]
 constexpr double kDampFadeTime =
     1.0;  // of the damping gain, in which a falling robot comes to lie [s]
 constexpr double kTiltConfirmTime = 0.03;  // in which the first readings may be wrong [s]
@@ -80,19 +82,27 @@ Safety::Safety(const SafetyOptions& options, const model::RobotDescription& robo
   const JointVector unknown = JointVector::Constant(robot.num_joints(), kNaN);
   stopped_q_ = good_q_ = bearing_torque_ = unknown;
   command_.torque = fading_torque_ = good_torque_ = JointVector::Zero(robot.num_joints());
-  stiffness_ = JointVector::Ones(robot.num_joints());
+  spring_ = JointVector::Ones(robot.num_joints());
   const double strongest = torque_limit_.head(num_leg_joints_).maxCoeff();
-  for (Eigen::Index i = num_leg_joints_; i < stiffness_.size(); ++i) {
-    stiffness_[i] = std::min(1.0, torque_limit_[i] / strongest);
-  }
+  for (Eigen::Index i = num_leg_joints_; i < spring_.size(); ++i)
+    spring_[i] = std::min(1.0, torque_limit_[i] / strongest);
+  damper_ = spring_;
   stands_now_ = stands_ = PerLeg<bool>(robot.num_legs(), true);
   legs_.resize(robot.num_legs());
   for (const Leg leg : legs_.legs()) legs_[index(leg)] = robot.leg_joints(leg);
 }
 
 void Safety::soften_arms(const JointVector& inertia) {
-  for (Eigen::Index i = num_leg_joints_; i < stiffness_.size(); ++i)
-    stiffness_[i] = std::min(stiffness_[i], kFastestArm * inertia[i] / hold_kd_);
+  for (Eigen::Index i = num_leg_joints_; i < spring_.size(); ++i)
+    spring_[i] = damper_[i] = std::min(spring_[i], kFastestArm * inertia[i] / hold_kd_);
+}
+
+void Safety::soften_roll(double inertia) {
+  const double each = inertia / static_cast<double>(legs_.size());
+  for (const auto& [haa, count] : legs_) {
+    spring_[haa] = std::min(1.0, kStiffestRoll * kStiffestRoll * each / hold_kp_);
+    damper_[haa] = std::min(1.0, kFastestRoll * each / hold_kd_);
+  }
 }
 
 const JointCommand& Safety::command(const RobotState& state, const solver::Solution* solution,
@@ -267,7 +277,7 @@ void Safety::hold(const RobotState& state) {
 
 JointVector Safety::pull(const RobotState& state, const JointVector& q, const JointVector& qd,
                          double softness, double spring) const {
-  JointVector kp = hold_kp_ * stiffness_, kd = hold_kd_ * stiffness_;
+  JointVector kp = hold_kp_ * spring_, kd = hold_kd_ * damper_;
   for (const Leg leg : stands_.legs()) {
     const double soft = stands_[index(leg)] ? softness : 1.0;
     const auto [first, count] = legs_[index(leg)];
@@ -316,7 +326,7 @@ void Safety::damp(const RobotState& state) {
   const double soft_kd = std::min(damping_kd_, kSoftDamping * hold_kd_);
   const double kd = damping_kd_ + faded * (soft_kd - damping_kd_);
   if (faded < 1.0) ++damped_ticks_;
-  command_.torque = -kd * finite_or_zero(stiffness_.cwiseProduct(state.qd));
+  command_.torque = -kd * finite_or_zero(damper_.cwiseProduct(state.qd));
   if (!std::isfinite(fade_begin_)) return;
   const double share = (command_.time - fade_begin_) / (scale_.time() * kFadeTime);
   command_.torque += std::clamp(1.0 - share, 0.0, 1.0) * fading_torque_;

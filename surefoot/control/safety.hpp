@@ -63,6 +63,9 @@ class Safety {
   /// Drives are late: their PD would shake light bodies. Takes the inertia that the torque of each
   /// joint turns [kg·m²], and softens those of arms.
   void soften_arms(const JointVector& inertia);
+  /// The same of the HAA of legs that stand, which turn a narrow torso about their feet; takes its
+  /// roll inertia with limp joints [kg·m²].
+  void soften_roll(double inertia);
 
   /// For a new stack.
   void set_first_free_level(int level) { first_free_level_ = level; }
@@ -132,8 +135,8 @@ class Safety {
   SafetyOptions options_;
   JointVector torque_limit_;
   double hold_kp_, hold_kd_, damping_kd_;
-  JointVector stiffness_;  // of each joint, as a share of a leg's
-  Scale scale_;            // of the robot
+  JointVector spring_, damper_;  // of each joint, as a share of a leg's
+  Scale scale_;                  // of the robot
   int num_leg_joints_;
   PerLeg<JointRange> legs_;
   double period_;

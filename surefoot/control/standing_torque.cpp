@@ -3,6 +3,7 @@
 #include "surefoot/model/leg_jacobian.hpp"
 
 #include <Eigen/Cholesky>
+#include <Eigen/LU>
 
 namespace surefoot::control {
 namespace {
@@ -55,6 +56,14 @@ JointVector flat_footed_torque(const model::Dynamics& dynamics) {
 }
 
 }  // namespace
+
+Mat3 limp_inertia(const model::Dynamics& dynamics) {
+  using Columns = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::ColMajor, kMaxVelocities, 3>;
+  Columns moments = Columns::Zero(dynamics.num_velocities(), 3);
+  moments.middleRows<3>(3).setIdentity();
+  const Columns accelerations = dynamics.M.llt().solve(moments);
+  return accelerations.middleRows<3>(3).inverse();
+}
 
 RobotState level_at_rest(const JointVector& q) {
   RobotState state;

@@ -4,6 +4,10 @@
 
 namespace surefoot::control {
 
+/// The inertia of the torso's rotation with limp joints, in B [kg·m²]: that with the legs, which
+/// stand on the ground, would be many times as large.
+[[nodiscard]] Mat3 limp_inertia(const model::Dynamics& dynamics);
+
 /// State at rest with a level torso, the base at W's origin, and joint angles q [rad].
 [[nodiscard]] RobotState level_at_rest(const JointVector& q);
 

@@ -13,6 +13,9 @@ constexpr Proportions kReference{.leg = 0.56433096076673273,
                                  .half_width = 0.246,
                                  .hip_height = 0.0};
 
+constexpr double kStandingHeight = 0.46;  // of the reference's hips over its feet [m]
+constexpr double kHalfStride = 0.235;     // from the hip, of its walk, with some room [m]
+constexpr double kLeastWidth = 0.85;      // of the feet, as a share of the reference's on such legs
 constexpr double kRounding = 1e-6;
 
 /// From the HFE axis to the sphere centre, across the axis.
@@ -29,6 +32,32 @@ double leg_length(const RobotModel& model, Leg leg) {
   const double to = std::min(model.description().q_max[knee], kPi);
   return longest(from, to,
                  [&](double q_knee) { return extension(model, leg, Vec3(0.0, 0.0, q_knee)); });
+}
+
+/// How far the foot goes ahead and back of its hip at a stance's height, the knee bent as in the
+/// nominal posture, until a joint meets its stop [m].
+double stroke(const RobotModel& model, Leg leg, double height, double longest) {
+  constexpr int kSteps = 40;
+  const RobotDescription& robot = model.description();
+  const Eigen::Index first = first_joint(leg);
+  const Vec3 guess = robot.q_nominal.segment<3>(first);
+  if (guess.z() == 0.0) return kInfinity;
+  Vec3 p_BF = model.hip_in_base(leg, Vec3::Zero());
+  p_BF.y() = model.foot_in_base(leg, Vec3::Zero()).y();
+  p_BF.z() -= height;
+  for (int i = 0; i <= kSteps; ++i) {
+    for (const double side : {1.0, -1.0}) {
+      const double way = longest * i / kSteps;
+      Vec3 q;
+      const bool is_there =
+          model.inverse_kinematics(leg, p_BF + side * way * Vec3::UnitX(), guess, q);
+      const bool is_free = (q.array() > robot.q_min.segment<3>(first).array()).all() &&
+                           (q.array() < robot.q_max.segment<3>(first).array()).all();
+      if (is_there && is_free) continue;
+      return i == 0 ? kInfinity : (i - 1) * longest / kSteps;
+    }
+  }
+  return kInfinity;
 }
 
 double ratio(double length, double reference) {
@@ -83,6 +112,10 @@ Proportions proportions_of(RobotModel& model) {
     result.hip_height += hip.z() / result.num_legs;
   }
   result.mass = model.mass();
+  const double length = result.leg / kReference.leg;
+  for (const Leg leg : first_legs(result.num_legs))
+    result.stroke =
+        std::min(result.stroke, stroke(model, leg, length * kStandingHeight, length * kHalfStride));
   return result;
 }
 
@@ -95,9 +128,11 @@ Scale scale_of(const Proportions& robot) {
   const double hip_height = robot.hip_height - scale.length * kReference.hip_height;
   scale.hip_height = std::abs(hip_height) < kRounding ? 0.0 : hip_height;
   if (robot.num_legs < kNumLegs) return scale;
+  scale.half_width = std::max(scale.half_width, kLeastWidth * scale.length);
   const int pairs = robot.num_legs / 2;  // hips stand closer, and a cycle has more swings
   const double gap = scale.half_length / (pairs - 1);
   scale.stride = std::min(1.0, gap / scale.length) * (2.0 / pairs);
+  scale.stride = std::min(scale.stride, robot.stroke / (scale.length * kHalfStride));
   return scale;
 }
 

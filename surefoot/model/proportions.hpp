@@ -1,6 +1,7 @@
 #pragma once
 
 #include "surefoot/base/scale.hpp"
+#include "surefoot/math/numbers.hpp"
 #include "surefoot/model/robot_model.hpp"
 
 #include <functional>
@@ -13,9 +14,10 @@ struct Proportions {
   double leg = 0.0;   ///< HFE axis to sphere centre, across the axis, the knee as straight as its
                       ///< limits allow [m]
   double mass = 0.0;  ///< [kg]
-  double half_length = 0.0;  ///< |x| of the HFE axes in B, mean of the front and hind legs [m]
-  double half_width = 0.0;   ///< |y| of the feet in B at q = 0, mean of the legs [m]
-  double hip_height = 0.0;   ///< z of the HFE axes in B, mean of the legs [m]
+  double half_length = 0.0;   ///< |x| of the HFE axes in B, mean of the front and hind legs [m]
+  double half_width = 0.0;    ///< |y| of the feet in B at q = 0, mean of the legs [m]
+  double hip_height = 0.0;    ///< z of the HFE axes in B, mean of the legs [m]
+  double stroke = kInfinity;  ///< of a foot ahead and back of its hip, until a joint meets its stop
 };
 
 /// The longest that a length of a leg gets while its knee turns from one angle to another [m], to

@@ -36,6 +36,21 @@ TEST_F(Scaling, OfGo1IsThatOfItsLegsAndMass) {
   EXPECT_NEAR(go1_.stride, 0.81, 0.02);
 }
 
+// Margins go with its legs, so its feet stand no closer than these ask.
+TEST_F(Scaling, OfFeetBelowCloseHipsIsThatOfItsLegs) {
+  for (const char* name : {"hyq", "aliengo", "spot"}) {
+    const Scale scale = load_robot(name).scale;
+    EXPECT_DOUBLE_EQ(scale.half_width, 0.85 * scale.length) << name;
+  }
+  const Scale wide = load_robot("solo12").scale;
+  EXPECT_GT(wide.half_width, wide.length);
+}
+
+// Its thighs stop 15° behind the vertical.
+TEST_F(Scaling, OfAStrideIsWhatTheThighsStopsAllow) {
+  EXPECT_NEAR(load_robot("hyqreal").scale.stride, 0.75, 0.05);
+}
+
 TEST_F(Scaling, NumbersOfAScaledFileGoWithTheRobot) {
   const Scenario scaled = load(
       "scaled: true\nplanner: {swing: {apex: 0.1}, gait: {swing_duration: 0.4}}\n"

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 namespace surefoot::control {
 namespace {
@@ -91,6 +92,26 @@ TEST(Safety, TakesThePostureOfARobotThatIsNotOnItsFeet) {
   const double soft = 0.4 * anymal_b().hold_kp * 0.1;
   EXPECT_LT((before - 0.5 * torques() - JointVector::Constant(kNumLegJoints, soft)).norm(), 1e-9);
   EXPECT_EQ(safety.command(standing(), &solution).mode, CommandMode::optimal);
+}
+
+// Late drives would shake a light torso.
+TEST(Safety, ANarrowTorsoIsHeldSoftlyAndAWideOneAsEver) {
+  const double kp = anymal_b().hold_kp, kd = anymal_b().hold_kd;
+  for (const auto& [inertia, spring, damping] :
+       {std::tuple(0.35, kp, kd), std::tuple(0.04, 25.0, 0.6)}) {
+    Safety safety = make_safety();
+    safety.soften_roll(inertia);
+    const solver::Solution solution = solved(JointVector::Zero(kNumLegJoints));
+    RobotState state = standing();
+    (void)safety.command(state, &solution);
+    state.q.array() += 0.001;
+    state.qd.array() += 0.1;
+    const JointVector torque = safety.command(state, nullptr).torque;
+    for (const Leg leg : kLegs) {
+      EXPECT_NEAR(torque[first_joint(leg)], -0.001 * spring - 0.1 * damping, 1e-9);
+      EXPECT_NEAR(torque[first_joint(leg) + 2], -0.001 * kp - 0.1 * kd, 1e-9);
+    }
+  }
 }
 
 TEST(Safety, OneThatRisesAskewIsStopped) {
