@@ -45,7 +45,9 @@ TEST(GaitFile, is_fitted_to_the_robot) {
 
 TEST(GaitFile, all_of_the_data_folder_can_be_trotted_with) {
   for (const std::string& name : list_data("gaits")) {
-    const gaits::RhythmOptions rhythm = load("trot", {"gait=" + name}).controller.planner.rhythm;
+    const std::string robot = name == "tripod" ? "robot=hexapod" : "robot=anymal_b";
+    const gaits::RhythmOptions rhythm =
+        load("trot", {robot, "gait=" + name}).controller.planner.rhythm;
     EXPECT_EQ(rhythm.enabled, name != "stand" && name != "static_crawl") << name;
     EXPECT_FALSE(describe_data("gaits", name).empty()) << name;
   }
