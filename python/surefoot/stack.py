@@ -69,11 +69,10 @@ class OwnTask(Task):
         raise NotImplementedError
 
 
+@checked
 def register_task(task: OwnTask) -> None:
     """From now on stack files, and stacks by their names, may name a task of your own: `{task: still}`; catalog() has it, too. A task of
     the same name that was registered before is replaced."""
-    if not isinstance(task, OwnTask):
-        raise Error(f"{task!r} is no task of your own; an instance of a class that derives from surefoot.OwnTask would be valid")
     if task.task in [info["name"] for info in _core.catalog()]:
         raise Error(f"there is a task {task.task!r} already; give yours another name")
     _registered[task.task] = task
@@ -83,6 +82,7 @@ def registered_tasks() -> list[OwnTask]:
     return list(_registered.values())
 
 
+@checked
 def catalog() -> list[dict[str, Any]]:
     """All tasks that a stack may have, with their parameters: the library's, then those of register_task()."""
     own = [{"name": name, "summary": (task.__doc__ or "").split("\n")[0], "equation": "–", "unit": task.unit, "numbers": [], "choices": []}
@@ -147,7 +147,7 @@ def place_of(levels: Sequence[StackLevel], name: str) -> int:
 class Stack:
     """A strict hierarchy, highest priority first: `Stack("terrain_adaptation")`, or one that begins empty. What changes it returns another stack:
 
-    >>> Stack("terrain_adaptation").before("torso_yaw", surefoot.tasks.FramePosition("gripper", kp=100, kd=20)).without("torso_height")
+    >>> Stack("terrain_adaptation").before("torso_yaw", surefoot.tasks.FramePosition("kinova", kp=100, kd=20)).without("torso_height")
 
     base: name or path of a stack file; surefoot.stacks() lists those that there are. Its numbers, and all defaults, go with the robot's
     size; numbers that you give are as they stand. print(stack) shows it line by line with all gains."""

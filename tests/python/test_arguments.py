@@ -189,7 +189,7 @@ def test_enough_is_looked_at():
     (lambda world: world.plant.push(), r"Plant.push\(\): missing a required argument: 'force'; its arguments are force, body"),
     (lambda world: surefoot.Scenario(), "Scenario objects are made by the library, not by hand"),
     (lambda world: surefoot.Robot(None), "name_or_path is None; a text would be valid"),
-    (lambda world: surefoot.tasks.ComXy(kp=[1]), r"kp is \[1\]; a number or a text or None would be valid"),
+    (lambda world: surefoot.tasks.ComXy(kp=[1]), r"kp is \[1\]; a number or a text or a list of texts or None would be valid"),
     (lambda world: setattr(surefoot.UserCommand(), "velocity", "fast"), "velocity is the text 'fast'; a list of numbers would be valid"),
     (lambda world: setattr(surefoot.UserCommand(), "walk", 1), "walk is 1; True or False would be valid"),
 ])  # fmt: skip

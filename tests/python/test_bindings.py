@@ -42,8 +42,9 @@ def test_the_readmes_run_as_they_stand_and_the_loop_has_nine_lines(capsys):
     assert len(loop.splitlines()) == 9
     assert names["plant"].truth.p_SB[0] > 0.3
     names, printed = run(stack)
-    assert "gripper: frame_position kd=20 kp=100" in printed
-    assert names["controller"].level_names == names["stack"].level_names and names["weighted"].level_names[-1] == "weighted"
+    assert "kinova_position: frame_position kd=20 kp=100" in printed
+    levels = [name for name in names["controller"].level_names if name != "arm_rest"]  # which a robot with an arm gets
+    assert levels == names["stack"].level_names and names["weighted"].level_names[-1] == "weighted"
     names, printed = run(top)
     assert names["plant"].time == pytest.approx(15)
     assert [line.split("'")[1] for line in printed.splitlines()] == names["controller"].level_names
