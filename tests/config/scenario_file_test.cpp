@@ -405,6 +405,7 @@ TEST_F(ScenarioFile, with_a_bound_beyond_reach_is_told_where_the_number_stands) 
   test::write_file(folder_ / "far.yaml",
                    "name: far\nbase: terrain_adaptation\n"
                    "levels:\n"
+                   "  - equations_of_motion\n"
                    "  - com_xy\n"
                    "  - {name: far, task: body_height_limits, max: 5.2}\n");
   const std::string far = "body_height_limits: max is 5.2";
