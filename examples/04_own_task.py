@@ -2,6 +2,7 @@
 lower ≤ A x ≤ upper over x = (accelerations u̇, torques τ); the stack says how important they are."""
 
 import time
+import warnings
 
 import numpy as np
 
@@ -41,7 +42,9 @@ swing = max(heights[400:]) - min(heights[400:])
 print(f"{result}: height moves by {1e3 * swing:.1f} mm of {2e3 * AMPLITUDE:.0f}, {1e6 * task.seconds / task.calls:.0f} µs a tick in Python")
 assert abs(swing - 2 * AMPLITUDE) < 0.01 and not result["fell"]
 
-# What goes wrong in it ends in a safe posture, and is told by its name.
-broken = surefoot.run("walk_flat_ideal", stack=Stack("terrain_adaptation").replace("torso_height", Broken("broken")), set=["duration=2"])
-print(broken)
+# What goes wrong in it ends in a safe posture, and a warning that names it.
+with warnings.catch_warnings(record=True) as told:
+    warnings.simplefilter("always")
+    broken = surefoot.run("walk_flat_ideal", stack=Stack("terrain_adaptation").replace("torso_height", Broken("broken")), set=["duration=2"])
+print(broken, told[-1].message, sep="\n")
 assert not broken.succeeded and "broken" in repr(broken)
