@@ -90,6 +90,8 @@ class ChannelLister {
       }
     } else if constexpr (std::same_as<T, Quat>) {
       add_channel(about, {"w", "x", "y", "z"});
+    } else if constexpr (std::same_as<T, JointVector>) {
+      add_channel(about, labels(num_joints(), 1));
     } else if constexpr (Matrix<T>) {
       add_channel(about,
                   labels(static_cast<int>(content.rows()), static_cast<int>(content.cols())));
@@ -117,6 +119,7 @@ class ChannelLister {
   }
   void add_channel(std::string_view about, std::vector<std::string> labels);
   [[nodiscard]] std::vector<std::string> labels(int rows, int columns) const;
+  [[nodiscard]] int num_joints() const { return static_cast<int>(table_.joint_names.size()); }
 
   server::ViewChannels& table_;
   std::string name_;
@@ -149,6 +152,9 @@ class ChannelWriter {
     } else if constexpr (std::same_as<T, Quat>) {
       for (const double number : {content.w(), content.x(), content.y(), content.z()})
         value(number);
+    } else if constexpr (std::same_as<T, JointVector>) {  // a plan may have none
+      const auto size = std::ssize(table_.joint_names);
+      for (Eigen::Index i = 0; i < size; ++i) value(i < content.size() ? content[i] : kNaN);
     } else if constexpr (Matrix<T>) {
       for (Eigen::Index i = 0; i < content.rows(); ++i) {
         for (Eigen::Index j = 0; j < content.cols(); ++j) value(content(i, j));

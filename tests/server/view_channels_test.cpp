@@ -97,6 +97,7 @@ TEST(ViewChannels, the_floats_of_a_signal_stand_where_its_channels_say) {
   EXPECT_EQ(at("plan.torso.q_WB", 3), 0.75F);
   EXPECT_EQ(at("plan.R_WC", 5), 7.0F);
   EXPECT_TRUE(std::isnan(at("plan.com_zmp_slack", 0)));
+  EXPECT_TRUE(std::isnan(at("plan.joints", kNumLegJoints - 1))) << "this plan has none";
   EXPECT_EQ(std::ranges::count(floats, kUnwritten), 0) << "all are written";
 }
 
