@@ -299,6 +299,7 @@ Json file_of(const std::string& kind, const tasks::OwnTasks& own) {
   }
   if (kind == "gait") {
     gaits::PlannerOptions planner;
+    gaits::set_num_legs(planner, kMaxLegs);
     std::string description;
     return map_of(gait_fields(planner, description), false);
   }

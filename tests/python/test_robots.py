@@ -93,7 +93,7 @@ def test_what_is_no_state_is_refused(robot, given, said):
 def test_unknown_robots_and_links_are_told_with_those_that_there_are(robot):
     with pytest.raises(surefoot.UnknownNameError, match='unknown robot "anymal"; did you mean "anymal_b"?'):
         surefoot.Robot("anymal")
-    with pytest.raises(surefoot.UnknownNameError, match='unknown frame "LF_FEET"; the robot has: base'):
+    with pytest.raises(surefoot.UnknownNameError, match='no frame "LF_FEET"; did you mean "LF_FOOT"'):
         robot.dynamics().frame("LF_FEET")
     assert "anymal_b" in surefoot.robots() and repr(robot) == "<robot anymal_b, 4 legs, 12 joints>"
 

@@ -32,7 +32,8 @@ def test_the_link_opens_the_page_and_its_session_describes_the_run(run):
 def test_every_field_of_the_log_is_a_channel(run, tmp_path):
     surefoot("run", "walk_flat", *LONG[2:], *SHORT, "--record", tmp_path / "run.mcap")
     names = [channel["name"] for channel in run.session()["channels"]]
-    listed = {"active", "missed", "blocked_by", "level_switches", "events"}  # entries of a frame, and what is said in words
+    # Entries of a frame, what is said in words, and a list whose length a stack makes.
+    listed = {"active", "missed", "blocked_by", "level_switches", "events", "frames"}
     with open(tmp_path / "run.mcap", "rb") as file:
         schemas = {schema.name: schema for schema, *_ in make_reader(file).iter_messages()}
         for schema in schemas.values():
