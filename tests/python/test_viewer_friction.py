@@ -34,6 +34,7 @@ def test_a_foot_whose_pyramid_is_active_uses_all_of_its_friction(browser, slippe
         weight = 9.81 * replay.session()["header"]["robot"]["mass"]
         for tick, held in found[:: len(found) // 5]:
             go_to(browser, tick)
+            browser.wait(f"document.querySelector('#state dd')?.textContent.endsWith(', tick {tick}')")  # texts follow ten times a second
             uses = {leg: channel(browser, f"commanded.friction_use.{leg}")[0] for leg in LEGS}
             carries = {leg: channel(browser, f"commanded.normal_force.{leg}")[0] for leg in LEGS}
             told = {leg: f"{100 * use:.0f} %" for leg, use in uses.items() if use is not None and carries[leg] >= 0.02 * weight}
