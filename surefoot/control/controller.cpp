@@ -1,24 +1,15 @@
-#include "surefoot/control/controller.hpp"
-
 #include "surefoot/base/error.hpp"
-#include "surefoot/base/fields.hpp"
-#include "surefoot/control/active_stack.hpp"
-#include "surefoot/control/calibration.hpp"
-#include "surefoot/control/footing.hpp"
+#include "surefoot/control/checked_input.hpp"
+#include "surefoot/control/controller_implementation.hpp"
 #include "surefoot/control/lying_posture.hpp"
-#include "surefoot/control/safety.hpp"
 #include "surefoot/control/standing_torque.hpp"
-#include "surefoot/control/state_estimation.hpp"
-#include "surefoot/estimation/first_readings.hpp"
-#include "surefoot/gaits/parts/arm_reference.hpp"
-#include "surefoot/gaits/parts/frame_reference.hpp"
+#include "surefoot/control/unsolved_tick.hpp"
 #include "surefoot/math/rotation.hpp"
 #include "surefoot/signals/plan_event.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdint>
 #include <iterator>
 #include <string>
 #include <utility>
@@ -38,123 +29,7 @@ double checked_period(double period) {
   throw Error("period is " + std::to_string(period) + " s; valid is a time > 0, such as 0.0025");
 }
 
-double clamp_finite(double value, double limit) {
-  return std::isfinite(value) ? std::clamp(value, -limit, limit) : 0.0;
-}
-
-/// Limits the command; values that are not finite become 0.
-UserCommand limited(const UserCommand& user) {
-  UserCommand result = user;
-  for (double& v : result.velocity) v = clamp_finite(v, UserCommand::kFastest);
-  for (double& d : result.shift) d = clamp_finite(d, UserCommand::kMostHeight);
-  result.yaw_rate = clamp_finite(user.yaw_rate, UserCommand::kFastest);
-  result.height = clamp_finite(user.height, UserCommand::kMostHeight);
-  return result;
-}
-
-/// What is wrong with a plan of the user's own; empty if nothing.
-std::string_view what_is_wrong(const MotionPlan& plan, const model::RobotDescription& robot) {
-  if (static_cast<int>(plan.feet.size()) != robot.num_legs())
-    return "the planner's plan does not have the robot's number of feet";
-  const auto is_finite = [](const FootPlan& foot) {
-    return foot.p_WF.allFinite() && foot.v_WF.allFinite() && foot.a_WF.allFinite() &&
-           std::isfinite(foot.force_min + foot.force_max + foot.friction);
-  };
-  if (!std::ranges::all_of(plan.feet, is_finite))
-    return "the planner's plan has NaN or infinity in a foot";
-  const TorsoPlan& torso = plan.torso;
-  const bool is_torso_known = torso.q_WB.coeffs().allFinite() && torso.w_WB.allFinite() &&
-                              torso.wdot_WB.allFinite() && std::isfinite(torso.height) &&
-                              std::isfinite(torso.height_rate + torso.height_acceleration);
-  if (!is_torso_known) return "the planner's plan has NaN or infinity in the torso";
-  if (!plan.com.p.allFinite() || !plan.com.v.allFinite() || !plan.com.a.allFinite())
-    return "the planner's plan has NaN or infinity in the centre of mass";
-  if (!is_rotation(Quat(plan.R_WC))) return "the planner's R_WC is no rotation";
-  if (plan.joints.size() != 0 && plan.joints.size() != robot.num_joints())
-    return "the planner's plan does not have the robot's number of joints";
-  const auto is_frame_finite = [](const FramePlan& frame) {
-    return frame.p_XF.allFinite() && frame.v_XF.allFinite() && frame.a_XF.allFinite() &&
-           frame.w_XF.allFinite() && is_rotation(frame.q_XF);
-  };
-  if (!std::ranges::all_of(plan.frames, is_frame_finite) || !plan.joints.allFinite())
-    return "the planner's plan has NaN or infinity in a frame or a joint";
-  return {};
-}
-
-ModelRecord unknown_model(int num_legs) {
-  const Vec3 unknown = Vec3::Constant(kNaN);
-  ModelRecord model{
-      .p_WCom = unknown, .v_WCom = unknown, .load = {.mass = kNaN, .first_moment = unknown}};
-  for (PerLeg<Vec3>* vectors : {&model.p_WF, &model.p_WH, &model.force})
-    *vectors = per_leg(unknown, num_legs);
-  return model;
-}
-
 }  // namespace
-
-struct Controller::Implementation {
-  /// Everything derived from the readings so far, except in `Safety` and the stack; a restart
-  /// resets it to `at_start`.
-  struct Memory {
-    estimation::ReadingGuard guard;
-    StateEstimation estimation;
-    Calibration calibration;
-    Footing footing;
-    gaits::ArmReference arm;
-    gaits::FrameReferences frames;
-    LastTick last;
-  };
-
-  Implementation(const model::RobotDescription& robot, const ControllerOptions& options,
-                 std::unique_ptr<estimation::StateEstimator> state_estimator,
-                 std::unique_ptr<gaits::MotionPlanner> own_planner);
-
-  const JointCommand& step(const SensorReading& reading, const UserCommand& user) noexcept;
-  /// Those of the stack.
-  void follow_frames();
-  void begin_tick(const SensorReading& reading, const UserCommand& user) noexcept;
-  const estimation::ReadingGuard& sense() noexcept;
-  void guard_reading(SensorReading reading) noexcept;
-  void restart() noexcept;
-  void restart_standing() noexcept;
-  [[nodiscard]] bool estimate(const estimation::ReadingGuard& seen) noexcept;
-  [[nodiscard]] bool is_on_its_feet() noexcept;
-  const model::Dynamics& calibrate(const estimation::ReadingGuard& seen) noexcept;
-  [[nodiscard]] bool plan_motion(const model::Dynamics& dynamics) noexcept;
-  void blame(const PartFault& found) noexcept;
-  void describe(const model::Dynamics& dynamics, const solver::Solution& solution) noexcept;
-  const JointCommand& command(const solver::Solution& solution) noexcept;
-  const JointCommand& command_without_state() noexcept;
-  const JointCommand& command_without_plan() noexcept;
-  const JointCommand& command_off_its_feet() noexcept;
-  const JointCommand& finish(const solver::Solution* solution,
-                             const HierarchyOutcome& outcome) noexcept;
-  void describe_unsolved() noexcept;
-  void keep_posture() noexcept;
-  [[nodiscard]] RobotMode mode() const;
-  [[nodiscard]] LastTick remember(const HierarchyOutcome& outcome) const noexcept;
-  void ended(Stage stage) const noexcept {
-    if (observer != nullptr) observer->stage_ends(stage);
-  }
-
-  model::RobotModel model;
-  std::unique_ptr<estimation::StateEstimator> estimator;
-  bool has_own_planner;
-  std::unique_ptr<gaits::MotionPlanner> planner;
-  Memory memory;
-  Memory at_start;
-  estimation::FirstReadings first_readings;
-  ActiveStack stack;
-  Safety safety;
-  std::vector<std::string> notes;
-  TickRecord record;
-  std::array<double, kMaxLevels> level_times{};  // [s]
-  bool explains_levels = false;
-  bool has_solved = false;      // the last tick
-  bool has_begun_anew = false;  // at this tick
-  PartFault fault;              // the latest
-  StageObserver* observer = nullptr;
-};
 
 Controller::Implementation::Implementation(
     const model::RobotDescription& robot, const ControllerOptions& options,
@@ -347,7 +222,8 @@ bool Controller::Implementation::plan_motion(const model::Dynamics& dynamics) no
 
 /// Holds the posture.
 const JointCommand& Controller::Implementation::command_without_plan() noexcept {
-  describe_unsolved();
+  level_times.fill(0.0);
+  describe_unsolved(record);
   record.plan.events = {};
   return finish(nullptr, {});
 }
@@ -365,7 +241,8 @@ const JointCommand& Controller::Implementation::command(const solver::Solution& 
 
 /// Uses the joint angles alone, if known.
 const JointCommand& Controller::Implementation::command_without_state() noexcept {
-  describe_unsolved();
+  level_times.fill(0.0);
+  describe_unsolved(record);
   record.plan.events = {};
   if (!memory.footing.stands() && !safety.has_stopped()) keep_posture();
   const bool waits = !safety.has_begun() && !safety.has_stopped();
@@ -377,7 +254,8 @@ const JointCommand& Controller::Implementation::command_without_state() noexcept
 const JointCommand& Controller::Implementation::command_off_its_feet() noexcept {
   record.plan.arm = {};
   record.plan.frames = {};
-  describe_unsolved();
+  level_times.fill(0.0);
+  describe_unsolved(record);
   record.plan.time = record.state.time;
   record.plan.calibration = CalibrationStage::none;
   const LegPosture posture = memory.footing.posture(memory.estimation.lift());
@@ -452,94 +330,5 @@ void Controller::Implementation::describe(const model::Dynamics& dynamics,
     record.model.force[k] = stack.tasks().support().force(leg, solution.x);
   }
 }
-
-// The results of the last tick must not be logged again.
-void Controller::Implementation::describe_unsolved() noexcept {
-  record.model = unknown_model(model.description().num_legs());
-  level_times.fill(0.0);
-  const std::int32_t num_levels = record.hierarchy.num_levels;
-  record.hierarchy = HierarchyReport{};
-  record.hierarchy.num_levels = num_levels;
-  for (LevelReport& level : record.hierarchy.levels) level.residual = kNaN;
-  record.hierarchy.status = static_cast<std::int32_t>(solver::SolveStatus::invalid_input);
-}
-
-Controller::Controller(const model::RobotDescription& robot, const ControllerOptions& options,
-                       std::unique_ptr<estimation::StateEstimator> estimator,
-                       std::unique_ptr<gaits::MotionPlanner> planner) {
-  if (estimator == nullptr) throw Error("the controller was given no state estimator");
-  implementation_ =
-      std::make_unique<Implementation>(robot, options, std::move(estimator), std::move(planner));
-  ControllerOptions given = options;
-  check_fields("", fields(given));
-  for (gaits::NamedGait& gait : given.gaits)
-    check_fields("gaits." + gait.name, fields(gait.options));
-}
-
-Controller::~Controller() = default;
-
-const JointCommand& Controller::step(const SensorReading& reading,
-                                     const UserCommand& user) noexcept {
-  return implementation_->step(reading, user);
-}
-
-bool Controller::switch_levels(const LevelSwitch& change) {
-  return implementation_->stack.switch_levels(change);
-}
-
-bool Controller::set_stack(const StackOptions& stack, double duration) {
-  if (!implementation_->stack.set_stack(stack, duration)) return false;
-  implementation_->follow_frames();
-  implementation_->safety.set_first_free_level(implementation_->stack.tasks().first_free_level());
-  return true;
-}
-
-void Controller::set_friction(double friction) { implementation_->planner->set_friction(friction); }
-
-const TickRecord& Controller::record() const { return implementation_->record; }
-
-const std::array<double, kMaxLevels>& Controller::level_times() const {
-  return implementation_->level_times;
-}
-
-const solver::Hierarchy& Controller::hierarchy() const {
-  return implementation_->stack.hierarchy();
-}
-
-const model::Dynamics* Controller::dynamics() const {
-  return implementation_->has_solved ? &implementation_->model.dynamics() : nullptr;
-}
-
-std::vector<std::string> Controller::level_names() const {
-  const solver::Hierarchy& hierarchy = implementation_->stack.hierarchy();
-  std::vector<std::string> names;
-  for (std::size_t i = 0; i < hierarchy.num_levels(); ++i)
-    names.push_back(hierarchy.level(i).name());
-  return names;
-}
-
-std::vector<std::string> Controller::level_units() const {
-  return implementation_->stack.tasks().units();
-}
-
-std::string Controller::row_name(int level, int id) const {
-  return implementation_->stack.tasks().row_name(level, id);
-}
-
-std::vector<std::vector<std::string>> Controller::row_names() const {
-  return implementation_->stack.tasks().row_names();
-}
-
-std::string Controller::fault() const { return implementation_->fault.text(); }
-
-std::vector<std::string> Controller::notes() const { return implementation_->notes; }
-
-void Controller::explain_levels(bool wanted) { implementation_->explains_levels = wanted; }
-
-void Controller::set_stage_observer(StageObserver* observer) {
-  implementation_->observer = observer;
-}
-
-int Controller::steps_taken() const { return implementation_->planner->steps_taken(); }
 
 }  // namespace surefoot::control

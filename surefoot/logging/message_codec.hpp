@@ -29,10 +29,9 @@ template <typename T>
 inline constexpr bool kIsList = false;
 template <typename T>
 inline constexpr bool kIsList<std::vector<T>> = true;
-template <>
-inline constexpr bool kIsList<EventList> = true;
-template <>
-inline constexpr bool kIsList<FrameList> = true;
+template <typename T>
+  requires requires { T::kMost; }
+inline constexpr bool kIsList<T> = true;
 template <typename T>
 concept OptionalLeg = std::same_as<T, std::optional<Leg>>;
 

@@ -1,11 +1,10 @@
 #pragma once
 
+#include "surefoot/signals/bounded_list.hpp"
 #include "surefoot/signals/leg.hpp"
 #include "surefoot/signals/plan_event.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cstddef>
 #include <limits>
 #include <optional>
 
@@ -23,24 +22,15 @@ struct GaitEvent {
   double force = kUnknown;
 };
 
-/// What happened at a tick, in order; further ones than kMost are left out.
-struct EventList {
-  static constexpr std::size_t kMost = 8;
-  using value_type = GaitEvent;
-
-  std::array<GaitEvent, kMost> items{};
-  std::size_t count = 0;
-
+/// What happened at a tick, in order.
+struct EventList : BoundedList<GaitEvent, 8> {
   /// None is not added.
   void add(const GaitEvent& event) {
-    if (event.kind != PlanEvent::none && count < kMost) items[count++] = event;
+    if (event.kind != PlanEvent::none) BoundedList::add(event);
   }
   void add(const EventList& events) {
     for (const GaitEvent& event : events) add(event);
   }
-  [[nodiscard]] bool empty() const { return count == 0; }
-  [[nodiscard]] const GaitEvent* begin() const { return items.data(); }
-  [[nodiscard]] const GaitEvent* end() const { return items.data() + count; }
   [[nodiscard]] bool has(PlanEvent kind) const {
     return std::ranges::find(*this, kind, &GaitEvent::kind) != end();
   }

@@ -1,9 +1,7 @@
 #pragma once
 
 #include "surefoot/math/types.hpp"
-
-#include <array>
-#include <cstddef>
+#include "surefoot/signals/bounded_list.hpp"
 
 namespace surefoot {
 
@@ -18,19 +16,8 @@ struct FramePlan {
   Vec3 w_XF = Vec3::Zero();  ///< in X [rad/s]
 };
 
-/// References of some frames, one each; further ones than kMost are left out.
-struct FrameList {
-  static constexpr std::size_t kMost = 6;
-  using value_type = FramePlan;
-
-  std::array<FramePlan, kMost> items{};
-  std::size_t count = 0;
-
-  void add(const FramePlan& plan) {
-    if (count < kMost) items[count++] = plan;
-  }
-  [[nodiscard]] const FramePlan* begin() const { return items.data(); }
-  [[nodiscard]] const FramePlan* end() const { return items.data() + count; }
+/// References of some frames, one each.
+struct FrameList : BoundedList<FramePlan, 6> {
   /// Null if the list has none of this frame.
   [[nodiscard]] const FramePlan* find(int frame) const {
     for (const FramePlan& plan : *this)

@@ -1,0 +1,54 @@
+#include "surefoot/control/checked_input.hpp"
+
+#include "surefoot/math/rotation.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace surefoot::control {
+namespace {
+
+double clamp_finite(double value, double limit) {
+  return std::isfinite(value) ? std::clamp(value, -limit, limit) : 0.0;
+}
+
+}  // namespace
+
+UserCommand limited(const UserCommand& user) {
+  UserCommand result = user;
+  for (double& v : result.velocity) v = clamp_finite(v, UserCommand::kFastest);
+  for (double& d : result.shift) d = clamp_finite(d, UserCommand::kMostHeight);
+  result.yaw_rate = clamp_finite(user.yaw_rate, UserCommand::kFastest);
+  result.height = clamp_finite(user.height, UserCommand::kMostHeight);
+  return result;
+}
+
+std::string_view what_is_wrong(const MotionPlan& plan, const model::RobotDescription& robot) {
+  if (static_cast<int>(plan.feet.size()) != robot.num_legs())
+    return "the planner's plan does not have the robot's number of feet";
+  const auto is_finite = [](const FootPlan& foot) {
+    return foot.p_WF.allFinite() && foot.v_WF.allFinite() && foot.a_WF.allFinite() &&
+           std::isfinite(foot.force_min + foot.force_max + foot.friction);
+  };
+  if (!std::ranges::all_of(plan.feet, is_finite))
+    return "the planner's plan has NaN or infinity in a foot";
+  const TorsoPlan& torso = plan.torso;
+  const bool is_torso_known = torso.q_WB.coeffs().allFinite() && torso.w_WB.allFinite() &&
+                              torso.wdot_WB.allFinite() && std::isfinite(torso.height) &&
+                              std::isfinite(torso.height_rate + torso.height_acceleration);
+  if (!is_torso_known) return "the planner's plan has NaN or infinity in the torso";
+  if (!plan.com.p.allFinite() || !plan.com.v.allFinite() || !plan.com.a.allFinite())
+    return "the planner's plan has NaN or infinity in the centre of mass";
+  if (!is_rotation(Quat(plan.R_WC))) return "the planner's R_WC is no rotation";
+  if (plan.joints.size() != 0 && plan.joints.size() != robot.num_joints())
+    return "the planner's plan does not have the robot's number of joints";
+  const auto is_frame_finite = [](const FramePlan& frame) {
+    return frame.p_XF.allFinite() && frame.v_XF.allFinite() && frame.a_XF.allFinite() &&
+           frame.w_XF.allFinite() && is_rotation(frame.q_XF);
+  };
+  if (!std::ranges::all_of(plan.frames, is_frame_finite) || !plan.joints.allFinite())
+    return "the planner's plan has NaN or infinity in a frame or a joint";
+  return {};
+}
+
+}  // namespace surefoot::control
