@@ -136,7 +136,7 @@ TEST(LegMotion, TheFootholdOfAStanceWandersWithItsFootAndStaysDuringASwing) {
   EXPECT_EQ(bench.leg.foothold(), last);
 }
 
-TEST(LegMotion, AFastSearchHasNoContactWhileTheFootFallsAsAsked) {
+Bench searching_fast() {
   PlannerOptions options;
   options.swing = kSwing;
   options.swing.search_speed = 1.0;
@@ -145,9 +145,23 @@ TEST(LegMotion, AFastSearchHasNoContactWhileTheFootFallsAsAsked) {
   bench.leg.plant(bench.time - 5.0, bench.p);
   bench.leg.lift(bench.time, {bench.p, bench.p + Vec3(0.2, 0.0, 0.0), kUp, kDuration, 0.08});
   EXPECT_EQ(bench.follow(kDuration + 0.05, 0.0), LegEvent::none);
+  return bench;
+}
+
+TEST(LegMotion, AFastSearchHasNoContactWhileTheFootFallsAsAsked) {
+  Bench bench = searching_fast();
   EXPECT_EQ(bench.follow(0.03, 50.0, 0.01 * kUp), LegEvent::none) << "what moves the foot";
   bench.foot_velocity = -0.1 * kUp;
   EXPECT_EQ(bench.follow(2.0 * kPeriod, 50.0), LegEvent::touchdown);
+}
+
+TEST(LegMotion, AFootOfAFastSearchHasTouchedWhereItBouncesUp) {
+  const double risen = 1.5 * TouchdownOptions{}.bounce_force;
+  Bench bench = searching_fast(), rises = searching_fast();
+  bench.foot_velocity = rises.foot_velocity = 0.2 * kUp;
+  EXPECT_EQ(bench.follow(kPeriod, risen), LegEvent::none);
+  EXPECT_EQ(bench.follow(kPeriod, 0.0), LegEvent::touchdown) << "it has left the ground again";
+  EXPECT_EQ(rises.follow(2.0 * kPeriod, 0.0), LegEvent::none) << "nothing pushed it";
 }
 
 TEST(LegMotion, ALostFootSearchesStraightDownFromWhereItIs) {

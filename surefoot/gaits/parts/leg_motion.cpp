@@ -68,6 +68,7 @@ void LegMotion::lift(double time, const SwingTarget& target) {
   begin_ = time;
   curve_ = SwingCurve(target, swing_, scale_);
   contact_ticks_ = 0;
+  hit_ = false;
   impact_.begin();
   blocked_for_ = 0.0;
   search_ = {scale_};
@@ -108,8 +109,8 @@ bool LegMotion::is_airborne(double time, const LegObservation& seen) const {
   const double length = scale_.length, speed = scale_.speed();
   const bool is_fast =
       seen.foot.v.norm() > speed * kFlightSpeed && moved.norm() > length * kFlightDistance;
-  const bool lands_softly = search_speed() <= swing_.touchdown_speed;
-  if (!curve_.target().straight || !lands_softly) return is_fast && up < -(length * kNoGroundDepth);
+  if (!curve_.target().straight || searches_fast())
+    return is_fast && up < -(length * kNoGroundDepth);
   const bool rises =
       seen.normal.dot(seen.foot.v) > speed * kReboundSpeed && up > length * kReboundHeight;
   return is_fast || rises;
@@ -176,7 +177,7 @@ bool LegMotion::is_caught(double time, const LegObservation& seen) {
 // What brakes a foot in contact is the estimated force; what moves a free one may look like it.
 bool LegMotion::moves_freely(const Vec3& v_WF, double descent) const {
   if (phase_ != LegPhase::search) return v_WF.norm() > scale_.speed() * kFreeSwingSpeed;
-  if (search_speed() <= swing_.touchdown_speed) return false;
+  if (!searches_fast()) return false;
   const double falls = -curve_.target().normal.dot(v_WF);
   const bool as_asked = falls > kFreeFallShare * descent;
   return falls < -scale_.speed() * kRisingSpeed ||
@@ -184,25 +185,36 @@ bool LegMotion::moves_freely(const Vec3& v_WF, double descent) const {
 }
 
 // A foot may bounce off before its force or tracking error grows. Its velocity has then changed
-// suddenly; drives and model errors change it slowly. A foot pushed back more than up met a wall.
+// suddenly; drives and model errors change it slowly. Where a search is fast, a hit counts until
+// the foot falls as asked again, for it may bounce up without any force.
+bool LegMotion::has_bounced(const Motion<Vec3>& asked, const Vec3& v_WF, double force,
+                            double brake) {
+  const Vec3& normal = curve_.target().normal;
+  const double descent = -normal.dot(asked.v), lag = normal.dot(v_WF - asked.v);
+  const double stopped = std::max(touchdown_.bounce_speed, kMinStoppedShare * descent);
+  const bool impact = impact_.is_impact(lag, stopped, force);
+  hit_ = impact || (hit_ && searches_fast() && lag > stopped);
+  const bool braked = impact_.is_braking(brake);
+  const bool is_late = phase_ == LegPhase::search && searches_fast();
+  return hit_ && !braked && (is_late || descent < scale_.speed() * kMaxBounceDescent);
+}
+
+// A foot pushed back more than up met a wall.
 bool LegMotion::touches(double time, const LegObservation& seen) {
   const model::PointKinematics& foot = seen.foot;
   const Motion<Vec3> asked = reference(time);
   const Vec3& normal = curve_.target().normal;
   const double force = normal_force_ / force_uncertainty();
   const bool near = since(time) > kArrivalPhase * curve_.target().duration;
-  const bool arrives = near || phase_ == LegPhase::search;
+  const bool is_late = phase_ == LegPhase::search, arrives = near || is_late;
   const bool behind = normal.dot(foot.p - asked.p) > touchdown_.stall_error;
   const bool stalled = arrives && behind && force > touchdown_.stall_force;
-  const double descent = -normal.dot(asked.v);
-  const double stopped = std::max(touchdown_.bounce_speed, kMinStoppedShare * descent);
-  const bool impact = impact_.is_impact(normal.dot(foot.v - asked.v), stopped, force);
-  const bool braked = impact_.is_braking(normal.dot(asked.v - curve_.at(since(time)).v));
-  const bool bounced = arrives && impact && !braked && descent < scale_.speed() * kMaxBounceDescent;
+  const double brake = normal.dot(asked.v - curve_.at(since(time)).v);
+  const bool bounced = has_bounced(asked, foot.v, force, brake) && arrives;
   // In mid-swing a large tracking error comes from the drives, not from contact.
   const bool off_track = !arrives && is_off_track(time, foot.p);
-  const bool is_late = phase_ == LegPhase::search;
-  const bool is_free = (is_late || !near) && moves_freely(foot.v, descent);
+  const bool may_be_free = is_late ? !bounced : !near;
+  const bool is_free = may_be_free && moves_freely(foot.v, -normal.dot(asked.v));
   const bool pressed = force > touchdown_.touchdown_force && !off_track;
   const bool is_large = force > kCertainForceFactor * touchdown_.touchdown_force;
   const bool certain = is_large && !(is_late && is_free);

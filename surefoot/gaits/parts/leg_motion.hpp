@@ -106,6 +106,10 @@ class LegMotion {
   [[nodiscard]] double search_speed() const {
     return std::max(swing_.search_speed, swing_.touchdown_speed);
   }
+  /// Has it hit the ground? `brake`: velocity along the normal that the reference lost [m/s].
+  [[nodiscard]] bool has_bounced(const Motion<Vec3>& asked, const Vec3& v_WF, double force,
+                                 double brake);
+  [[nodiscard]] bool searches_fast() const { return search_speed() > swing_.touchdown_speed; }
   [[nodiscard]] bool touches(double time, const LegObservation& seen);
   [[nodiscard]] LegEvent observe_search(double time, const Vec3& p_WF);
   [[nodiscard]] Motion<Vec3> reference(double time) const;
@@ -130,6 +134,7 @@ class LegMotion {
   SearchPace search_;
   ImpactDetector impact_;
   double blocked_for_ = 0.0;  // how long an obstacle has blocked the foot [s]
+  bool hit_ = false;          // the ground, and has not fallen as asked since
   int contact_ticks_ = 0;     // in a row
 };
 
