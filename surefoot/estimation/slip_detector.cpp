@@ -12,10 +12,11 @@
 namespace surefoot::estimation {
 namespace {
 
-/// Median over the other stance feet's contact points and 0, along each axis of the heading.
+/// Median over the other stance feet's contact points and 0, along each axis of the heading. One
+/// other foot is no majority: then the estimate is right.
 Vec3 velocity_of_others(const model::Dynamics& dynamics, const PerLeg<bool>& stands, Leg leg) {
   const Mat3 R = rotation_about_z(yaw(dynamics.base_rotation.R));
-  Vec3 result;
+  Vec3 result = Vec3::Zero();
   for (int axis = 0; axis < 3; ++axis) {
     std::array<double, kMaxLegs> votes;
     votes.fill(std::numeric_limits<double>::infinity());
@@ -26,6 +27,7 @@ Vec3 velocity_of_others(const model::Dynamics& dynamics, const PerLeg<bool>& sta
       if (other == leg || !stands[index(other)] || !std::isfinite(vote)) continue;
       votes[count++] = vote;
     }
+    if (count < 3) continue;
     std::ranges::sort(votes);
     result[axis] = 0.5 * (votes[(count - 1) / 2] + votes[count / 2]);
   }
@@ -72,7 +74,8 @@ PerLeg<bool> SlipDetector::settled_feet(const PerLeg<bool>& stands) const {
 // of the feet are. A filter without feet would never recover.
 void SlipDetector::reject_without_rest(const PerLeg<bool>& stands) {
   const auto stays = [&](Leg leg) { return stands[index(leg)] && !feet_[index(leg)].slips; };
-  if (2 * std::ranges::count_if(stands.legs(), stays) >= std::ssize(stands)) return;
+  const auto standing = std::ranges::count(stands, true);
+  if (2 * std::ranges::count_if(stands.legs(), stays) >= standing) return;
   for (Foot& foot : feet_) {
     foot.slips = false;
     foot.fast_for = 0.0;

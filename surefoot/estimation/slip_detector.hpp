@@ -25,9 +25,9 @@ struct SlipOptions {
 ///
 /// v_k is the velocity of foot k's contact point, zero if it stands or rolls. v_others is the error
 /// of the base velocity: along each axis the median over the other stance feet's contact points and
-/// 0, the estimate's own vote. So neither a wrong base velocity nor one other sliding foot makes a
-/// foot slide. A foot slides from `begin_speed` for `begin_duration` until it is below `end_speed`
-/// for `end_duration`. Unless half of its feet stand still, none slides. Ours. Does not allocate.
+/// 0, the estimate's own vote; with one other foot 0. So neither a wrong base velocity nor another
+/// sliding foot makes a foot slide. It slides from `begin_speed` for `begin_duration` until below
+/// `end_speed` for `end_duration`, if half of the standing feet don't. Ours. Does not allocate.
 class SlipDetector {
  public:
   SlipDetector(const SlipOptions& options, double period);

@@ -91,6 +91,18 @@ TEST(SlipDetector, OneThatSlidesMakesNoOtherSlideBeItOnThreeFeet) {
   }
 }
 
+TEST(SlipDetector, OfTwoFeetTheOneThatMovesSlides) {
+  Feet feet;
+  feet.stands[index(Leg::LF)] = feet.stands[index(Leg::RH)] = false;
+  feet.velocity(Leg::RF) = {0.5, 0.2, 0.0};
+  feet.run(0.1);
+  EXPECT_TRUE(feet.slips(Leg::RF));
+  EXPECT_EQ(feet.count(), 1);
+  feet.velocity(Leg::LH) = feet.velocity(Leg::RF);
+  feet.run(0.1);
+  EXPECT_EQ(feet.count(), 0) << "the base velocity is wrong";
+}
+
 TEST(SlipDetector, AFootSlidesAgainstTheOthersNotAgainstTheBelief) {
   Feet feet;
   for (const Leg leg : kLegs) feet.velocity(leg) = {0.2, 0.0, 0.0};
