@@ -141,7 +141,8 @@ std::vector<std::string> gait_names(const std::vector<gaits::NamedGait>& gaits) 
 }
 
 std::string valid_gaits(const std::string& given, const std::vector<std::string>& names) {
-  return names.empty() ? "the scenario's `gaits:` names none" : valid_names(given, names);
+  if (!names.empty()) return valid_names(given, names);
+  return "the scenario has one gait alone; with gaits=[crawl, trot] it has both";
 }
 
 int gait_place(const std::string& name, const std::vector<std::string>& names) {

@@ -196,14 +196,10 @@ void Safety::check_for_stop(const RobotState& state, const SensorHealth& health)
 
 // A robot that has not begun, but has all its sensors, gets time to settle.
 double Safety::max_failures(const RobotState& state, const SensorHealth& health) const {
-  const auto is_well = [](const GroupHealth& group) { return group.fault == SampleFault::none; };
-  const auto is_there = [&](const GroupHealth& group) {
-    return is_well(group) ||
-           (std::isfinite(group.age) && !is_lost(group.age, options_.bridge_time));
-  };
-  const bool has_torques = is_well(health.joint_torques) || state.torque.allFinite();
-  const bool has_all = is_there(health.encoders) && is_there(health.joint_torques) &&
-                       is_there(health.imu) && state.q.allFinite() && has_torques;
+  const bool has_torques =
+      health.joint_torques.fault == SampleFault::none || state.torque.allFinite();
+  const bool has_all =
+      are_all_there(health, options_.bridge_time) && state.q.allFinite() && has_torques;
   return has_all && !has_begun_ ? scale_.time() * kSettleTime / period_
                                 : options_.damp_after_failures;
 }

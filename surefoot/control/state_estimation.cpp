@@ -5,6 +5,7 @@
 #include "surefoot/math/rotation.hpp"
 
 #include <cmath>
+#include <string_view>
 
 namespace surefoot::control {
 namespace {
@@ -17,12 +18,17 @@ constexpr double kMaxTorque = 1e4;    // [N·m]
 
 constexpr double kMaxGap = 1.0;  // between two states, as the plan uses their time [s]
 
-/// False for NaN.
-bool is_plausible(const RobotState& state) {
+/// What can be no state of a robot, NaN too; empty if all can be.
+std::string_view what_is_wrong(const RobotState& state) {
   const auto within = [](const auto& v, double limit) { return (v.array().abs() <= limit).all(); };
-  return std::isfinite(state.time) && within(state.p_WB, kMaxDistance) && is_rotation(state.q_WB) &&
-         within(state.u(), kMaxSpeed) && within(state.q, kMaxAngle) &&
-         within(state.torque, kMaxTorque);
+  if (!std::isfinite(state.time)) return "time";
+  if (!within(state.p_WB, kMaxDistance)) return "p_WB";
+  if (!is_rotation(state.q_WB)) return "q_WB";
+  if (!within(state.v_WB, kMaxSpeed)) return "v_WB";
+  if (!within(state.w_WB_B, kMaxSpeed)) return "w_WB_B";
+  if (!within(state.q, kMaxAngle)) return "q";
+  if (!within(state.qd, kMaxSpeed)) return "qd";
+  return within(state.torque, kMaxTorque) ? "" : "torque";
 }
 
 bool has_size(const RobotState& state, Eigen::Index num_joints) {
@@ -89,8 +95,13 @@ bool StateEstimation::estimate_motion(const estimation::ReadingGuard& seen, cons
       model_->description().can_walk() && mode.stands && !mode.has_begun && !mode.has_stopped;
   const bool fits = !is_at_rest || fits_at_rest(seen, health);
   forget_lost_joints(seen, health);
-  const bool plausible = is_plausible(state_) && !(std::abs(state_.time - time_) > kMaxGap);
+  const std::string_view wrong = what_is_wrong(state_);
+  const bool plausible = wrong.empty() && !(std::abs(state_.time - time_) > kMaxGap);
   if (plausible) time_ = state_.time;
+  if (!wrong.empty() && are_all_there(health, bridge_time_)) {
+    fault_.set("the state estimator gave NaN, infinity or an impossible value in ", wrong);
+    take_joints_alone(seen);
+  }
   return plausible && fits && !mode.has_stopped &&
          lost_sensor(health, bridge_time_) == StopCause::none;
 }
@@ -109,11 +120,15 @@ bool StateEstimation::ask_estimator(const estimation::ReadingGuard& seen, const 
     state_.size_legs(model_->description().num_legs());
     return true;
   }
+  take_joints_alone(seen);
+  return false;
+}
+
+void StateEstimation::take_joints_alone(const estimation::ReadingGuard& seen) noexcept {
   state_.time = seen.repaired().time;
   state_.q = seen.repaired().q;
   state_.qd = joint_velocity_;
   state_.q_WB.coeffs().setConstant(kNaN);
-  return false;
 }
 
 void StateEstimation::observe_joints(const estimation::ReadingGuard& seen) noexcept {

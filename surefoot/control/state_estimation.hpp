@@ -53,6 +53,7 @@ class StateEstimation {
  private:
   [[nodiscard]] bool ask_estimator(const estimation::ReadingGuard& seen, const LastTick& last,
                                    const RobotMode& mode) noexcept;
+  void take_joints_alone(const estimation::ReadingGuard& seen) noexcept;
   void observe_joints(const estimation::ReadingGuard& seen) noexcept;
   [[nodiscard]] bool fits_at_rest(const estimation::ReadingGuard& seen,
                                   SensorHealth& health) noexcept;

@@ -16,8 +16,8 @@ class StateEstimator {
   virtual ~StateEstimator() = default;
 
   /// One tick. `context` is from the tick before. Joint vectors of the result have the robot's
-  /// size; NaN means unknown. The ContactForceEstimator fills `foot_force` later. Must not
-  /// allocate.
+  /// size. The ContactForceEstimator fills `foot_force` later; NaN in time, base or joints, while
+  /// all sensors are there, counts as an error as above. Must not allocate.
   [[nodiscard]] virtual const RobotState& update(const SensorReading& reading,
                                                  const TickContext& context) = 0;
 

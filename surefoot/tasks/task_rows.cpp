@@ -3,10 +3,15 @@
 #include "surefoot/base/error.hpp"
 #include "surefoot/math/numbers.hpp"
 
+#include <cmath>
 #include <string>
 
 namespace surefoot::tasks {
 namespace {
+
+constexpr double kLargest = 1e100;  // products of two, and their sums, must stay finite
+
+bool is_too_large(double bound) { return std::isfinite(bound) && std::abs(bound) > kLargest; }
 
 bool has_wrong_bounds(const solver::Level& level, Eigen::Index row) {
   const double lower = level.lower()[row], upper = level.upper()[row];
@@ -40,6 +45,9 @@ std::string_view what_is_wrong(const Task& task, const solver::Level& level, Eig
     if (id < 0 || id >= task.num_ids())
       return "wrote a row whose id is not from first_id() to first_id() + num_ids() - 1";
     if (!level.A().row(row).allFinite()) return "wrote NaN or infinity into A";
+    if (!(level.A().row(row).array().abs() <= kLargest).all() || is_too_large(level.lower()[row]) ||
+        is_too_large(level.upper()[row]))
+      return "wrote a number above 1e100, with which no solver can calculate";
     if (has_wrong_bounds(level, row))
       return "wrote a row whose bounds are NaN, or whose lower bound is above the upper";
   }

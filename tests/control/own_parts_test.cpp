@@ -5,6 +5,7 @@
 
 #include <functional>
 #include <stdexcept>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -78,6 +79,8 @@ TEST(OwnTask, ThatFailsEndsInTheSafetyLadderUnderItsName) {
          level.add(1, task.first_id()).A(0, 3) = kNaN;
        },
        R"(task "own" wrote NaN or infinity into A)"},
+      {[](const OwnTask& task, const auto&, auto& level) { write_row(task, level, 1e200, 1e200); },
+       R"(task "own" wrote a number above 1e100, with which no solver can calculate)"},
       {[](const OwnTask& task, const auto&, auto& level) {
          for (int i = 0; i < 2; ++i) write_row(task, level, 0.0, 0.0);
        },
@@ -267,6 +270,44 @@ TEST(OwnEstimator, ThatFailsEndsInTheSafetyLadderUnderItsName) {
               has_size ? "the state estimator threw: no camera"
                        : "the state estimator gave q, qd or torque that don't have the robot's "
                          "joints");
+  }
+}
+
+TEST(OwnEstimator, ThatGivesNanIsNamedWithWhatIsNan) {
+  const std::vector<std::pair<const char*, std::function<void(RobotState&)>>> cases = {
+      {"time", [](RobotState& state) { state.time = kNaN; }},
+      {"p_WB", [](RobotState& state) { state.p_WB.y() = kNaN; }},
+      {"q_WB", [](RobotState& state) { state.q_WB.coeffs().setZero(); }},
+      {"v_WB", [](RobotState& state) { state.v_WB.setConstant(kInfinity); }},
+      {"w_WB_B", [](RobotState& state) { state.w_WB_B.setConstant(kNaN); }},
+      {"q", [](RobotState& state) { state.q.setConstant(kNaN); }},
+      {"qd", [](RobotState& state) { state.qd[11] = 1e9; }},
+      {"torque", [](RobotState& state) { state.torque.setConstant(kNaN); }}};
+  for (const auto& [name, spoil] : cases) {
+    SCOPED_TRACE(name);
+    const ControllerOptions options = test::options_of();
+    RobotState state = test::standing(options.planner.stance);
+    const RobotState good = state;
+    const bool throws = false;
+    Controller controller(test::anymal_b(), options,
+                          std::make_unique<FailingEstimator>(state, throws));
+    SensorReading reading;
+    for (int i = 1; i <= 101; ++i) {
+      state = good;
+      const double noise = 1e-4 * (i % 2);  // otherwise sensors seem frozen
+      reading.time = state.time = i * options.period;
+      reading.q = good.q.array() + noise;
+      reading.gyro.setConstant(noise);
+      reading.accelerometer = Vec3(0.0, 0.0, kGravity + noise);
+      reading.torque = state.torque = controller.record().command.torque;
+      if (i > 20) spoil(state);
+      ASSERT_NO_FATAL_FAILURE(test::expect_legal(controller.step(reading, {})));
+    }
+    EXPECT_EQ(controller.record().command.mode, CommandMode::sit);
+    EXPECT_EQ(controller.record().command.cause, StopCause::own_part);
+    EXPECT_EQ(
+        controller.fault(),
+        std::string("the state estimator gave NaN, infinity or an impossible value in ") + name);
   }
 }
 
