@@ -207,8 +207,11 @@ void bind_controller(nb::module_& module) {
       .def_prop_ro(
           "command", [](const Self& self) { return self->record().command; }, "of the last tick")
       .def_prop_ro("timing", &Self::timing, "of the last tick")
-      .def_prop_ro("level_names", [](const Self& self) { return self->level_names(); })
-      .def_prop_ro("steps_taken", [](const Self& self) { return self->steps_taken(); })
+      .def_prop_ro(
+          "level_names", [](const Self& self) { return self->level_names(); },
+          "of its stack, highest priority first")
+      .def_prop_ro(
+          "steps_taken", [](const Self& self) { return self->steps_taken(); }, "so far")
       .def_prop_ro(
           "fault", [](const Self& self) { return self->fault(); },
           "what a part of your own did wrong last; empty if nothing")

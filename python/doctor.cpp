@@ -67,8 +67,8 @@ void bind_finding(nb::module_& module) {
       });
   using doctor::Trial;
   nb::class_<Trial>(module, "Trial", "How a scenario went with a robot.")
-      .def_ro("scenario", &Trial::scenario)
-      .def_ro("succeeded", &Trial::succeeded)
+      .def_ro("scenario", &Trial::scenario, "its name")
+      .def_ro("succeeded", &Trial::succeeded, "by the scenario's criteria")
       .def_ro("why", &Trial::why, "how it ended, and the criteria that were missed")
       .def("__repr__", [](const Trial& self) {
         return "<" + self.scenario + (self.succeeded ? ": succeeded" : ": " + self.why) + ">";
@@ -84,7 +84,9 @@ void bind_doctor(nb::module_& module) {
       .def_prop_ro(
           "findings", [](const Self& self) { return self.diagnosis.findings; }, "worst first")
       .def_ro("trials", &Self::trials, "with walk=True")
-      .def_prop_ro("can_walk", [](const Self& self) { return self.diagnosis.robot.has_value(); })
+      .def_prop_ro(
+          "can_walk", [](const Self& self) { return self.diagnosis.robot.has_value(); },
+          "nothing of what was found forbids a controller")
       .def_prop_ro(
           "robot", [](const Self& self) { return std::make_shared<Robot>(self.diagnosis); },
           "With guesses for what the description lacks. Raises Error, with the errors found, where "

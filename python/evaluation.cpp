@@ -41,8 +41,10 @@ std::string limits(const evaluation::Criterion& criterion) {
 
 void bind_criterion(nb::module_& module) {
   nb::class_<CriterionResult>(module, "Criterion", "A limit on a metric, and whether it held.")
-      .def_prop_ro("metric", [](const CriterionResult& self) { return self.criterion.metric; })
-      .def_prop_ro("limits", [](const CriterionResult& self) { return limits(self.criterion); })
+      .def_prop_ro(
+          "metric", [](const CriterionResult& self) { return self.criterion.metric; }, "its name")
+      .def_prop_ro(
+          "limits", [](const CriterionResult& self) { return limits(self.criterion); }, "in words")
       .def_ro("value", &CriterionResult::value, "of the metric; 1 and 0 for true and false")
       .def_ro("passed", &CriterionResult::passed, "None: not judged, as the run was too short")
       .def("__repr__", [](const CriterionResult& self) {
@@ -190,11 +192,12 @@ void bind_evaluator(nb::module_& module) {
            "A tick: after step(), before write().")
       .def_prop_ro(
           "metrics", [](const Self& self) { return as_dict(self.metrics()); },
-          nb::sig("def metrics(self) -> dict[str, typing.Any]"))
+          nb::sig("def metrics(self) -> dict[str, typing.Any]"),
+          "so far, by name; `surefoot list metrics` says what they are")
       .def_prop_ro(
           "criteria", [](const Self& self) { return self.criteria(self.metrics()); },
           "of the scenario")
-      .def_prop_ro("fell", &Self::fell)
+      .def_prop_ro("fell", &Self::fell, "so far")
       .def_prop_ro(
           "succeeded", [](const Self& self) { return self.metrics().succeeded; },
           "so far: all criteria hold, and the controller has not stopped; None: not judged yet")

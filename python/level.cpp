@@ -6,7 +6,7 @@ namespace surefoot::python {
 void bind_level(nb::module_& module) {
   using Self = LevelOutcome;
   nb::class_<Self>(module, "Level", "How one level of a hierarchy came out.")
-      .def_ro("name", &Self::name)
+      .def_ro("name", &Self::name, "in its stack or problem")
       .def_prop_ro(
           "residual", [](const Self& self) { return self.report.residual; },
           "√Σ violation² over its rows, in their unit; so far, where the search ended in this "
@@ -22,7 +22,8 @@ void bind_level(nb::module_& module) {
       .def_ro("rests_on", &Self::rests_on,
               "index of the first level above that is not proven, so that this one isn't either;\n"
               "None where there is none")
-      .def_prop_ro("num_rows", [](const Self& self) { return self.report.num_rows; })
+      .def_prop_ro(
+          "num_rows", [](const Self& self) { return self.report.num_rows; }, "at that tick")
       .def_prop_ro(
           "degrees_of_freedom_left",
           [](const Self& self) { return self.report.degrees_of_freedom_left; },

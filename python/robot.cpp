@@ -169,7 +169,7 @@ void bind_points(nb::module_& module) {
   def_view(rotation, "Jdot_u", &model::RotationKinematics::Jdot_u, "J̇ u [rad/s²], shape (3,)");
   nb::class_<model::FrameKinematics>(module, "Frame", "A frame of the robot.")
       .def_ro("point", &model::FrameKinematics::point, "its origin")
-      .def_ro("rotation", &model::FrameKinematics::rotation);
+      .def_ro("rotation", &model::FrameKinematics::rotation, "its axes");
 }
 
 void bind_dynamics(nb::module_& module) {
@@ -206,9 +206,10 @@ void bind_dynamics(nb::module_& module) {
       .def_prop_ro("q", look(&model::Dynamics::q), "joint positions [rad], shape (joints,)")
       .def_prop_ro(
           "mass", [](const Self& self) { return self.values.mass; }, "[kg]")
-      .def_prop_ro("base", part(&model::Dynamics::base), nb::rv_policy::reference_internal)
+      .def_prop_ro("base", part(&model::Dynamics::base), nb::rv_policy::reference_internal,
+                   "origin of B")
       .def_prop_ro("base_rotation", part(&model::Dynamics::base_rotation),
-                   nb::rv_policy::reference_internal)
+                   nb::rv_policy::reference_internal, "of B; its w and J are in W")
       .def_prop_ro("com", part(&model::Dynamics::com), nb::rv_policy::reference_internal,
                    "centre of mass")
       .def_prop_ro(
@@ -247,27 +248,34 @@ void bind_robot(nb::module_& module) {
              return "<robot " + given.name + ", " + std::to_string(given.num_legs()) + " legs, " +
                     std::to_string(given.num_joints()) + " joints>";
            })
-      .def_prop_ro("name", [](const Self& self) { return self.description().name; })
+      .def_prop_ro(
+          "name", [](const Self& self) { return self.description().name; }, "of its robot file")
       .def_prop_ro(
           "frames", [](Self& self) { return self.frames().names(); },
           "names of all frames: links, joints, sites of an MJCF, arms (their tips)")
       .def_prop_ro("file", &Self::file, "its robot file, for `load_scenario(…, robot=…)`")
-      .def_prop_ro("urdf", [](const Self& self) { return self.description().urdf_path; })
-      .def_prop_ro("legs",
-                   [](const Self& self) {
-                     std::vector<std::string> names;
-                     const int count = self.description().num_legs();
-                     for (const Leg leg : self.description().legs.legs())
-                       names.emplace_back(leg_name(leg, count));
-                     return names;
-                   })
-      .def_prop_ro("arms",
-                   [](const Self& self) {
-                     std::vector<std::string> names;
-                     for (const model::ArmDescription& arm : self.description().arms)
-                       names.push_back(arm.name);
-                     return names;
-                   })
+      .def_prop_ro(
+          "urdf", [](const Self& self) { return self.description().urdf_path; },
+          "path of its description")
+      .def_prop_ro(
+          "legs",
+          [](const Self& self) {
+            std::vector<std::string> names;
+            const int count = self.description().num_legs();
+            for (const Leg leg : self.description().legs.legs())
+              names.emplace_back(leg_name(leg, count));
+            return names;
+          },
+          "names of its legs, in the order of all arrays by leg")
+      .def_prop_ro(
+          "arms",
+          [](const Self& self) {
+            std::vector<std::string> names;
+            for (const model::ArmDescription& arm : self.description().arms)
+              names.push_back(arm.name);
+            return names;
+          },
+          "names of its arms, which are frames: their tips")
       .def_prop_ro(
           "joint_names", [](const Self& self) { return self.description().joint_names(); },
           "in the order of every array of joints: HAA, HFE, KFE of each leg, then arms")

@@ -58,9 +58,11 @@ void bind_result(nb::module_& module) {
       .def_prop_ro(
           "fault", [](const Self& self) { return self.run.fault; },
           "what a part of your own did wrong last; empty if nothing")
-      .def_prop_ro("criteria", [](const Self& self) { return self.run.criteria; })
+      .def_prop_ro(
+          "criteria", [](const Self& self) { return self.run.criteria; }, "of the scenario")
       .def_prop_ro("events", &events, "notable ones, and faults: a line each")
-      .def_prop_ro("notes", [](const Self& self) { return self.run.notes; })
+      .def_prop_ro(
+          "notes", [](const Self& self) { return self.run.notes; }, "lines worth telling")
       .def_prop_ro(
           "torques_hash", [](const Self& self) { return self.run.torques_hash; },
           "of all commanded torques: equal for runs that are equal to the bit")
@@ -112,7 +114,7 @@ void bind_tick(nb::module_& module) {
           "time", [](const Tick& self) { return self.plant->time(); }, "[s]")
       .def_prop_ro(
           "plant", [](Tick& self) -> BoundPlant& { return self.plant; },
-          nb::rv_policy::reference_internal)
+          nb::rv_policy::reference_internal, "as it is before the tick")
       .def_prop_ro(
           "controller", [](Tick& self) -> BoundController& { return self.controller; },
           nb::rv_policy::reference_internal, "as it was after the tick before")

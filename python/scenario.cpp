@@ -61,15 +61,16 @@ void bind_scenario(nb::module_& module) {
              return "<scenario " + self.name + " of " + self.robot.name + ", seed " +
                     std::to_string(self.seed) + ">";
            })
-      .def_ro("name", &config::Scenario::name)
+      .def_ro("name", &config::Scenario::name, "of its file")
       .def_ro("description", &config::Scenario::description, "what it shows")
       .def_ro("file", &config::Scenario::file, "that it was read from")
-      .def_ro("seed", &config::Scenario::seed)
+      .def_ro("seed", &config::Scenario::seed, "0: the nominal run")
       .def_ro("duration", &config::Scenario::duration, "longest [s]")
       .def_prop_ro(
           "period", [](const config::Scenario& self) { return self.controller.period; },
           "of the control loop [s]")
-      .def_prop_ro("robot", [](const config::Scenario& self) { return self.robot.name; })
+      .def_prop_ro(
+          "robot", [](const config::Scenario& self) { return self.robot.name; }, "its name")
       .def_prop_ro(
           "robot_model",
           [](const config::Scenario& self) { return std::make_shared<Robot>(self.robot); },

@@ -7,9 +7,12 @@ import _core  # alone: the package itself needs the file that this writes
 
 HEAD = '''"""The tasks of a stack. Each takes the name of its level first, by default its own, or its frame; what is None keeps its default."""
 
+from __future__ import annotations
+
 from collections.abc import Sequence
 from typing import Literal
 
+from surefoot._arguments import checked
 from surefoot.stack import Task, name_of
 
 __all__ = {names}
@@ -53,6 +56,7 @@ def written(task):
     signature = ", ".join(["self", *first, "*", *arguments, "weight: float = 1.0"])
     return f'''
 
+@checked
 class {class_name(task["name"])}(Task):
     """{textwrap.indent(doc, "    ").strip()}"""
 

@@ -28,8 +28,14 @@ if _trouble := _installation.two_versions():
     raise ImportError(_trouble)
 
 from surefoot import _arguments as _arguments
+from surefoot import _copies as _copies
+from surefoot import _printed as _printed
+from surefoot import _worlds as _worlds
 
+_worlds.tell()
 _arguments.tell()
+_printed.tell()
+_copies.tell()
 
 from surefoot._core import *
 from surefoot import tasks as tasks
@@ -47,7 +53,7 @@ from surefoot.stack import catalog as catalog
 from surefoot.stack import register_task as register_task
 
 if _TYPE_CHECKING:
-    from surefoot_log.recorded import Recorded
+    from surefoot_log.recorded import Recorded as Recorded
 
 
 __version__: str = getattr(_compiled, "__version__")
@@ -64,10 +70,28 @@ def _find_program() -> None:
 @_arguments.checked
 def read(path: "str | _os.PathLike[str]") -> "Recorded":
     """Reads the log of a run: `read("run.mcap")["state.p_WB.x"]` is a NumPy array. A topic is read when something of it is asked for."""
+    with _told_as_error():
+        return __getattr__("Recorded")(path)  # type: ignore[no-any-return]
+
+
+def __getattr__(name: str) -> type:
+    """What logs need is loaded when one is read."""
+    if name != "Recorded":
+        raise AttributeError(f"module 'surefoot' has no attribute {name!r}")
     from surefoot_log.recorded import Recorded
 
-    with _told_as_error():
-        return _arguments.checked(Recorded)(path)
+    return _arguments.checked(Recorded)
+
+
+# What the package's own Python calls of its compiled part is not for its users.
+_INTERNAL = ("ControllerBase", "parse_stack", "read_scenario", "run_scenario", "stack_levels")
+for _name in _INTERNAL:
+    globals().pop(_name, None)
+__all__ = ["tasks", "Recorded"] + [name for name, thing in globals().items() if name[0] != "_" and not isinstance(thing, type(_os))]
+
+
+def __dir__() -> list[str]:
+    return sorted({*globals(), *__all__})
 
 
 _find_program()

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import ast
 import contextlib
+import difflib
 import functools
 import inspect
 import operator
@@ -132,12 +133,21 @@ def checked(given: F) -> F:
     def call(*args: Any, **kwargs: Any) -> Any:
         if not forms:  # once all names are there
             forms.append(Form(inspect.signature(given), vars(_core) | given.__globals__ | vars(__import__("surefoot"))))
-        with contextlib.suppress(Unbound):  # what Python says of that is good
+        try:
             for misfit in forms[0].misfits(args, kwargs):
                 raise complaint([misfit])
+        except Unbound as error:
+            raise unbound(given.__qualname__.removesuffix(".__init__"), str(error), forms[0].signature, kwargs) from None
         return given(*args, **kwargs)
 
     return call  # type: ignore[return-value]
+
+
+def unbound(name: str, error: str, signature: inspect.Signature, kwargs: Mapping[str, Any]) -> ArgumentError:
+    takes = [one for one in signature.parameters if one != "self"]
+    near = next((found[0] for each in kwargs if each not in takes and (found := difflib.get_close_matches(each, takes, n=1))), None)
+    hint = f"did you mean {near}? " if near else ""
+    return ArgumentError(f"{name}(): {error}; {hint}its arguments are {', '.join(takes)}")
 
 
 def signature_of(text: str, defaults: tuple[Any, ...] | None) -> inspect.Signature:
@@ -189,14 +199,14 @@ def told(function: Any, name: str, argument: str = "") -> Callable[..., Any]:
 
 
 def explained(forms: list[Form], name: str, argument: str, args: tuple[Any, ...], kwargs: dict[str, Any]) -> ArgumentError:
-    found, unbound = [], ""
+    found, unfit = [], ""
     for form in forms:
         try:
             found.append([(argument or each, value, text) for each, value, text in form.misfits(args, kwargs)])
         except Unbound as error:
-            unbound = str(error)
+            unfit = str(error)
     if not found:
-        return ArgumentError(f"{name}(): {unbound}; its arguments are {', '.join(one for one in forms[0].signature.parameters if one != 'self')}")
+        return unbound(name, unfit, forms[0].signature, kwargs)
     fewest = min(found, key=len)
     if not fewest:
         with contextlib.suppress(TypeError):
@@ -207,12 +217,31 @@ def explained(forms: list[Form], name: str, argument: str, args: tuple[Any, ...]
     return complaint([each[0] for each in found if len(each) == len(fewest)])
 
 
+def refuse_other_names(kind: type) -> None:
+    """Of a class whose fields are set: what is set under a name that it has not, is told with the nearest."""
+
+    def assign(self: object, name: str, value: object) -> None:
+        try:
+            object.__setattr__(self, name, value)
+        except AttributeError:
+            if hasattr(kind, name):
+                raise
+            names = [each for each, member in vars(kind).items() if isinstance(member, property) and member.fset is not None]
+            near = difflib.get_close_matches(name, names, n=1)
+            hint = f"did you mean {near[0]}? " if near else ""
+            raise AttributeError(f"a {kind.__name__} has no {name}; {hint}it has {', '.join(names)}") from None
+
+    setattr(kind, "__setattr__", assign)
+
+
 def tell() -> None:
     """Lets all functions of the compiled module name what is wrong."""
     for name, thing in list(vars(_core).items()):
         if type(thing).__name__ == "nb_func":
             setattr(_core, name, told(thing, name))
         elif isinstance(thing, type) and thing.__module__ == _core.__name__:
+            if any(isinstance(inner, property) and inner.fset is not None for inner in vars(thing).values()):
+                refuse_other_names(thing)
             for member, inner in list(vars(thing).items()):
                 if isinstance(inner, property) and inner.fset is not None:
                     setattr(thing, member, property(inner.fget, told(inner.fset, f"{name}.{member}", member), doc=inner.__doc__))

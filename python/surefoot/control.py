@@ -11,7 +11,7 @@ from collections.abc import Sequence
 from surefoot import _core
 from surefoot._arguments import checked
 from surefoot._core import Error, Estimator, Planner, Plant, Robot, Scenario
-from surefoot.stack import Stack, registered_tasks
+from surefoot.stack import OwnTask, Stack, registered_tasks
 
 PLAIN = "walk_flat"  # whose options a controller of a robot alone has
 
@@ -36,19 +36,32 @@ def load_scenario(
         robot = Robot(robot) if isinstance(robot, str) else robot
         words.append(f"robot={robot.file}")
     if not isinstance(stack, Stack):
-        return _core.read_scenario(os.fspath(name), seed, words + [f"stack={stack}"] * (stack is not None), registered_tasks())
+        return read_scenario(name, seed, words + [f"stack={stack}"] * (stack is not None), registered_tasks())
     with tempfile.TemporaryDirectory(prefix="surefoot_") as folder:
         file = pathlib.Path(folder) / f"{stack.name}.yaml"
         file.write_text(stack.text(robot or robot_of(name, seed, words)))
         try:
-            return _core.read_scenario(os.fspath(name), seed, [*words, f"stack={file}"], stack.own_tasks)
+            return read_scenario(name, seed, [*words, f"stack={file}"], stack.own_tasks)
         except Error as error:
             raise type(error)(str(error).replace(str(file), f"stack {stack.name}")) from None
 
 
 def robot_of(name: str | os.PathLike[str], seed: int, words: list[str]) -> Robot:
     """By the scenario, which must be whole without the stack."""
-    return _core.read_scenario(os.fspath(name), seed, words, registered_tasks()).robot_model
+    return read_scenario(name, seed, words, registered_tasks()).robot_model
+
+
+def read_scenario(name: str | os.PathLike[str], seed: int, words: list[str], own: list[OwnTask]) -> Scenario:
+    """What the program says of its option --set is told of the argument that the word came from."""
+    try:
+        return _core.read_scenario(os.fspath(name), seed, words, own)
+    except Error as error:
+        text = str(error)
+        for word in words:
+            key, _, value = word.partition("=")
+            told = f"{key} {pathlib.Path(value).stem}: " if key in ("stack", "robot") else f"set has {word!r}: "
+            text = text.replace(f"--set {word}: ", told).replace(f"{told}{key}: ", told)
+        raise type(error)(text) from None
 
 
 @checked

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import contextlib
+import inspect
 import io
 import json
 import os
@@ -48,8 +49,19 @@ def run(
     seed, set, robot, stack: as for load_scenario(), where the scenario is a name. Other threads go on meanwhile; Ctrl-C ends it."""
     if isinstance(scenario, Scenario) and (seed, [*set], robot, stack) != (0, [], None, None):
         raise Error("seed, set, robot and stack are for a scenario's name: give them to load_scenario()")
+    if every_tick is not None:
+        check_takes_a_tick(every_tick)
     given = scenario if isinstance(scenario, Scenario) else load_scenario(scenario, seed, set, robot=robot, stack=stack)
     return _core.run_scenario(given, None if record is None else os.fspath(record), every_tick, estimator, planner)
+
+
+def check_takes_a_tick(function: Callable[[Tick], None]) -> None:
+    try:
+        inspect.signature(function).bind(None)
+    except TypeError as error:
+        raise Error(f"every_tick is called with the run's Tick: {error}; a function of one argument would be valid") from None
+    except ValueError:  # a compiled one does not tell
+        pass
 
 
 class Campaign:
@@ -96,7 +108,8 @@ def data_frame(table: pa.Table) -> Any:
 def campaign(spec: str | os.PathLike[str] | Mapping[str, Any], *, out: str | os.PathLike[str] | None = None, jobs: int | None = None) -> Campaign:
     """Runs a grid of scenario parameters times seeds, each run in a process of its own, as `surefoot campaign` does.
 
-    spec: a file, the name of one that ships, or its content as a dict: {"scenario": "walk_flat", "seeds": [1, 2, 3], "grid": {…}}.
+    spec: a file, the name of one that ships, or its content as a dict: {"scenario": "walk_flat", "seeds": [1, 2, 3], "grid": {…}}. In a dict
+        `stack` may be a Stack, made for the robot of the (first) scenario; one with tasks of your own can't run in other processes.
     out: folder of the results, by default results/NAME; a campaign that was cut off goes on there. jobs: runs at once, one a core by default.
     """
     from surefoot_campaign.cli import make_campaign
@@ -108,19 +121,55 @@ def campaign(spec: str | os.PathLike[str] | Mapping[str, Any], *, out: str | os.
 
     if jobs is not None and jobs < 1:
         raise Error(f"jobs is {jobs}; a whole number above 0 would be valid")
+    program, workers = Program(), jobs or len(os.sched_getaffinity(0))
+    arguments = SimpleNamespace(scheduler="local", jobs=workers, retry=False, no_plots=True, json=True)
     with told_as_error(), tempfile.TemporaryDirectory(prefix="surefoot_") as folder:
-        path = pathlib.Path(spec) if not isinstance(spec, Mapping) else pathlib.Path(folder) / f"{spec.get('name', 'campaign')}.yaml"
-        if isinstance(spec, Mapping):
-            path.write_text(json.dumps(dict(spec)))  # JSON is YAML
+        path = pathlib.Path(folder) / "campaign.yaml" if isinstance(spec, Mapping) else pathlib.Path(spec)
         try:
+            if isinstance(spec, Mapping):
+                stacks = pathlib.Path(out or pathlib.Path("results") / str(spec.get("name", path.stem))).absolute() / "stacks"
+                path.write_text(json.dumps(with_stacks_as_files(spec, stacks)))  # JSON is YAML
             loaded = load_spec(path)
+            plan = make_plan(loaded, program, workers)
         except InputError as error:
             raise Error(re.sub(re.escape(str(path)) + r"(:\d+)?", "spec", str(error)) if isinstance(spec, Mapping) else str(error)) from None
-        program, workers = Program(), jobs or len(os.sched_getaffinity(0))
         place = pathlib.Path(out or pathlib.Path("results") / loaded.name)
-        arguments = SimpleNamespace(scheduler="local", jobs=workers, retry=False, no_plots=True, json=True)
         with contextlib.redirect_stdout(io.StringIO()):
-            status = make_campaign(make_plan(loaded, program, workers), program, arguments, place, [str(path)])
+            status = make_campaign(plan, program, arguments, place, [str(path)])
     if status == WRONG_INPUT:
         raise KeyboardInterrupt(f"rows that are finished are kept in {place}; the same call goes on there")
     return Campaign(place, json.loads((place / "summary.json").read_text()))
+
+
+def with_stacks_as_files(spec: Mapping[str, Any], folder: pathlib.Path) -> Any:
+    """Each Stack in it as the path of its file, for the runs' processes."""
+    written: list[str] = []
+
+    def replaced(value: Any) -> Any:
+        if isinstance(value, Mapping):
+            return {key: replaced(each) for key, each in value.items()}
+        if isinstance(value, list | tuple):
+            return [replaced(each) for each in value]
+        return file_of(value) if isinstance(value, Stack) else value
+
+    def file_of(stack: Stack) -> str:
+        if stack.own_tasks:
+            raise Error(f"stack {stack.name} has the task {stack.own_tasks[0].name}, which only this process knows; surefoot.run(…, seed=…) in a loop "
+                        "would be valid")  # fmt: skip
+        written.append(stack.name)
+        number = written.count(stack.name)
+        file, text = folder / f"{stack.name}{f'_{number}' if number > 1 else ''}.yaml", stack.text(robot_in(spec))
+        if file.exists() and file.read_text() != text:
+            raise Error(f"{folder.parent} has results of another stack {file.stem}; another `out`, or another name of the campaign, would be valid")
+        folder.mkdir(parents=True, exist_ok=True)
+        file.write_text(text)
+        return str(file)
+
+    return replaced(spec)
+
+
+def robot_in(spec: Mapping[str, Any]) -> Robot | None:
+    scenario, fixed = spec.get("scenario"), spec.get("set")
+    first = scenario[0] if isinstance(scenario, list | tuple) and scenario else scenario
+    robot = fixed.get("robot") if isinstance(fixed, Mapping) else None
+    return load_scenario(first, robot=robot if isinstance(robot, str) else None).robot_model if isinstance(first, str) else None

@@ -249,6 +249,7 @@ class Stack:
 
     @property
     def level_names(self) -> list[str]:
+        """Highest priority first."""
         return [level.name for level in self._parsed()]
 
     def __iter__(self) -> Iterator[StackLevel]:

@@ -142,8 +142,6 @@ def video(typed):
     made.add_argument("--speed", type=positive, metavar="F", default=1, help="so many times as fast as the run; 1 by default")
     arguments = made.parse_args(typed)
     check_writable(arguments.out, arguments.log)
-    if pathlib.Path(arguments.out).suffix.lower() != ".mp4":
-        raise InputError(f"{arguments.out}: films are written as MP4; a name that ends with .mp4 would be valid")
     from surefoot_log import pictures
 
     log = LogFile(arguments.log)

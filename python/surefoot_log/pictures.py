@@ -92,13 +92,15 @@ def write_film(run, paint, path, span, rate, speed, size, stream=None):
 
 
 def make_film(log, path, size, rate, speed, first=None, last=None, stream=None):
-    """Films the whole log, or a part of it. Returns notes. Throws InputError where no tick lies in it."""
+    """Films the whole log, or a part of it. Returns notes. Throws InputError where no tick lies in it, and on a name that is no film's."""
+    if pathlib.Path(path).suffix.lower() != ".mp4":
+        raise InputError(f"{path}: films are written as MP4; a name that ends with .mp4 would be valid")
     run = read_frames(log, every=max(1, int(speed / rate / log.header["control_period"] / 2)))
     begin, end = run.frames[0].time, run.last
     span = Span(begin if first is None else first, end if last is None else last)
     if span.first > end or span.last < begin or span.last < span.first:
-        asked = " ".join(f"{name} {value:g}" for name, value in (("--from", first), ("--to", last)) if value is not None)
-        raise InputError(f"no tick lies in {asked}; the log goes from {begin:g} s to {end:g} s")
+        asked = " ".join(f"{name} {value:g} s" for name, value in (("from", first), ("to", last)) if value is not None)
+        raise InputError(f"no tick lies {asked}; the log goes from {begin:g} s to {end:g} s")
     span = Span(max(begin, span.first), min(end, span.last))
     scene = dressed(log, run, size, detail=0.005)
     camera = Camera(run.frames)

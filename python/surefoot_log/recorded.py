@@ -72,7 +72,8 @@ class Recorded:
         yield from Table(self._log, {f"/{topic}"}).parts()
 
     def table(self, topic: str) -> pa.Table:
-        """A topic's channels, a row a tick; `.to_pandas()` makes a data frame of it."""
+        """A topic's channels, a row a tick; `.to_pandas()` makes a data frame of it. Its columns don't know their worlds: never subtract those in S
+        from those in W; aligned_error() has their difference."""
         self._check_topic(topic)
         if topic not in self._tables:
             table = Table(self._log, {f"/{topic}"})
@@ -80,7 +81,7 @@ class Recorded:
         return self._tables[topic]
 
     def frame(self, topic: str) -> Any:
-        """The same as a pandas data frame with the times as index, where pandas is installed."""
+        """The same as a pandas data frame with the times as index, where pandas is installed. The same holds of worlds."""
         from surefoot.running import data_frame
 
         return data_frame(self.table(topic)).set_index("time")
@@ -117,12 +118,18 @@ class Recorded:
         """A vector of the truth in the controller's world: `in_W("truth.p_SCom")`."""
         values = self[name]
         if getattr(values, "world", "") != "S" or values.ndim != 2 or values.shape[1] != 3:
-            raise KeyError(f"{name} is no vector in S, the simulator's world; truth.p_SB and truth.v_SCom are")
+            raise KeyError(f"{name} is {self._no_vector(name, values)}; one vector in S, the simulator's world, as truth.p_SB or truth.p_SF.LF, would be valid")
         X = self.X_WS(at)
         turned = np.einsum("nij,nj->ni", X[:, :3, :3], np.asarray(values))
         is_place = any(part == "point" or part.startswith("p_") for part in name.split("."))
         found: Array = in_world(turned + X[:, :3, 3] if is_place else turned, "W")
         return found
+
+    def _no_vector(self, name: str, values: Array) -> str:
+        if getattr(values, "world", "") != "S":
+            return "not in S"
+        inside = dict.fromkeys(column.rpartition(".")[0] for column in self._names(name.partition(".")[0]) if column.startswith(f"{name}."))
+        return f"{len(inside)} of them: {', '.join(inside)}" if len(inside) > 1 else "a part of one" if values.ndim == 1 else "no vector of x, y, z"
 
     def aligned_error(self, name: str) -> Array:
         """Of each tick an error with both worlds aligned: of the plan "com" (x and y, truth minus plan) and "height", by the feet that stand; of the

@@ -1,11 +1,12 @@
-"""Numbers of a log that know their world: W, the controller's, or S, the simulator's. They don't mix."""
+"""Numbers of a log, or of a running controller and plant, that know their world: W, the controller's, or S, the simulator's. They don't mix."""
 
 import re
+import sys
 
 import numpy as np
 
 WORLD = re.compile(r"\b(?:in|to) ([WS])\b")
-ADVICE = "aligned_error() has their difference, in_W() takes truth to W; numpy.asarray() forgets the world"
+ADVICE = "of a log aligned_error() has their difference and in_W() takes truth to W, in a loop Aligner; numpy.asarray() forgets the world"
 
 
 class WorldError(ValueError):
@@ -19,15 +20,36 @@ class InWorld(np.ndarray):
 
     def __array_finalize__(self, other):
         self.world = getattr(other, "world", "")
+        if "matplotlib.units" in sys.modules and "surefoot_log.world_axes" not in sys.modules:
+            import surefoot_log.world_axes  # noqa: F401  plots by matplotlib alone refuse both worlds too
+
+    def __array_function__(self, function, types, args, kwargs):
+        world = the_world(function.__name__, [*args, *kwargs.values()])
+        found = super().__array_function__(function, types, args, kwargs)
+        return in_world(found, world) if isinstance(found, np.ndarray) and found.dtype.kind == "f" else found
 
     def __array_ufunc__(self, ufunc, method, *inputs, out=(), **options):
-        worlds = {one.world for one in inputs if isinstance(one, InWorld)}
-        if len(worlds) > 1:
-            raise WorldError(f"one of these is in W, the controller's world, the other in S, the simulator's: {ufunc.__name__} of both means nothing; {ADVICE}")
+        world = the_world(ufunc.__name__, inputs)
         plain = [np.asarray(one) if isinstance(one, InWorld) else one for one in inputs]
         outs = {"out": tuple(np.asarray(one) if isinstance(one, InWorld) else one for one in out)} if out else {}
         found = getattr(ufunc, method)(*plain, **outs, **options)
-        return in_world(found, worlds.pop() if worlds else "") if isinstance(found, np.ndarray) and found.dtype.kind == "f" else found
+        return in_world(found, world) if isinstance(found, np.ndarray) and found.dtype.kind == "f" else found
+
+
+def the_world(called, given):
+    """Of all arrays among these arguments."""
+    worlds = set(worlds_in(given)) - {""}
+    if len(worlds) > 1:
+        raise WorldError(f"one of these is in W, the controller's world, the other in S, the simulator's: {called} of both means nothing; {ADVICE}")
+    return worlds.pop() if worlds else ""
+
+
+def worlds_in(given):
+    for one in given:
+        if isinstance(one, InWorld):
+            yield one.world
+        elif isinstance(one, (list, tuple)):
+            yield from worlds_in(one)
 
 
 def in_world(values, world):

@@ -1,8 +1,12 @@
 """Every function and property of the package with every kind of wrong argument: what it says names the argument and what would be valid."""
 
+import contextlib
+import copy
 import inspect
 import math
 import os
+import pickle
+import pydoc
 import re
 
 import numpy as np
@@ -189,13 +193,26 @@ def test_enough_is_looked_at():
     (lambda world: world.plant.push(), r"Plant.push\(\): missing a required argument: 'force'; its arguments are force, body"),
     (lambda world: surefoot.Scenario(), "Scenario objects are made by the library, not by hand"),
     (lambda world: surefoot.Robot(None), "name_or_path is None; a text would be valid"),
-    (lambda world: surefoot.tasks.ComXy(kp=[1]), r"kp is \[1\]; a number or a text or a list of texts or None would be valid"),
+    (lambda world: surefoot.tasks.ComXy(kp=[1]), r"kp is \[1\]; a number or None would be valid"),
     (lambda world: setattr(surefoot.UserCommand(), "velocity", "fast"), "velocity is the text 'fast'; a list of numbers would be valid"),
+    (lambda world: surefoot.Controller("anymal_b", stak="walk"), r"^Controller\(\): got an unexpected keyword argument 'stak'; did you mean stack\? its arguments are of, plant, stack"),
+    (lambda world: surefoot.tasks.FramePosition("base", kpp=1), r"^FramePosition\(\): .*'kpp'; did you mean kp\? its arguments are frame"),
+    (lambda world: surefoot.OwnTask(), r"^OwnTask\(\): missing a required argument: 'name'; its arguments are name, weight"),
+    (lambda world: surefoot.register_task("a", 1), r"^register_task\(\): too many positional arguments; its arguments are task"),
+    (lambda world: surefoot.run("walk_flat", every_tick=lambda: 1), "every_tick is called with the run's Tick: .*; a function of one argument would be valid"),
+    (lambda world: surefoot.Controller("anymal_b", stack=world.stack.last(surefoot.tasks.FramePosition("gripper"))), "^stack terrain_adaptation: the robot anymal_b has no frame"),
+    (lambda world: surefoot.Controller("anymal_b", stack="foo"), '^stack foo: unknown stack "foo"; valid are: '),
+    (lambda world: surefoot.load_scenario("walk_flat", set=["durtion=2"]), "^set has 'durtion=2': unknown key; did you mean \"duration\""),
+    (lambda world: surefoot.read(world.log).film("a.mp4", 3, 1), "^no tick lies from 3 s to 1 s; the log goes from 0 s to"),
+    (lambda world: surefoot.read(world.log).film("a.avi"), "^a.avi: films are written as MP4; a name that ends with .mp4"),
+    (lambda world: surefoot.campaign({"scenario": "walk_flt", "seeds": [1]}), '^spec: .*unknown scenario "walk_flt"; did you mean "walk_flat"'),
+    (lambda world: surefoot.campaign({"scenario": "walk_flat", "seeds": [1], "grid": {"durtion": [1]}}), '^spec: .*unknown key; did you mean "duration"'),
     (lambda world: setattr(surefoot.UserCommand(), "walk", 1), "walk is 1; True or False would be valid"),
 ])  # fmt: skip
 def test_it_reads_like_advice(world, call, said):
-    with pytest.raises(surefoot.Error if "objects are made" not in said else TypeError, match=said):
+    with pytest.raises(surefoot.Error if "objects are made" not in said else TypeError, match=said) as raised:
         call(world)
+    assert "--" not in str(raised.value) and "/tmp" not in str(raised.value)
 
 
 def test_nan_that_was_written_into_a_vector_is_refused_before_the_tick(world):
@@ -208,6 +225,62 @@ def test_nan_that_was_written_into_a_vector_is_refused_before_the_tick(world):
         world.plant.write(command)
     with pytest.raises(ValueError, match="read-only"):
         world.scenario.torque_limit[0] = math.nan
+
+
+def test_a_field_that_is_not_there_is_told_with_the_nearest():
+    with pytest.raises(AttributeError, match="a UserCommand has no velocty; did you mean velocity\\? it has walk, velocity"):
+        surefoot.UserCommand().velocty = [1, 0]
+    with pytest.raises(AttributeError, match="no setter"):
+        surefoot.MotionPlan().feet = {}
+
+
+def objects(of, found, depth=0):
+    """One of each class of the package that is reached from an object."""
+    if isinstance(of, dict | list | tuple):
+        for one in [*(of.values() if isinstance(of, dict) else of)][:3]:
+            objects(one, found, depth)
+    elif type(of).__module__.startswith("surefoot") and not isinstance(of, np.ndarray) and type(of) not in found and depth < 6:
+        found[type(of)] = of
+        for name in dir(of):
+            with contextlib.suppress(surefoot.Error):  # of a run that has ended
+                if name[0] != "_" and not callable(value := getattr(of, name)):
+                    objects(value, found, depth + 1)
+
+
+def test_every_object_prints_as_something_useful(world):
+    class Own(surefoot.Estimator):
+        pass
+
+    dynamics, found = world.scenario.robot_model.dynamics(), {}
+    evaluator = surefoot.Evaluator(world.scenario, world.plant, world.controller)
+    for one in [world.scenario, world.plant, world.controller, world.controller.levels(), world.result, world.tick, world.task_tick, world.context, world.last,
+                dynamics, dynamics.frame("LF_FOOT"), evaluator, surefoot.Aligner(), surefoot.explain(world.log, 1.0), surefoot.read(world.log), world.stack,
+                world.planner, surefoot.HierarchicalSolver(), surefoot.solve([{"A": [[1.0]], "b": [1.0]}])]:  # fmt: skip
+        objects(one, found)
+    texts = {kind.__name__: repr(one) for kind, one in found.items()}
+    assert {"Point", "Frame", "TickContext", "FootContact", "HierarchyOutcome", "TaskTick", "Evaluator", "Explanation", "Aligner", "Planner"} <= texts.keys()
+    assert not [f"{name}: {text}" for name, text in texts.items() if " object at 0x" in text]
+    assert repr(Own()) == "<Own, an own Estimator>" and texts["HierarchyOutcome"].startswith("HierarchyOutcome(tilt_shortfall=")
+    assert "J=3×18" in texts["Point"] and texts["Explanation"].startswith("<explanation: ") and len(texts["TaskTick"]) < 200
+
+
+def test_help_has_what_is_meant_for_users_each_with_a_text():
+    text = pydoc.plain(pydoc.render_doc(surefoot))
+    for name in ("run(", "load_scenario(", "campaign(", "class Controller(", "class Stack(", "class OwnTask(", "class Recorded(", "read("):
+        assert re.search(rf"^    {re.escape(name)}", text, re.MULTILINE), name
+    assert not re.search(r"parse_stack|read_scenario|run_scenario|stack_levels\(", text)
+    assert not [name for name in dir(surefoot) if name in INTERNAL and "." not in name and name != "GaitEvent"]
+    without = [f"{kind.__name__}.{name}" for kind in map(surefoot.__dict__.get, surefoot.__all__) if isinstance(kind, type) and not issubclass(kind, Exception)
+               for name, member in vars(kind).items() if name[0] != "_" and not re.sub(r"\(self.*\) -> .*", "", inspect.getdoc(member) or "")]  # fmt: skip
+    assert not without
+
+
+def test_a_command_can_be_copied_and_pickled():
+    user = surefoot.UserCommand(walk=True, velocity=[0.1, 0], reach=surefoot.ReachCommand(0, [0.5, 0, 0.6]), gait="trot")
+    for again in (copy.copy(user), copy.deepcopy(user), pickle.loads(pickle.dumps(user))):
+        assert repr(again) == repr(user) and again is not user
+    again.velocity[0] = 1.0
+    assert user.velocity[0] == 0.1
 
 
 def test_help_shows_signature_and_text():

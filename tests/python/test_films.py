@@ -51,8 +51,8 @@ def test_a_log_that_was_cut_off_is_filmed_as_far_as_it_goes(log, tmp_path):
 
 def test_wrong_arguments_are_said_and_leave_no_film(log, tmp_path):
     out = tmp_path / "a.mp4"
-    assert "--from 7; the log goes from 0 s to 1.9975 s" in complaint_of("video", log, "--out", out, "--from", "7")
-    assert "no tick lies in --from 1 --to 0.5" in complaint_of("video", log, "--out", out, "--from", "1", "--to", "0.5")
+    assert "from 7 s; the log goes from 0 s to 1.9975 s" in complaint_of("video", log, "--out", out, "--from", "7")
+    assert "no tick lies from 1 s to 0.5 s" in complaint_of("video", log, "--out", out, "--from", "1", "--to", "0.5")
     assert "127x96" in complaint_of("video", log, "--out", out, "--size", "127x96")
     for wrong in (("--from", "nan"), ("--to", "inf"), ("--rate", "1000000"), ("--rate", "0"), ("--from", "soon"), ("--speed", "2000")):
         assert f'"{wrong[1]}" is not a ' in complaint_of("video", log, "--out", out, *wrong)

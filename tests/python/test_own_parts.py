@@ -56,6 +56,7 @@ def raising(tick):
 BAD = {
     "raises": (raising, "ValueError: no idea (test_own_parts.py, line "),
     "nan": (lambda tick: (tick.dynamics.base.J[2:3], [np.nan]), "NaN"),
+    "huge": (lambda tick: (tick.dynamics.base.J[2:3], [1e200]), "wrote a number above 1e100"),
     "columns": (lambda tick: (np.zeros((1, 7)), [0]), "A with 7 columns; 18, one for each acceleration, or 30 with the torques would be valid"),
     "bounds": (lambda tick: (np.zeros((1, 18)), [0, 1]), "rows() gave 1 rows, but 2 lower and 2 upper bounds"),
     "too many": (lambda tick: (np.zeros((3, 18)), [0, 0, 0]), "rows() gave 3 rows, and max_rows is 1"),
@@ -209,6 +210,27 @@ def test_an_estimator_that_goes_wrong_is_told_and_the_robot_sits_down():
             command = controller.step(plant.read(), scenario.user(plant.time))
             plant.write(command)
     assert "q_WB has the length 0" in controller.fault and command.mode in ("sit", "hold") and plant.truth.p_SB[2] > 0.2
+
+
+def forgets_the_velocity(reading, context):
+    state = surefoot.RobotState()
+    state.time, state.p_WB, state.q_WB, state.w_WB_B = reading.time, [0, 0, 0.49], [1, 0, 0, 0], reading.gyro
+    state.q, state.qd, state.torque = reading.q, context.joint_velocity, reading.torque
+    return state
+
+
+@pytest.mark.parametrize("begin", [0.0, 0.5])
+@pytest.mark.parametrize("made, named", [(lambda reading, context: surefoot.RobotState(), "time"), (forgets_the_velocity, "v_WB")])
+def test_an_estimator_that_gives_nan_is_told_what_is_nan_and_the_robot_sits_down(begin, made, named):
+    class Gives(Asks):
+        def update(self, reading, context):
+            return made(reading, context) if reading.time >= begin else super().update(reading, context)
+
+    scenario = surefoot.load_scenario("walk_flat", set=["duration=3", "user=[{time: 0}]"])
+    with pytest.warns(RuntimeWarning, match=f"NaN, infinity or an impossible value in {named}") as warned:
+        result = surefoot.run(scenario, estimator=Gives(scenario))
+    assert len(warned) == 1 and not result["fell"] and result.fault.endswith(named)
+    assert "own" in result.reason and named in result.reason, result.reason
 
 
 def test_a_plan_is_written_by_its_names():

@@ -29,6 +29,13 @@ def test_figures_of_the_report_and_channels_are_plotted(log, tmp_path):
         run.plot("com_traking")
 
 
+def test_a_topic_is_a_data_frame_by_its_times(log):
+    run = surefoot.read(log)
+    frame = run.frame("state")
+    assert frame.index.name == "time" and list(frame.index) == list(run.time)
+    np.testing.assert_array_equal(frame["state.p_WB.x"], np.asarray(run["state.p_WB.x"]))
+
+
 def test_a_topic_comes_in_parts_too(log):
     run = surefoot.read(log)
     parts = list(run.parts("state"))

@@ -1,5 +1,6 @@
 """Runs, campaigns and controllers without a plant, from Python."""
 
+import sys
 import threading
 
 import numpy as np
@@ -134,21 +135,39 @@ def test_pushes_that_make_no_sense_are_refused(scenario):
     assert "LF_SHANK" in plant.bodies
 
 
-def test_a_campaign_gives_tables_and_compares_cases_seed_by_seed(tmp_path):
+def test_a_campaign_gives_tables_and_compares_cases_seed_by_seed(tmp_path, monkeypatch):
     spec = {"name": "short", "scenario": "walk_flat_ideal", "seeds": [1, 2], "set": {"duration": 0.2},
             "cases": {"as it is": {}, "heavier": {"disturbances.payload.mass": 5.0}}}  # fmt: skip
     found = surefoot.campaign(spec, out=tmp_path / "results", jobs=1)
     assert found.table.num_rows == 4 and set(found.table["case"].to_pylist()) == {"as it is", "heavier"}
     assert sum(found.points[0]["outcomes"].values()) == 2 and found.pairs[0]["against"] == "as it is" and repr(found).startswith("<campaign short: ")
-    try:
-        import pandas  # noqa: F401
-    except ImportError:
-        with pytest.raises(ModuleNotFoundError, match="pandas is not installed"):
-            found.frame
-    else:
-        assert len(found.frame) == 4
+    assert list(found.frame["seed"]) == found.table["seed"].to_pylist()
+    monkeypatch.setitem(sys.modules, "pandas", None)
+    with pytest.raises(ModuleNotFoundError, match="pandas is not installed: `pip install pandas`, or use `.table`"):
+        found.frame
     with pytest.raises(surefoot.Error, match="seeds"):
         surefoot.campaign({"scenario": "walk_flat"})
+
+
+def test_a_campaign_compares_stacks(tmp_path):
+    stack = surefoot.Stack("terrain_adaptation")
+    spec = {"scenario": "walk_flat_ideal", "seeds": [1], "set": {"duration": 0.3}, "cases": {"as it is": {"stack": stack}, "soft": {"stack": stack.tune("com_xy", kp=20)}}}
+    found = surefoot.campaign(spec, out=tmp_path / "results", jobs=1)
+    torques = dict(zip(found.table["case"].to_pylist(), found.table["torques_hash"].to_pylist(), strict=True))
+    here = surefoot.run("walk_flat_ideal", seed=1, set=["duration=0.3"], stack=stack.tune("com_xy", kp=20)).torques_hash
+    assert torques["soft"] == f"{here:016x}" != torques["as it is"]
+    spec["cases"]["soft"]["stack"] = stack.tune("com_xy", kp=30)
+    with pytest.raises(surefoot.Error, match="results has results of another stack terrain_adaptation_2; another `out`"):
+        surefoot.campaign(spec, out=tmp_path / "results", jobs=1)
+
+    class Mine(surefoot.OwnTask):
+        max_rows = 1
+
+        def rows(self, tick):
+            return None
+
+    with pytest.raises(surefoot.Error, match="stack terrain_adaptation has the task mine, which only this process knows"):
+        surefoot.campaign({"scenario": "walk_flat_ideal", "seeds": [1], "set": {"stack": stack.last(Mine("mine"))}}, out=tmp_path / "other")
 
 
 def test_what_is_kept_of_a_tick_says_that_its_run_has_ended():
@@ -212,7 +231,7 @@ def test_gaits_that_are_not_there_are_refused_with_those_that_are():
             surefoot.run(scenario, every_tick=lambda tick, user=user: setattr(tick, "user", user))
     user.gait = "trot"
     controller.step(plant.read(), user)
-    with pytest.raises(surefoot.Error, match="names none"):
+    with pytest.raises(surefoot.Error, match=r"one gait alone; with gaits=\[crawl, trot\] it has both"):
         surefoot.Controller("anymal_b").step(plant.read(), user)
 
 

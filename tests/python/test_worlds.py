@@ -55,8 +55,9 @@ def test_the_transform_takes_the_truth_to_where_the_plan_is(run):
     there = np.einsum("nij,nj->ni", X[:, :3, :3], p) + X[:, :3, 3]
     np.testing.assert_allclose(np.asarray(run["state.p_WB"]) - there, run.aligned_error("base"), atol=1e-9)
     np.testing.assert_allclose(np.linalg.norm(run.in_W("truth.v_SCom"), axis=1), np.linalg.norm(np.asarray(run["truth.v_SCom"]), axis=1))
-    for wrong in ("state.p_WB", "truth.p_SB.x", "truth.torque"):
-        with pytest.raises(KeyError, match="is no vector in S"):
+    for wrong, said in {"state.p_WB": "is not in S", "truth.p_SB.x": "is a part of one", "truth.torque": "is not in S",
+                        "truth.p_SF": "is 4 of them: truth.p_SF.LF, truth.p_SF.RF"}.items():  # fmt: skip
+        with pytest.raises(KeyError, match=f"{said}.*; one vector in S, .* would be valid"):
             run.in_W(wrong)
 
 
@@ -70,6 +71,38 @@ def test_a_loop_of_ones_own_has_the_numbers_of_the_log(run):
         assert np.array_equal(found.com_error, run.aligned_error("com")[tick], equal_nan=True)
         plant.write(command)
     assert np.array_equal(found.feet.p_WS, np.asarray(run["alignment.feet.p_WS"])[tick])
+
+
+def test_state_and_truth_of_a_running_robot_do_not_mix():
+    scenario = surefoot.load_scenario("walk_flat", set=ELSEWHERE)
+    plant = surefoot.Plant(scenario)
+    controller = surefoot.Controller(scenario)
+    plant.write(controller.step(plant.read(), scenario.user(0)))
+    state, truth = controller.state, plant.truth
+    for expression in (lambda: state.p_WB - truth.p_SB, lambda: np.stack([controller.plan.feet["LF"].p_WF, truth.p_SF[0]]),
+                       lambda: np.concatenate((state.p_WB, truth.p_SB)), lambda: np.linalg.norm(controller.model.p_WCom - truth.p_SCom)):  # fmt: skip
+        with pytest.raises(WorldError, match="in W, the controller's world, the other in S.*Aligner"):
+            expression()
+    assert np.stack([state.p_WB, state.v_WB]).world == "W" and not hasattr(state.q, "world")
+    state.p_WB[0] = 7.0
+    state.p_WB += [1, 0, 0]
+    assert state.p_WB[0] == 8.0 and np.shares_memory(state.p_WB, state.p_WB)
+
+
+def test_an_axis_of_a_plot_takes_one_world_and_is_named_by_it(run):
+    from matplotlib import pyplot as plt
+
+    figure, axes = plt.subplots()
+    axes.plot(run.time, run["state.p_WB.x"])
+    axes.plot(run.time, run.aligned_error("heading"))
+    assert axes.get_ylabel() == "in W"
+    with pytest.raises(WorldError, match="this axis has numbers in W, and these are in S"):
+        axes.plot(run.time, run["truth.p_SB.x"])
+    axes.set_ylabel("x [m]")
+    axes.plot(run.time, run.in_W("truth.p_SB")[:, 0])
+    figure.canvas.draw()
+    assert axes.get_ylabel() == "x [m]"
+    plt.close(figure)
 
 
 def test_a_log_without_the_alignment_says_so(file, tmp_path):

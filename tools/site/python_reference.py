@@ -17,16 +17,25 @@ def pages(root):
         raise SystemExit(f"{STUB} is missing: ninja -C build/release surefoot_python_stub")
     text = HEAD
     package = root / "python/surefoot"
-    modules = {"surefoot": [stub, package / "__init__.py"]}
-    modules |= {f"surefoot.{file.stem}": [file] for file in sorted([*package.glob("[!_]*.py"), stub.with_name("tasks.py")])}
-    return {"reference/python.md": text + "".join(module(name, files) for name, files in modules.items())}
+    init = ast.parse((package / "__init__.py").read_text())
+    text += module("surefoot", [stub, root / "python/surefoot_log/recorded.py", package / "__init__.py"], lambda name: name not in calls_only(init))
+    shared = set(taken_from_modules(init))
+    for file in sorted(package.glob("[!_]*.py")):
+        text += module(f"surefoot.{file.stem}", [file], lambda name: name in shared)
+    return {"reference/python.md": text + module("surefoot.tasks", [stub.with_name("tasks.py")], lambda name: True)}
 
 
-def module(name, files):
+def calls_only(init):
+    """What the package calls of its compiled part, and keeps from its users; but Controller has the members of ControllerBase."""
+    (names,) = [ast.literal_eval(entry.value) for entry in init.body if isinstance(entry, ast.Assign) and ast.unparse(entry.targets[0]) == "_INTERNAL"]
+    return set(names) - {"ControllerBase"}
+
+
+def module(name, files, is_meant):
     trees = [ast.parse(file.read_text()) for file in files]
     about = [text for tree in trees if (text := ast.get_docstring(tree))][-1:]  # the package's says what that of its compiled part does
     elsewhere = {name for tree in trees for name in taken_from_modules(tree)}
-    entries = [entry for tree in trees for entry in members(tree) if is_public(entry) and name_of(entry) not in elsewhere]
+    entries = [entry for tree in trees for entry in members(tree) if is_public(entry) and name_of(entry) not in elsewhere and is_meant(name_of(entry))]
     order = {ast.ClassDef: 0, ast.FunctionDef: 1}
     entries.sort(key=lambda entry: order.get(type(entry), 2))
     parts = [f"\n## {name}\n", *(prose.to_html(text) + "\n" for text in about)]
