@@ -104,6 +104,33 @@ std::string write_anymal_b(const test::TemporaryFolder& folder, double size) {
   return folder / "robot.yaml";
 }
 
+/// With the true state and ideal drives, and the times of clock and contacts to size: no noise, no
+/// tick is left that differs.
+TEST(Sizes, WalkTheSameWalkAtEachTick) {
+  const evaluation::Metrics one = walked("walk_flat_ideal", "anymal_b", {"duration=12"});
+  for (const double size : {0.5, 2.0}) {
+    const test::TemporaryFolder folder;
+    const double time = std::sqrt(size);
+    const auto scaled = [](const char* key, double number) {
+      std::array<char, 80> text{};
+      std::snprintf(text.data(), text.size(), "%s=%.17g", key, number);
+      return std::string(text.data());
+    };
+    const evaluation::Metrics other = walked(
+        "walk_flat_ideal", write_anymal_b(folder, size),
+        {scaled("duration", 12.0 * time), scaled("period", 0.0025 * time),
+         scaled("timestep", 0.0005 * time), scaled("foot_contact.solref_time", 0.005 * time)});
+    const auto expect_same = [size](double here, double there, double share, const char* what) {
+      EXPECT_NEAR(here, there, share * there) << what << " at size " << size;
+    };
+    EXPECT_EQ(other.steps_taken, one.steps_taken) << size;
+    expect_same(other.speed_mps / time, one.speed_mps, 0.01, "speed");
+    expect_same(other.com_lateral_sway_m / size, one.com_lateral_sway_m, 0.01, "sway");
+    expect_same(other.torque_max_nm / std::pow(size, 4.0), one.torque_max_nm, 0.02, "torque");
+    expect_same(other.com_error_max_m / size, one.com_error_max_m, 0.1, "COM error");
+  }
+}
+
 TEST(Sizes, WalkTheSameWalk) {
   const evaluation::Metrics one = walked("walk_flat", "anymal_b");
   for (const double size : {0.5, 2.0}) {

@@ -65,7 +65,7 @@ ComPlanner::Problem::Problem(std::size_t phases)
 
 ComPlanner::ComPlanner(const ComPlannerOptions& options, const ForceOptions& force,
                        const Scale& scale)
-    : options_(options), force_(force), length_(scale.length) {
+    : options_(options), force_(force), length_(scale.length), time_(scale.time()) {
   knots_.fill({Vec2::Zero(), Vec2::Zero(), Vec2::Zero()});
   for (std::size_t phases = 1; phases <= kMaxPhases; ++phases)
     problems_.push_back(std::make_shared<Problem>(phases));
@@ -191,7 +191,7 @@ void ComPlanner::write_smoothness_rows(solver::Level& level, std::size_t phase) 
   const double T = problem_.phases[phase].duration;
   for (std::size_t i = 0; i < kGaussPoints; ++i) {
     const HermiteWeights w =
-        std::sqrt(kGaussWeights[i] * T) * hermite_acceleration(kGaussNodes[i] * T, T);
+        std::sqrt(kGaussWeights[i] * T / time_) * hermite_acceleration(kGaussNodes[i] * T, T);
     solver::Rows rows = level.add(2, 0);
     for (int axis = 0; axis < 2; ++axis)
       rows.set_equal(axis, -add_terms(rows, axis, phase, axis, w, 1.0));
@@ -209,10 +209,13 @@ void ComPlanner::write_terminal_rows(solver::Level& level) const noexcept {
   solver::Rows rows = level.add(kUnknownsPerKnot, 0);
   const auto first = static_cast<Eigen::Index>(kUnknownsPerKnot * last);
   for (int axis = 0; axis < 2; ++axis) {
-    for (Eigen::Index i = 3 * axis; i < 3 * axis + 3; ++i) rows.A(i, first + i) = weight;
-    rows.set_equal(3 * axis, weight * (center[axis] - guess.p[axis]));
-    rows.set_equal(3 * axis + 1, weight * (problem_.end_velocity[axis] - guess.v[axis]));
-    rows.set_equal(3 * axis + 2, -weight * guess.a[axis]);
+    const Vec3 error(center[axis] - guess.p[axis], problem_.end_velocity[axis] - guess.v[axis],
+                     -guess.a[axis]);
+    const Vec3 weights = weight * Vec3(1.0, time_, time_ * time_);  // [1/s²], [1/s], 1
+    for (Eigen::Index i = 0; i < 3; ++i) {
+      rows.A(3 * axis + i, first + 3 * axis + i) = weights[i];
+      rows.set_equal(3 * axis + i, weights[i] * error[i]);
+    }
   }
 }
 

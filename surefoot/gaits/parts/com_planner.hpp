@@ -146,7 +146,7 @@ class ComPlanner {
 
   ComPlannerOptions options_;
   ForceOptions force_;
-  double length_;  // scale of lengths
+  double length_, time_;  // scales of lengths and times
   // By number of phases. Stateless between plans, so copies of a planner share them; only one copy
   // may plan at a time.
   std::vector<std::shared_ptr<Problem>> problems_;
