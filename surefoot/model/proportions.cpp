@@ -16,6 +16,8 @@ constexpr Proportions kReference{.leg = 0.56433096076673273,
 constexpr double kStandingHeight = 0.46;  // of the reference's hips over its feet [m]
 constexpr double kHalfStride = 0.235;     // from the hip, of its walk, with some room [m]
 constexpr double kLeastWidth = 0.85;      // of the feet, as a share of the reference's on such legs
+constexpr double kWeakKnees = 0.15;       // torque over m g l: a wider stance asks too much of them
+constexpr double kStrongKnees = 0.2;
 constexpr double kRounding = 1e-6;
 
 /// From the HFE axis to the sphere centre, across the axis.
@@ -58,6 +60,22 @@ double stroke(const RobotModel& model, Leg leg, double height, double longest) {
     }
   }
   return kInfinity;
+}
+
+/// What the least of the knees may exert.
+double knee_torque(const RobotDescription& robot) {
+  double result = kInfinity;
+  for (const Leg leg : robot.legs.legs())
+    result = std::min(result, robot.torque_limit[first_joint(leg) + 2]);
+  return result;
+}
+
+/// Margins go with legs, and so does the least width. But the knees of a wider stance have more to
+/// carry, so weak ones stand below their hips.
+double least_width(const Proportions& robot, double length) {
+  const double strength = robot.knee_torque / (robot.mass * kGravity * robot.leg);
+  const double share = (strength - kWeakKnees) / (kStrongKnees - kWeakKnees);
+  return std::clamp(share, 0.0, 1.0) * kLeastWidth * length;
 }
 
 double ratio(double length, double reference) {
@@ -112,6 +130,7 @@ Proportions proportions_of(RobotModel& model) {
     result.hip_height += hip.z() / result.num_legs;
   }
   result.mass = model.mass();
+  result.knee_torque = knee_torque(model.description());
   const double length = result.leg / kReference.leg;
   for (const Leg leg : first_legs(result.num_legs))
     result.stroke =
@@ -128,7 +147,7 @@ Scale scale_of(const Proportions& robot) {
   const double hip_height = robot.hip_height - scale.length * kReference.hip_height;
   scale.hip_height = std::abs(hip_height) < kRounding ? 0.0 : hip_height;
   if (robot.num_legs < kNumLegs) return scale;
-  scale.half_width = std::max(scale.half_width, kLeastWidth * scale.length);
+  scale.half_width = std::max(scale.half_width, least_width(robot, scale.length));
   const int pairs = robot.num_legs / 2;  // hips stand closer, and a cycle has more swings
   const double gap = scale.half_length / (pairs - 1);
   scale.stride = std::min(1.0, gap / scale.length) * (2.0 / pairs);

@@ -18,6 +18,7 @@ struct Proportions {
   double half_width = 0.0;    ///< |y| of the feet in B at q = 0, mean of the legs [m]
   double hip_height = 0.0;    ///< z of the HFE axes in B, mean of the legs [m]
   double stroke = kInfinity;  ///< of a foot ahead and back of its hip, until a joint meets its stop
+  double knee_torque = kInfinity;  ///< of the weakest knee [N·m]
 };
 
 /// The longest that a length of a leg gets while its knee turns from one angle to another [m], to

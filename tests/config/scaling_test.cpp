@@ -2,6 +2,7 @@
 #include "surefoot/config/robot_file.hpp"
 #include "surefoot/config/scenario_file.hpp"
 #include "surefoot/config/stack_file.hpp"
+#include "surefoot/model/proportions.hpp"
 #include "tests/logging/temporary_folder.hpp"
 #include "tests/support/messages.hpp"
 
@@ -44,6 +45,19 @@ TEST_F(Scaling, OfFeetBelowCloseHipsIsThatOfItsLegs) {
   }
   const Scale wide = load_robot("solo12").scale;
   EXPECT_GT(wide.half_width, wide.length);
+}
+
+// A wider stance needs more of the knees.
+TEST(FeetBelowCloseHips, StandAsCloseAsWeakKneesAsk) {
+  model::Proportions robot{.leg = 0.5, .mass = 20.0, .half_length = 0.3, .half_width = 0.1};
+  const double torque = 20.0 * kGravity * 0.5;
+  robot.knee_torque = 0.25 * torque;
+  const Scale strong = model::scale_of(robot);
+  EXPECT_DOUBLE_EQ(strong.half_width, 0.85 * strong.length);
+  robot.knee_torque = 0.14 * torque;
+  EXPECT_DOUBLE_EQ(model::scale_of(robot).half_width, 0.1 / 0.246);
+  robot.knee_torque = 0.19 * torque;
+  EXPECT_NEAR(model::scale_of(robot).half_width, 0.8 * strong.half_width, 1e-12);
 }
 
 // Its thighs stop 15° behind the vertical.
