@@ -19,6 +19,8 @@ constexpr std::array<std::string_view, 4> kPhysics{"equations_of_motion", "no_co
 constexpr std::array<std::string_view, 2> kEfforts{"contact_force_minimisation",
                                                    "torque_minimisation"};
 
+constexpr const char* kStops = "joint_position_limits";
+
 bool has(const LevelSpec& level, std::string_view task) {
   return std::ranges::find(level.tasks, task, &TaskSpec::task) != level.tasks.end();
 }
@@ -141,6 +143,37 @@ StackOptions with_arms(StackOptions stack, const model::RobotDescription& robot)
   if (!found.followed.empty() && found.others.empty()) return stack;
   const auto last = std::find_if(stack.levels.rbegin(), stack.levels.rend(), keeps_physics);
   stack.levels.insert(last.base(), idle);
+  return stack;
+}
+
+namespace {
+
+/// Does a thigh of the standing robot nearly meet its stop?
+bool has_thighs_at_stops(const model::RobotDescription& robot) {
+  constexpr double kNear = 0.9;  // about twice what half a stride turns it [rad]
+  return robot.can_walk() && std::ranges::any_of(robot.legs.legs(), [&](Leg leg) {
+           const Eigen::Index hfe = first_joint(leg) + 1;
+           const double q = robot.q_nominal[hfe];
+           return std::min(q - robot.q_min[hfe], robot.q_max[hfe] - q) < kNear;
+         });
+}
+
+}  // namespace
+
+StackOptions with_stops(StackOptions stack, const model::RobotDescription& robot) {
+  if (!has_thighs_at_stops(robot)) return stack;
+  const auto level_of = [&](const char* task) {
+    return std::ranges::find_if(stack.levels,
+                                [&](const LevelSpec& level) { return has(level, task); });
+  };
+  const auto swing = level_of("swing_foot");
+  const bool reaches = level_of("limb_extension_limits") != stack.levels.end();
+  if (!reaches || swing == stack.levels.end() || level_of(kStops) != stack.levels.end())
+    return stack;
+  if (std::any_of(swing, stack.levels.end(), keeps_physics)) return stack;
+  LevelSpec stops{.name = kStops, .tasks = {}};
+  stops.tasks.emplace_back().task = kStops;
+  stack.levels.insert(swing, stops);
   return stack;
 }
 

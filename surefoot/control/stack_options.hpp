@@ -50,6 +50,12 @@ void check_physics(const StackOptions& stack);
 /// follows a frame have `arm_rest` right below it. Throws UnknownNameError for an unknown frame.
 [[nodiscard]] StackOptions with_arms(StackOptions stack, const model::RobotDescription& robot);
 
+/// The stack of a robot whose thighs stand near their stops: where legs reach down as far as
+/// `limb_extension_limits` allows, `joint_position_limits` comes before the level of the swing
+/// feet. At a stop the drive pushes against it, which would be taken for a force of the ground. The
+/// same stack if it has the task already.
+[[nodiscard]] StackOptions with_stops(StackOptions stack, const model::RobotDescription& robot);
+
 /// Merges all levels from `first` on into one last level, "weighted", in which the tasks' weights
 /// replace their order. Omits the damping of these levels. Throws Error if one of them keeps the
 /// physics, which must not be traded for a task.

@@ -61,5 +61,19 @@ TEST(StackPhysics, WhatElseIsMissingIsToldWithItsConsequence) {
   }
 }
 
+// At a stop the drive's torque looks like a force of the ground.
+TEST(StackPhysics, StopsThatThighsStandNearComeBeforeTheSwingFeet) {
+  const StackOptions stack = test::options_of().stack;
+  model::RobotDescription robot = test::anymal_b();
+  EXPECT_EQ(with_stops(stack, robot).levels.size(), stack.levels.size());
+  const Eigen::Index thigh = first_joint(Leg::LF) + 1;
+  robot.q_max[thigh] = robot.q_nominal[thigh] + 0.1;
+  const StackOptions fitted = with_stops(stack, robot);
+  const auto swing = std::ranges::find(fitted.levels, "swing_foot", &LevelSpec::name);
+  ASSERT_NE(swing, fitted.levels.end());
+  EXPECT_EQ((swing - 1)->name, "joint_position_limits");
+  EXPECT_EQ(with_stops(fitted, robot).levels.size(), stack.levels.size() + 1);
+}
+
 }  // namespace
 }  // namespace surefoot::control
