@@ -33,7 +33,7 @@ logging::LogRobot robot_of(const model::RobotModel& model) {
   robot.joint_names = description.joint_names();
   robot.torque_limit = description.torque_limit;
   robot.mass = model.mass();
-  robot.foot_radius = description.foot_radius;
+  robot.foot_radius = description.legs[0].foot_radius;
   return robot;
 }
 

@@ -241,6 +241,25 @@ JointVector or_else(const LegJoints& given, const JointVector& others, int num_l
   return all;
 }
 
+/// A gain of each joint: the leg's own, else that of all legs, else `usual`. Joints of arms and of
+/// two legs have the one number that is given for all.
+JointVector gains_of(const RobotInFile& given, const model::RobotDescription& robot,
+                     LegJoints GainsInFile::* gain, double usual) {
+  const LegJoints& all = given.gains.*gain;
+  const bool is_one = !robot.can_walk() || (all.array() == all.x()).all();
+  JointVector result = JointVector::Constant(robot.num_joints(), usual);
+  if (is_one && !std::isnan(all.x())) result.setConstant(all.x());
+  if (!robot.can_walk()) return result;
+  result = or_else(all, result, robot.num_leg_joints());
+  for (const Leg leg : robot.legs.legs()) {
+    const LegJoints& own = given.legs[index(leg)].gains.*gain;
+    for (Eigen::Index j = 0; j < kJointsPerLeg; ++j) {
+      if (!std::isnan(own[j])) result[first_joint(leg) + j] = own[j];
+    }
+  }
+  return result;
+}
+
 /// Joints up to an arm's tip that belong to no limb before it.
 std::vector<std::string> free_chain(const Section& top, const model::Urdf& urdf,
                                     const model::ArmDescription& arm,
@@ -383,12 +402,22 @@ void complete_posture(const Section& top, const RobotInFile& given, const model:
 
 /// Delays of drives don't go with size: the damping of a smaller robot does not act faster than the
 /// reference's, as kd / (m l²).
-void complete_gains(model::RobotDescription& robot) {
+void complete_gains(const RobotInFile& given, model::RobotDescription& robot) {
   const double stiffness = robot.scale.torque();
   const double damping = stiffness * std::min(robot.scale.time(), robot.scale.length);
-  if (std::isnan(robot.hold_kp)) robot.hold_kp = 80.0 * stiffness;
-  if (std::isnan(robot.hold_kd)) robot.hold_kd = 4.0 * damping;
-  if (std::isnan(robot.damping_kd)) robot.damping_kd = 6.0 * damping;
+  robot.hold_kp = gains_of(given, robot, &GainsInFile::kp, 80.0 * stiffness);
+  robot.hold_kd = gains_of(given, robot, &GainsInFile::kd, 4.0 * damping);
+  robot.damping_kd = gains_of(given, robot, &GainsInFile::damping, 6.0 * damping);
+}
+
+void complete_feet(const RobotInFile& given, model::RobotDescription& robot) {
+  for (const Leg leg : robot.legs.legs()) {
+    const LegInFile& own = given.legs[index(leg)];
+    model::LegDescription& foot = robot.legs[index(leg)];
+    foot.foot_radius = std::isnan(own.foot_radius) ? given.foot_radius : own.foot_radius;
+    foot.foot_center = own.foot_center.array().isNaN().any() ? given.foot_center : own.foot_center;
+    if (std::isnan(foot.foot_radius)) foot.foot_radius = 0.0;  // a sole
+  }
 }
 
 }  // namespace surefoot::config

@@ -32,7 +32,10 @@ void complete_limits(const Section& top, const model::Urdf& urdf, const RobotInF
 void complete_posture(const Section& top, const RobotInFile& given, const model::RobotModel& model,
                       model::RobotDescription& robot);
 
-/// Gains of the safety stage: ANYmal B's, scaled to the robot.
-void complete_gains(model::RobotDescription& robot);
+/// Gains of the safety stage: those of the file, else ANYmal B's, scaled to the robot.
+void complete_gains(const RobotInFile& given, model::RobotDescription& robot);
+
+/// Radius and centre of each foot: the leg's own, else those of all.
+void complete_feet(const RobotInFile& given, model::RobotDescription& robot);
 
 }  // namespace surefoot::config

@@ -71,6 +71,30 @@ Group posture(LegJoints& nominal, const char* help) {
       });
 }
 
+/// One number for all joints, or of walkers HAA, HFE and KFE of each leg.
+Field gain(const char* key, LegJoints& value, bool by_joint, const char* unit, const char* help) {
+  if (by_joint) return of_joints(key, value, kNotNegative, unit, help);
+  return {key, value.data(), kNotNegative, unit, help};
+}
+
+Group gains(GainsInFile& o, bool by_joint) {
+  return {{"hold",
+           Group{gain("kp", o.kp, by_joint, "N·m/rad", "stiffness"),
+                 gain("kd", o.kd, by_joint, "N·m·s/rad", "damping")},
+           "of joint hold"},
+          gain("damping", o.damping, by_joint, "N·m·s/rad", "of damping mode")};
+}
+
+Group gains_of_all(RobotInFile& o) {
+  const bool by_joint = o.robot.can_walk();
+  return gains(o.gains, by_joint).with([&o, by_joint](const Given& given) {
+    if (!by_joint) return;
+    require_all(given, "hold.kp", o.gains.kp);
+    require_all(given, "hold.kd", o.gains.kd);
+    require_all(given, "damping", o.gains.damping);
+  });
+}
+
 Group leg_fields(model::LegDescription& leg, LegInFile& o) {
   return {
       {"joints", Names{&o.joints, kJointsPerLeg, "is not a list of 3 joints: HAA, HFE, KFE"},
@@ -79,11 +103,16 @@ Group leg_fields(model::LegDescription& leg, LegInFile& o) {
       {"thigh", &leg.thigh_link, "link; without it the one that HFE moves"},
       {"shank", &leg.shank_link, "link with the foot sphere; without it the one that KFE moves"},
       text("foot", leg.foot_frame, "frame that the sphere's centre is given in"),
+      {"foot_radius", &o.foot_radius, kPositive, "m",
+       "of this leg's sphere; without it foot.radius"},
+      {"foot_center", Numbers{o.foot_center.data(), simulation::axis_elements()}, kAnyNumber, "m",
+       "of this leg's sphere in the foot frame; without it foot.center"},
       {"limits",
        limits(o.limits, "of this leg; without it as of all legs, joint by joint")
            .with([&o](const Given& given) { require_order(given, o.limits); }),
        "of this leg's joints"},
-      {"posture", posture(o.nominal, "of this leg; without it as of all legs"), "of this leg"}};
+      {"posture", posture(o.nominal, "of this leg; without it as of all legs"), "of this leg"},
+      {"gains", gains(o.gains, true), "of this leg; without it as of all legs, joint by joint"}};
 }
 
 Group lists(JointLists& o) {
@@ -121,12 +150,12 @@ Group all_legs(RobotInFile& o) {
 }
 
 /// Spheres of a walker, soles of a robot that only stands.
-Group foot(model::RobotDescription& robot) {
-  const Field center{"center", Numbers{robot.foot_center.data(), simulation::axis_elements()},
+Group foot(RobotInFile& o) {
+  model::RobotDescription& robot = o.robot;
+  const Field center{"center", Numbers{o.foot_center.data(), simulation::axis_elements()},
                      kAnyNumber, "m", "of the sphere or the sole in the foot frame"};
   if (robot.can_walk())
-    return {Field{"radius", &robot.foot_radius, kPositive, "m", "of the sphere"}.required(),
-            center};
+    return {Field{"radius", &o.foot_radius, kPositive, "m", "of the sphere"}.required(), center};
   return {Field{"size", Numbers{robot.sole.data(), {"x", "y"}}, kPositive, "m",
                 "length and width of the sole"}
               .required(),
@@ -157,7 +186,7 @@ Group fields(RobotInFile& o) {
       {"mjcf", &o.mjcf, "instead of urdf: likewise, of a robot described for MuJoCo"},
       {"base", &robot.base_link, "link; without it the root"},
       Field{"legs", all_legs(o), "names of the URDF"}.required(),
-      Field{"foot", foot(robot), "what each foot stands on"}.required(),
+      Field{"foot", foot(o), "what each foot stands on"}.required(),
       {"limits", limits_of_all(o.limits),
        "of the joints; one number for all, or HAA, HFE and KFE of each leg"},
       {"drives", drives(o), "of the joints, as limits"},
@@ -169,13 +198,8 @@ Group fields(RobotInFile& o) {
       {"posture",
        posture(o.nominal, "of a front leg, its knee backward; hind legs mirror HFE and KFE"),
        "without it knees bent as the limits allow"},
-      {"gains",
-       Group{{"hold",
-              Group{{"kp", &robot.hold_kp, kNotNegative, "N·m/rad", "stiffness"},
-                    {"kd", &robot.hold_kd, kNotNegative, "N·m·s/rad", "damping"}},
-              "of joint hold"},
-             {"damping", &robot.damping_kd, kNotNegative, "N·m·s/rad", "of damping mode"}},
-       "of the safety ladder"}};
+      {"gains", gains_of_all(o),
+       "of the safety ladder; one number for all joints, or HAA, HFE and KFE of each leg"}};
   if (!robot.can_walk())
     std::erase_if(group.fields, [](const Field& field) {
       return field.key == "limits" || field.key == "drives" || field.key == "posture";

@@ -16,6 +16,11 @@ struct LimitsInFile {
   LegJoints torque, velocity, position_min, position_max;
 };
 
+/// Gains of the safety ladder in a robot file; NaN: not given.
+struct GainsInFile {
+  LegJoints kp, kd, damping;
+};
+
 /// A number for each joint of a limb, or none.
 struct JointLists {
   std::vector<double> posture, torque, velocity, position_min, position_max;
@@ -26,6 +31,9 @@ struct LegInFile {
   std::vector<std::string> joints;
   LimitsInFile limits;
   LegJoints nominal;
+  GainsInFile gains;
+  double foot_radius = kNaN;
+  Vec3 foot_center = Vec3::Constant(kNaN);
   JointLists lists;  ///< instead of limits and nominal, of one of two legs
 };
 
@@ -46,6 +54,9 @@ struct RobotInFile {
   std::vector<ArmInFile> arms;
   LimitsInFile limits;
   LegJoints stall_torque, no_load_speed, nominal;
+  GainsInFile gains;
+  double foot_radius = kNaN;  ///< of every leg that has none of its own
+  Vec3 foot_center = Vec3::Zero();
 };
 
 void set_num_legs(RobotInFile& robot, int num_legs);

@@ -231,7 +231,7 @@ void complete_robot(const Section& top, const char* key, const ConfigNode& legs,
   model::RobotModel model = model_of();
   check_places(legs, model);
   robot.scale = model::scale_of(model::proportions_of(model));
-  complete_gains(robot);
+  complete_gains(given, robot);
 }
 
 }  // namespace
@@ -244,7 +244,6 @@ model::RobotDescription load_robot(const std::string& name_or_path,
   RobotInFile given;
   set_num_legs(given, num_legs_of(tree));
   model::RobotDescription& robot = given.robot;
-  robot.hold_kp = robot.hold_kd = robot.damping_kd = kNaN;
   read(top, fields(given));
   top.finish();
 
@@ -278,6 +277,7 @@ model::RobotDescription load_robot(const std::string& name_or_path,
     complete_arm(top, urdf, arm, robot);
     names.arm("arms." + arm.names.name, robot.arms.back());
   }
+  complete_feet(given, robot);
   complete_limits(top, urdf, given, robot);
   complete_robot(top, key_of_description, *tree.find("legs"), given, urdf, robot);
   return robot;

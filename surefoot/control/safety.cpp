@@ -94,14 +94,14 @@ Safety::Safety(const SafetyOptions& options, const model::RobotDescription& robo
 
 void Safety::soften_arms(const JointVector& inertia) {
   for (Eigen::Index i = num_leg_joints_; i < spring_.size(); ++i)
-    spring_[i] = damper_[i] = std::min(spring_[i], kFastestArm * inertia[i] / hold_kd_);
+    spring_[i] = damper_[i] = std::min(spring_[i], kFastestArm * inertia[i] / hold_kd_[i]);
 }
 
 void Safety::soften_roll(double inertia) {
   const double each = inertia / static_cast<double>(legs_.size());
   for (const auto& [haa, count] : legs_) {
-    spring_[haa] = std::min(1.0, kStiffestRoll * kStiffestRoll * each / hold_kp_);
-    damper_[haa] = std::min(1.0, kFastestRoll * each / hold_kd_);
+    spring_[haa] = std::min(1.0, kStiffestRoll * kStiffestRoll * each / hold_kp_[haa]);
+    damper_[haa] = std::min(1.0, kFastestRoll * each / hold_kd_[haa]);
   }
 }
 
@@ -273,7 +273,7 @@ void Safety::hold(const RobotState& state) {
 
 JointVector Safety::pull(const RobotState& state, const JointVector& q, const JointVector& qd,
                          double softness, double spring) const {
-  JointVector kp = hold_kp_ * spring_, kd = hold_kd_ * damper_;
+  JointVector kp = hold_kp_.cwiseProduct(spring_), kd = hold_kd_.cwiseProduct(damper_);
   for (const Leg leg : stands_.legs()) {
     const double soft = stands_[index(leg)] ? softness : 1.0;
     const auto [first, count] = legs_[index(leg)];
@@ -319,10 +319,10 @@ void Safety::take_posture(const RobotState& state) {
 void Safety::damp(const RobotState& state) {
   command_.mode = CommandMode::damping;
   const double faded = std::min(1.0, damped_ticks_ * period_ / (scale_.time() * kDampFadeTime));
-  const double soft_kd = std::min(damping_kd_, kSoftDamping * hold_kd_);
-  const double kd = damping_kd_ + faded * (soft_kd - damping_kd_);
+  const JointVector soft_kd = damping_kd_.cwiseMin(kSoftDamping * hold_kd_);
+  const JointVector kd = damping_kd_ + faded * (soft_kd - damping_kd_);
   if (faded < 1.0) ++damped_ticks_;
-  command_.torque = -kd * finite_or_zero(damper_.cwiseProduct(state.qd));
+  command_.torque = -kd.cwiseProduct(finite_or_zero(damper_.cwiseProduct(state.qd)));
   if (!std::isfinite(fade_begin_)) return;
   const double share = (command_.time - fade_begin_) / (scale_.time() * kFadeTime);
   command_.torque += std::clamp(1.0 - share, 0.0, 1.0) * fading_torque_;

@@ -134,7 +134,7 @@ class Safety {
 
   SafetyOptions options_;
   JointVector torque_limit_;
-  double hold_kp_, hold_kd_, damping_kd_;
+  JointVector hold_kp_, hold_kd_, damping_kd_;
   JointVector spring_, damper_;  // of each joint, as a share of a leg's
   Scale scale_;                  // of the robot
   int num_leg_joints_;

@@ -33,7 +33,7 @@ KinematicCalibration::KinematicCalibration(const model::RobotDescription& robot,
     : period_(period),
       ticks_per_sample_(std::max(
           1, static_cast<int>(std::lround(robot.scale.time() * kSampleInterval / period)))),
-      foot_radius_(robot.foot_radius),
+      foot_radius_(robot.num_legs(), 0.0),
       scale_(robot.scale),
       num_legs_(robot.num_legs()),
       imu_(kErrorsPerLeg * num_legs_),
@@ -51,7 +51,10 @@ KinematicCalibration::KinematicCalibration(const model::RobotDescription& robot,
       in_use_(no_errors(num_legs_)) {
   const model::BodyTree tree = model::make_body_tree(robot, model::read_urdf(robot));
   chains_.resize(num_legs_);
-  for (const Leg leg : chains_.legs()) chains_[index(leg)] = tree.legs[index(leg)].chain;
+  for (const Leg leg : chains_.legs()) {
+    chains_[index(leg)] = tree.legs[index(leg)].chain;
+    foot_radius_[index(leg)] = robot.legs[index(leg)].foot_radius;
+  }
 }
 
 void KinematicCalibration::forget() noexcept {
@@ -80,7 +83,8 @@ void KinematicCalibration::update(double time, const model::Dynamics& dynamics, 
   const double dt = periods * period_;
   turn(gyro_B, dt);
   for (const Leg leg : rolled_.legs()) {
-    rolled_[index(leg)] += dt * dynamics.shank[index(leg)].w.cross(foot_radius_ * normal);
+    rolled_[index(leg)] +=
+        dt * dynamics.shank[index(leg)].w.cross(foot_radius_[index(leg)] * normal);
   }
   if (ticks_++ % ticks_per_sample_ == 0) add_sample(dynamics);
 }

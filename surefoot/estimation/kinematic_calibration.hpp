@@ -78,7 +78,7 @@ class KinematicCalibration {
   double period_;
   double time_ = kNaN;  // of the last update [s]
   int ticks_per_sample_;
-  double foot_radius_;
+  PerLeg<double> foot_radius_;
   Scale scale_;  // of the robot
   PerLeg<model::LegChain> chains_;
   int num_legs_;

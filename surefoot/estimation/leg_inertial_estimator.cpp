@@ -25,12 +25,12 @@ LegInertialEstimator::LegInertialEstimator(const model::RobotDescription& robot,
                                            const LegInertialOptions& options, double period)
     : options_(options),
       period_(period),
-      foot_radius_(robot.foot_radius),
       errors_(no_errors(robot.num_legs())),
       filter_(options.filter, robot.num_legs()),
       feet_(robot.num_legs(), Foot{}),
       standing_start_(period, robot.num_leg_joints(), robot.scale) {
   const model::BodyTree tree = model::make_body_tree(robot, model::read_urdf(robot));
+  for (const Leg leg : feet_.legs()) feet_[index(leg)].radius = robot.legs[index(leg)].foot_radius;
   described_.resize(static_cast<int>(tree.legs.size()));
   for (const Leg leg : tree.soles.legs())
     limbs_.push_back(model::limb_chain(tree, leg, robot.leg_joints(leg)));
@@ -99,7 +99,7 @@ bool LegInertialEstimator::stands(const SensorReading& reading,
     }
     const Vec3 q = angles(reading.q, leg);
     model::LegChain chain = chains_[index(leg)];
-    chain.foot -= chain.shank_in_base(q).transpose() * (foot_radius_ * Vec3::UnitZ());
+    chain.foot -= chain.shank_in_base(q).transpose() * (feet_[index(leg)].radius * Vec3::UnitZ());
     Mat3 J;
     p_BC[index(leg)] = chain.foot_in_base(q, &J);
     v_BC[index(leg)] = J * angles(joint_velocity, leg);
@@ -146,9 +146,13 @@ void LegInertialEstimator::start(const SensorReading& reading, const StandingSta
 
 double LegInertialEstimator::height_over_feet() const {
   const auto count = static_cast<double>(feet_.size());
-  double lowest = 0.0;
-  for (const Foot& foot : feet_) lowest += (filter_.R_WB() * foot.p_BF).z() / count;
-  return foot_radius_ - lowest;
+  const double first = feet_[0].radius;  // with equal feet the mean is it to the bit
+  double lowest = 0.0, larger = 0.0;
+  for (const Foot& foot : feet_) {
+    lowest += (filter_.R_WB() * foot.p_BF).z() / count;
+    larger += (foot.radius - first) / count;
+  }
+  return first + larger - lowest;
 }
 
 void LegInertialEstimator::stand_at(const Vec3& p_WB) {
@@ -220,7 +224,7 @@ void LegInertialEstimator::update_kinematics(const SensorReading& reading) {
     place(leg, reading.q, foot);
     const Mat3 R_WK = filter_.R_WB() * foot.R_BK;
     const Vec3 turn = log_rotation(Quat(Mat3(R_WK * R_WK_before.transpose())));
-    foot.roll = turn.cross(foot_radius_ * Vec3::UnitZ());
+    foot.roll = turn.cross(foot.radius * Vec3::UnitZ());
   }
 }
 

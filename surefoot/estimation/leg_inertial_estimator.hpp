@@ -64,6 +64,7 @@ class LegInertialEstimator final : public StateEstimator {
     Vec3 roll = Vec3::Zero();      // of the sphere since the last tick, in W [m]
     Vec3 shift = Vec3::Zero();     // of its estimate, from a corrected leg length, in W [m]
     double stands_for = 0.0;       // [s]
+    double radius = 0.0;           // [m]
   };
 
   /// One tick before the start.
@@ -91,7 +92,6 @@ class LegInertialEstimator final : public StateEstimator {
 
   LegInertialOptions options_;
   double period_;
-  double foot_radius_;
   PerLeg<model::LegChain> described_, chains_;  // of the URDF, and as estimated
   std::vector<model::LimbChain> limbs_;         // instead, of a robot that only stands
   KinematicErrors errors_;

@@ -210,7 +210,7 @@ void add_sole(const RobotDescription& description, Leg leg, Builder& builder) {
                 " are not a chain from the base to the link that \"" + names.foot_frame +
                 "\" is on");
   }
-  sole.p += sole.R * description.foot_center;
+  sole.p += sole.R * names.foot_center;
   const auto num_legs = static_cast<int>(index(leg)) + 1;
   tree.soles.resize(num_legs);
   tree.hips.resize(num_legs);
@@ -227,7 +227,7 @@ void add_points(const RobotDescription& description, Leg leg, Builder& builder) 
   tree.chain.hip_hinge = hip.body - body_of(leg, 0);
   tree.R_shank = require(builder, names.shank_link, leg, 2, 2).R;
   const Placement& foot = require(builder, names.foot_frame, leg, 2, 2);
-  tree.chain.foot = foot.p + foot.R * description.foot_center;
+  tree.chain.foot = foot.p + foot.R * names.foot_center;
 }
 
 }  // namespace

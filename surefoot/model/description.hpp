@@ -8,14 +8,16 @@
 
 namespace surefoot::model {
 
-/// Names of one leg's parts in the URDF.
+/// Names of one leg's parts in the URDF, and its foot.
 struct LegDescription {
   /// From the base to the foot: HAA, HFE, KFE of a walker.
   std::vector<std::string> joints = std::vector<std::string>(kJointsPerLeg);
-  std::string hip_frame;   ///< on the HFE axis: the hip H of Eq. (35)
-  std::string thigh_link;  ///< empty: no walker
-  std::string shank_link;  ///< link that carries the foot
-  std::string foot_frame;  ///< frame of the foot's centre
+  std::string hip_frame;            ///< on the HFE axis: the hip H of Eq. (35)
+  std::string thigh_link;           ///< empty: no walker
+  std::string shank_link;           ///< link that carries the foot
+  std::string foot_frame;           ///< frame of the foot's centre
+  double foot_radius = 0.0;         ///< of the sphere [m]
+  Vec3 foot_center = Vec3::Zero();  ///< centre of sphere or sole in the foot frame [m]
 };
 
 /// A limb that stands on nothing: an arm, a neck, a tail.
@@ -35,9 +37,7 @@ struct RobotDescription {
   PerLeg<LegDescription> legs;
   std::vector<ArmDescription> arms;  ///< their joints follow the legs' in every JointVector
   Scale scale;  ///< multiplies every constant and default that has a length, a mass or a time
-  double foot_radius = 0.0;         ///< of spheres [m]
-  Vec3 foot_center = Vec3::Zero();  ///< centre of sphere or sole in the foot frame [m]
-  Vec2 sole = Vec2::Zero();         ///< length and width of flat feet, along their x and y [m]
+  Vec2 sole = Vec2::Zero();  ///< length and width of flat feet, along their x and y [m]
   JointVector torque_limit = JointVector::Zero(kNumLegJoints);    ///< |τ| ≤ limit [N·m]
   JointVector velocity_limit = JointVector::Zero(kNumLegJoints);  ///< [rad/s]
   /// Torque–speed line of the drives: at rest [N·m], and where no torque is left [rad/s].
@@ -61,9 +61,9 @@ struct RobotDescription {
   [[nodiscard]] std::vector<std::string> joint_names() const;
   /// As in messages: "LF_HAA", and the URDF's name of an arm's joint.
   [[nodiscard]] std::string joint_name(int joint) const;
-  double hold_kp = 0.0;     ///< joint hold of the safety ladder [N·m/rad]
-  double hold_kd = 0.0;     ///< [N·m·s/rad]
-  double damping_kd = 0.0;  ///< damping mode [N·m·s/rad]
+  JointVector hold_kp = JointVector::Zero(kNumLegJoints);     ///< of the safety ladder [N·m/rad]
+  JointVector hold_kd = JointVector::Zero(kNumLegJoints);     ///< [N·m·s/rad]
+  JointVector damping_kd = JointVector::Zero(kNumLegJoints);  ///< of damping mode [N·m·s/rad]
 };
 
 }  // namespace surefoot::model

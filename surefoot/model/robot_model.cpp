@@ -215,7 +215,7 @@ struct RobotModel::Implementation {
     const PointKinematics& foot = dynamics.foot[index(leg)];
     const RotationKinematics& shank = dynamics.shank[index(leg)];
     PointKinematics& contact = dynamics.contact[index(leg)];
-    const Vec3 lever = -description.foot_radius * normal;
+    const Vec3 lever = -description.legs[index(leg)].foot_radius * normal;
     contact.p = foot.p + lever;
     contact.v = foot.v + shank.w.cross(lever);
     contact.J = foot.J;

@@ -62,7 +62,7 @@ void change_link_lengths(mjSpec& spec, const model::RobotDescription& descriptio
     mjsBody& shank = find_body(spec, names.shank_link, "shank link");
     mjsBody& foot = find_body(spec, names.foot_frame, "foot frame");
     lengthen(thigh, shank, Vec3::Zero(), options.thigh_length_offset[index(leg)]);
-    lengthen(shank, foot, description.foot_center, options.shank_length_offset[index(leg)]);
+    lengthen(shank, foot, names.foot_center, options.shank_length_offset[index(leg)]);
   }
 }
 

@@ -128,8 +128,9 @@ class ModelComparison {
       places.push_back(compare_joint(i, places[parent], hinge));
     }
     for (const Leg leg : robot_.legs.legs()) {
-      const std::string& name = robot_.legs[index(leg)].foot_frame;
-      compare_frame("foot", name, model_.dynamics().foot[index(leg)].p, robot_.foot_center);
+      const model::LegDescription& names = robot_.legs[index(leg)];
+      compare_frame("foot", names.foot_frame, model_.dynamics().foot[index(leg)].p,
+                    names.foot_center);
     }
     for (std::size_t arm = 0; arm < robot_.arms.size(); ++arm) {
       const std::string& name = robot_.arms[arm].tip_frame;

@@ -68,21 +68,22 @@ mjsBody& moved_by(mjSpec& spec, const std::string& joint) {
 
 void check_sphere(const mjsGeom& geom, const Vec3& center,
                   const model::RobotDescription& description, Leg leg) {
-  const bool same = std::abs(geom.size[0] - description.foot_radius) < kSameSphere &&
-                    (center - description.foot_center).norm() < kSameSphere;
+  const model::LegDescription& told = description.legs[index(leg)];
+  const bool same = std::abs(geom.size[0] - told.foot_radius) < kSameSphere &&
+                    (center - told.foot_center).norm() < kSameSphere;
   if (same) return;
-  throw Error(
-      text("the foot sphere of ", leg_name(leg, description.num_legs()), " has radius ",
-           geom.size[0], " m and centre (", center.transpose(), ") in ", description.urdf_path,
-           ", but foot.radius and foot.center of the robot file say ", description.foot_radius,
-           " m and (", description.foot_center.transpose(), "); they must agree"));
+  throw Error(text("the foot sphere of ", leg_name(leg, description.num_legs()), " has radius ",
+                   geom.size[0], " m and centre (", center.transpose(), ") in ",
+                   description.urdf_path,
+                   ", but foot.radius and foot.center of the robot file say ", told.foot_radius,
+                   " m and (", told.foot_center.transpose(), "); they must agree"));
 }
 
-mjsGeom& new_sphere(mjsBody& foot, const model::RobotDescription& description) {
+mjsGeom& new_sphere(mjsBody& foot, const model::LegDescription& names) {
   mjsGeom* sphere = mjs_addGeom(&foot, nullptr);
   sphere->type = mjGEOM_SPHERE;
-  sphere->size[0] = description.foot_radius;
-  for (int i = 0; i < 3; ++i) sphere->pos[i] = description.foot_center[i];
+  sphere->size[0] = names.foot_radius;
+  for (int i = 0; i < 3; ++i) sphere->pos[i] = names.foot_center[i];
   sphere->density = 0.0;
   return *sphere;
 }
@@ -91,24 +92,25 @@ mjsGeom& new_sphere(mjsBody& foot, const model::RobotDescription& description) {
 mjsGeom& foot_sphere(mjSpec& spec, const model::RobotDescription& description, Leg leg,
                      const std::map<std::string, model::Weld>& welds,
                      std::vector<std::string>& notes) {
-  const std::string& frame = description.legs[index(leg)].foot_frame;
+  const model::LegDescription& names = description.legs[index(leg)];
+  const std::string& frame = names.foot_frame;
   mjsBody& foot = find_body(spec, frame, "foot frame");
   const model::Weld& of_foot = welds.at(frame);
-  for (mjsBody* body : subtree(moved_by(spec, description.legs[index(leg)].joints[2]))) {
+  for (mjsBody* body : subtree(moved_by(spec, names.joints[2]))) {
     const model::Weld& weld = welds.at(name_of(body->element));
     for (mjsElement* element = mjs_firstChild(body, mjOBJ_GEOM, 0); element != nullptr;
          element = mjs_nextChild(body, element, 0)) {
       mjsGeom& geom = *mjs_asGeom(element);
       Vec3 center(geom.pos[0], geom.pos[1], geom.pos[2]);
       if (body != &foot) center = of_foot.R.transpose() * (weld.p + weld.R * center - of_foot.p);
-      if (geom.type != mjGEOM_SPHERE || (center - description.foot_center).norm() >= kNearbySphere)
+      if (geom.type != mjGEOM_SPHERE || (center - names.foot_center).norm() >= kNearbySphere)
         continue;
       check_sphere(geom, center, description, leg);
       return geom;
     }
   }
   notes.push_back(text("a massless foot sphere was added to \"", frame, "\""));
-  return new_sphere(foot, description);
+  return new_sphere(foot, names);
 }
 
 constexpr double kSoleThickness = 0.01;  // of a box below which nothing else touches [m]
@@ -131,7 +133,7 @@ mjsGeom& new_sole(mjSpec& spec, const model::RobotDescription& description, Leg 
   sole->type = mjGEOM_BOX;
   for (int i = 0; i < 2; ++i) sole->size[i] = 0.5 * description.sole[i];
   sole->size[2] = 0.5 * kSoleThickness;
-  for (int i = 0; i < 3; ++i) sole->pos[i] = description.foot_center[i];
+  for (int i = 0; i < 3; ++i) sole->pos[i] = names.foot_center[i];
   sole->pos[2] += 0.5 * kSoleThickness;
   sole->density = 0.0;
   return *sole;

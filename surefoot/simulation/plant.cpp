@@ -153,10 +153,11 @@ void Plant::Implementation::raise_out_of_terrain() {
 /// Base height at which the first foot touches the terrain; the base is at z = 0 now.
 double Plant::Implementation::touching_height(const model::RobotDescription& description) const {
   double height = -std::numeric_limits<double>::infinity();
-  for (const int geom : parts.foot_geom) {
+  for (const Leg leg : description.legs.legs()) {
+    const int geom = parts.foot_geom[index(leg)];
     const mjtNum* center = data.geom_xpos + 3 * geom;
     const double resting =
-        resting_height(model, data, center[0], center[1], description.foot_radius);
+        resting_height(model, data, center[0], center[1], description.legs[index(leg)].foot_radius);
     const double sole = description.can_walk() ? 0.0 : model.geom_size[3 * geom + 2];
     if (!std::isnan(resting)) height = std::max(height, resting - center[2] + sole);
   }

@@ -213,7 +213,7 @@ TEST_F(ShortRobotFile, takes_legs_limits_and_gains_from_the_urdf) {
   EXPECT_EQ(robot.torque_limit, JointVector::Constant(kNumLegJoints, 80.0));
   EXPECT_EQ(robot.stall_torque, robot.torque_limit);
   EXPECT_EQ(robot.q_nominal, full.q_nominal);
-  EXPECT_EQ(robot.hold_kp, 80.0);
+  EXPECT_EQ(robot.hold_kp, JointVector::Constant(kNumLegJoints, 80.0));
 }
 
 TEST_F(ShortRobotFile, has_limits_of_each_joint_alone) {
@@ -239,6 +239,25 @@ TEST_F(ShortRobotFile, may_have_limits_and_a_posture_of_single_legs) {
   EXPECT_EQ(robot.q_max.segment<3>(0), Vec3(1.0, 2.0, 3.0));
   EXPECT_EQ(robot.q_nominal.segment<3>(0), Vec3(0.1, 0.5, -0.9));
   EXPECT_EQ(robot.q_nominal.segment<3>(3), Vec3(0.0, 0.4, -0.8));
+}
+
+TEST_F(ShortRobotFile, may_have_gains_of_each_joint_and_of_single_legs) {
+  text_ += "gains: {hold: {kp: [50, 60, 70], kd: 3}, damping: 5}\n";
+  change(text_, "RF: {foot: RF_FOOT}", "RF: {foot: RF_FOOT, gains: {hold: {kp: {KFE: 90}}}}");
+  const model::RobotDescription robot = loaded();
+  EXPECT_EQ(robot.hold_kp.segment<3>(0), Vec3(50.0, 60.0, 70.0));
+  EXPECT_EQ(robot.hold_kp.segment<3>(3), Vec3(50.0, 60.0, 90.0));
+  EXPECT_EQ(robot.hold_kd, JointVector::Constant(kNumLegJoints, 3.0));
+  EXPECT_EQ(robot.damping_kd, JointVector::Constant(kNumLegJoints, 5.0));
+}
+
+TEST_F(ShortRobotFile, may_have_a_foot_of_a_single_leg) {
+  change(text_, "RH: {foot: RH_FOOT}",
+         "RH: {foot: RH_FOOT, foot_radius: 0.04, foot_center: [0, 0.01, 0.03]}");
+  const model::RobotDescription robot = loaded();
+  EXPECT_EQ(robot.legs[0].foot_radius, 0.031);
+  EXPECT_EQ(robot.legs[3].foot_radius, 0.04);
+  EXPECT_EQ(robot.legs[3].foot_center, Vec3(0.0, 0.01, 0.03));
 }
 
 TEST_F(ShortRobotFile, tells_what_is_wrong_with_a_single_leg) {

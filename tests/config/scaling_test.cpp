@@ -251,8 +251,8 @@ TEST_F(Scaling, DampingOfASmallRobotActsNoFasterThanANYmalBs) {
   for (const char* name : {"a1", "go1", "laikago", "solo12", "hyq"}) {
     const model::RobotDescription robot = load_robot(name);
     const double inertia = robot.scale.mass * std::pow(robot.scale.length, 2.0);
-    EXPECT_LT(robot.hold_kd / inertia, 4.0 + 1e-9) << name;
-    EXPECT_LT(robot.damping_kd / inertia, 6.0 + 1e-9) << name;
+    EXPECT_LT(robot.hold_kd[0] / inertia, 4.0 + 1e-9) << name;
+    EXPECT_LT(robot.damping_kd[0] / inertia, 6.0 + 1e-9) << name;
   }
 }
 

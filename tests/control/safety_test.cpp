@@ -89,14 +89,14 @@ TEST(Safety, TakesThePostureOfARobotThatIsNotOnItsFeet) {
     ASSERT_EQ(command.mode, CommandMode::lifted);
     before = command.torque;
   }
-  const double soft = 0.4 * anymal_b().hold_kp * 0.1;
+  const double soft = 0.4 * anymal_b().hold_kp[0] * 0.1;
   EXPECT_LT((before - 0.5 * torques() - JointVector::Constant(kNumLegJoints, soft)).norm(), 1e-9);
   EXPECT_EQ(safety.command(standing(), &solution).mode, CommandMode::optimal);
 }
 
 // Late drives would shake a light torso.
 TEST(Safety, ANarrowTorsoIsHeldSoftlyAndAWideOneAsEver) {
-  const double kp = anymal_b().hold_kp, kd = anymal_b().hold_kd;
+  const double kp = anymal_b().hold_kp[0], kd = anymal_b().hold_kd[0];
   for (const auto& [inertia, spring, damping] :
        {std::tuple(0.35, kp, kd), std::tuple(0.04, 25.0, 0.6)}) {
     Safety safety = make_safety();
@@ -195,7 +195,7 @@ TEST(Safety, HoldIsASpringAndDamperAboutTheLastGoodPosture) {
   moved.q += JointVector::LinSpaced(kNumLegJoints, -0.05, 0.05);
   moved.qd = JointVector::LinSpaced(kNumLegJoints, 0.5, -0.5);
   const JointVector expected =
-      torques() + robot.hold_kp * (robot.q_nominal - moved.q) - robot.hold_kd * moved.qd;
+      torques() + robot.hold_kp[0] * (robot.q_nominal - moved.q) - robot.hold_kd[0] * moved.qd;
   EXPECT_LT((safety.command(moved, nullptr).torque - expected).norm(), 1e-12);
 }
 
@@ -213,7 +213,7 @@ TEST(Safety, HoldsTheFirstPostureIfThereNeverWasAGoodTick) {
   moved.q += JointVector::LinSpaced(kNumLegJoints, -0.05, 0.05);
   moved.qd = JointVector::LinSpaced(kNumLegJoints, 0.5, -0.5);
   const JointVector expected =
-      robot.hold_kp * (robot.q_nominal - moved.q) - robot.hold_kd * moved.qd;
+      robot.hold_kp[0] * (robot.q_nominal - moved.q) - robot.hold_kd[0] * moved.qd;
   const JointCommand command = safety.command(moved, nullptr);
   EXPECT_EQ(command.mode, CommandMode::hold);
   EXPECT_LT((command.torque - expected).norm(), 1e-12);
@@ -266,12 +266,14 @@ TEST(Safety, HoldDampsWhereThePositionIsNotKnownAndSpringsWhereTheVelocityIsNot)
   RobotState no_position = standing();
   no_position.q.setConstant(kNaN);
   no_position.qd.setConstant(0.5);
-  const JointVector damped = torques() - JointVector::Constant(kNumLegJoints, 0.5 * robot.hold_kd);
+  const JointVector damped =
+      torques() - JointVector::Constant(kNumLegJoints, 0.5 * robot.hold_kd[0]);
   EXPECT_LT((safety.command(no_position, nullptr).torque - damped).norm(), 1e-12);
   RobotState no_velocity = standing();
   no_velocity.q.array() += 0.05;
   no_velocity.qd.setConstant(kNaN);
-  const JointVector sprung = torques() - JointVector::Constant(kNumLegJoints, 0.05 * robot.hold_kp);
+  const JointVector sprung =
+      torques() - JointVector::Constant(kNumLegJoints, 0.05 * robot.hold_kp[0]);
   EXPECT_LT((safety.command(no_velocity, nullptr).torque - sprung).norm(), 1e-12);
 }
 

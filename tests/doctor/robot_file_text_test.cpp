@@ -26,8 +26,8 @@ TEST_P(WrittenFile, makes_the_robot_that_ships) {
     EXPECT_EQ(robot.legs[index(leg)].joints, ships.legs[index(leg)].joints);
     EXPECT_EQ(robot.legs[index(leg)].foot_frame, ships.legs[index(leg)].foot_frame);
   }
-  EXPECT_NEAR(robot.foot_radius, ships.foot_radius, 0.01);
-  EXPECT_TRUE(robot.foot_center.isApprox(ships.foot_center, 1e-9));
+  EXPECT_NEAR(robot.legs[0].foot_radius, ships.legs[0].foot_radius, 0.01);
+  EXPECT_TRUE(robot.legs[0].foot_center.isApprox(ships.legs[0].foot_center, 1e-9));
 }
 
 INSTANTIATE_TEST_SUITE_P(Of, WrittenFile,

@@ -128,7 +128,8 @@ Vec3 foot_by_trigonometry(const Posture& posture) {
 
 TEST(AnymalB, has_its_feet_at_the_published_places_in_three_postures) {
   RobotDescription robot = anymal_b();
-  robot.foot_center = Vec3::Zero();  // the published points are the origins of the foot frames
+  for (LegDescription& leg : robot.legs)
+    leg.foot_center.setZero();  // the published points are the origins of the foot frames
   const RobotModel model(robot);
   for (const Posture& posture : {Posture{0.0, 0.0, 0.0, {0.4405, 0.246, -0.5713}},
                                  Posture{0.0, 0.4, -0.8, {0.4604, 0.246, -0.4872}},

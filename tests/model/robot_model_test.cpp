@@ -111,7 +111,7 @@ TEST(RobotModel, has_the_points_jacobians_and_drifts_of_an_independent_implement
       const std::string name(kLegNames[index(leg)]);
       expect_same(dynamics.hip[index(leg)], reference.point(parts.hip_frame, Vec3::Zero()),
                   name + " hip");
-      expect_same(dynamics.foot[index(leg)], reference.point(parts.foot_frame, robot.foot_center),
+      expect_same(dynamics.foot[index(leg)], reference.point(parts.foot_frame, parts.foot_center),
                   name + " foot");
       expect_same(dynamics.shank[index(leg)], reference.rotation(parts.shank_link),
                   name + " shank");
@@ -131,7 +131,7 @@ TEST(RobotModel, has_the_contact_point_of_a_sphere_that_rolls_on_the_terrain) {
     reference.set_state(state);
     for (const Leg leg : kLegs) {
       const PointKinematics& contact = dynamics.contact[index(leg)];
-      const Vec3 lever = -robot.foot_radius * normal;
+      const Vec3 lever = -robot.legs[index(leg)].foot_radius * normal;
       EXPECT_LT(difference(contact.p, dynamics.foot[index(leg)].p + lever), 1e-12);
       PointKinematics material =
           reference.material_point(robot.legs[index(leg)].shank_link, contact.p);

@@ -24,7 +24,7 @@ const Vec3 kUp = Vec3::UnitZ();
 
 RobotDescription point_foot_robot() {
   RobotDescription robot = anymal_b();
-  robot.foot_radius = 0.0;
+  for (LegDescription& leg : robot.legs) leg.foot_radius = 0.0;
   return robot;
 }
 

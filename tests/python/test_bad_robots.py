@@ -130,6 +130,13 @@ REFUSED = {
     "posture in degrees": ([("yaml limits:", "posture: {nominal: [0, 45, -90]}\nlimits:")], "posture.nominal: HFE at 45 rad lies outside limits.position_min and position_max, -2.2 to 2.2 rad"),
     "posture of straight knees": ([("yaml limits:", "posture: {nominal: [0, 0.4, 0]}\nlimits:")], "posture.nominal: HFE and KFE must bend the knee"),
     "gain below 0": ([("yaml limits:", "gains: {damping: -1}\nlimits:")], 'gains.damping: "-1" is not a number of at least 0'),
+    "gain of a knee below 0": ([("yaml limits:", "gains: {hold: {kp: [50, 50, -1]}}\nlimits:")], 'gains.hold.kp: "-1" is not a number of at least 0'),
+    "two gains": ([("yaml limits:", "gains: {hold: {kd: [5, 5]}}\nlimits:")], "gains.hold.kd: a list of 2 is not a list of 3 numbers, nor a map from HAA"),
+    "gain of one joint of all": ([("yaml limits:", "gains: {damping: {KFE: 5}}\nlimits:")], "gains.damping: does not tell all of HAA, HFE and KFE"),
+    "gain of a leg of text": ([("yaml LF_foot", "LF_foot, gains: {hold: {kp: {KFE: much}}}")], 'legs.LF.gains.hold.kp.KFE: "much" is not a number of at least 0'),
+    "radius of a leg": ([("yaml LF_foot", "LF_foot, foot_radius: 0")], 'yaml:4: legs.LF.foot_radius: "0" is not a number above 0'),
+    "radius of a leg against the URDF's": ([("yaml RF_foot", "RF_foot, foot_radius: 0.03")], "the foot sphere of RF has radius 0.024 m", "of the robot file say 0.03 m", "they must agree"),
+    "centre of a leg": ([("yaml LF_foot", "LF_foot, foot_center: [0, 0]")], "legs.LF.foot_center: a list of 2 is not"),
     "speed 0": ([("yaml no_load_speed: 22.0", "no_load_speed: 0")], 'drives.no_load_speed: "0" is not a number above 0'),
     "arm without a name": ([end(SHORT_ARM)], 'joint "arm0" can move but is not a joint of a leg or an arm of the description; name it under `arms:`, or make it fixed'),
     "tip that is not there": ([end(SHORT_ARM), ("yaml limits:", "arms: [{name: a, tip: hand}]\nlimits:")], 'yaml:10: arms.a.tip: unknown frame "hand" in marten.urdf; valid are'),
@@ -233,6 +240,12 @@ def test_a_good_robot_is_not_refused(good, tmp_path):
     robot = written(tmp_path, good, [])
     assert surefoot("run", "walk_flat", "--check", "--set", f"robot={robot}").stderr == ""
     assert not any(each.startswith("error") for each in findings(robot))
+
+
+def test_legs_may_have_feet_and_gains_of_their_own(good, tmp_path):
+    edits = [(r'(<link name="RF_foot">\n.*\n.*\n.*)0.024', r"\g<1>0.03"), ("yaml RF_foot", "RF_foot, foot_radius: 0.03, gains: {hold: {kp: {KFE: 60}}}")]
+    robot = written(tmp_path, good, edits)
+    assert surefoot("run", "walk_flat", "--check", "--set", f"robot={robot}").stderr == ""
 
 
 @pytest.mark.parametrize("edits, said", [

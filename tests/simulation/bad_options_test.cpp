@@ -142,7 +142,7 @@ TEST(RobotDescription, WithAnUnknownNameIsAnErrorThatListsWhatThereIs) {
 
 TEST(RobotDescription, ThatContradictsTheFootSphereOfTheUrdfIsAnError) {
   model::RobotDescription robot = test::anymal_b();
-  robot.foot_radius = 0.025;
+  robot.legs[0].foot_radius = 0.025;
   EXPECT_TRUE(holds(test::error_of(robot, {}), "the foot sphere of LF has radius 0.031 m"));
 }
 

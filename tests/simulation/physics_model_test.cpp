@@ -218,8 +218,10 @@ TEST(PhysicsModel, AMeshThatCollidesIsInTheModelItself) {
 
 TEST(PhysicsModel, AFootSphereThatTheUrdfLacksIsAddedWithoutMass) {
   model::RobotDescription robot = test::anymal_b();
-  for (model::LegDescription& leg : robot.legs) leg.foot_frame.replace(3, 4, "ADAPTER");
-  robot.foot_center = Vec3(0.0, 0.0, -0.31);
+  for (model::LegDescription& leg : robot.legs) {
+    leg.foot_frame.replace(3, 4, "ADAPTER");
+    leg.foot_center = Vec3(0.0, 0.0, -0.31);
+  }
   const Plant plant(robot, test::standing_options());
   EXPECT_EQ(plant.notes().size(), 5U) << "dummy inertia, four feet";
   EXPECT_NEAR(mj_getTotalmass(stock(plant).model.get()), test::kMass, 1e-6);

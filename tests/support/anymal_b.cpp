@@ -25,13 +25,15 @@ model::RobotDescription anymal_b() {
     robot.q_min.segment<3>(first_joint(leg)) << -1.2, -2.6, -2.9;
     robot.q_max.segment<3>(first_joint(leg)) << 1.2, 2.6, 2.9;
   }
-  robot.foot_radius = 0.031;
-  robot.foot_center = Vec3(0.0, 0.0, 0.02325);
+  for (model::LegDescription& leg : robot.legs) {
+    leg.foot_radius = 0.031;
+    leg.foot_center = Vec3(0.0, 0.0, 0.02325);
+  }
   robot.torque_limit.setConstant(40.0);
   robot.velocity_limit.setConstant(15.0);
-  robot.hold_kp = 80.0;
-  robot.hold_kd = 4.0;
-  robot.damping_kd = 6.0;
+  robot.hold_kp.setConstant(robot.num_joints(), 80.0);
+  robot.hold_kd.setConstant(robot.num_joints(), 4.0);
+  robot.damping_kd.setConstant(robot.num_joints(), 6.0);
   return robot;
 }
 

@@ -23,12 +23,12 @@ model::RobotDescription hexapod() {
     robot.q_min.segment<3>(first_joint(leg)) << -0.8, -2.2, -2.6;
     robot.q_max.segment<3>(first_joint(leg)) << 0.8, 2.2, 2.6;
   }
-  robot.foot_radius = 0.03;
+  for (model::LegDescription& leg : robot.legs) leg.foot_radius = 0.03;
   robot.torque_limit.setConstant(robot.num_joints(), 60.0);
   robot.velocity_limit.setConstant(robot.num_joints(), 12.0);
-  robot.hold_kp = 80.0;
-  robot.hold_kd = 4.0;
-  robot.damping_kd = 6.0;
+  robot.hold_kp.setConstant(robot.num_joints(), 80.0);
+  robot.hold_kd.setConstant(robot.num_joints(), 4.0);
+  robot.damping_kd.setConstant(robot.num_joints(), 6.0);
   return robot;
 }
 

@@ -27,12 +27,12 @@ model::RobotDescription hyq() {
     robot.q_min.segment<3>(first_joint(leg)) << -1.22, -1.22, -2.44;
     robot.q_max.segment<3>(first_joint(leg)) << 0.43, 1.22, 2.44;
   }
-  robot.foot_radius = 0.02175;
+  for (model::LegDescription& leg : robot.legs) leg.foot_radius = 0.02175;
   robot.torque_limit.setConstant(150.0);
   robot.velocity_limit.setConstant(12.0);
-  robot.hold_kp = 300.0;
-  robot.hold_kd = 10.0;
-  robot.damping_kd = 10.0;
+  robot.hold_kp.setConstant(robot.num_joints(), 300.0);
+  robot.hold_kd.setConstant(robot.num_joints(), 10.0);
+  robot.damping_kd.setConstant(robot.num_joints(), 10.0);
   return robot;
 }
 

@@ -56,7 +56,7 @@ void TurningRobot::move_leg(Leg leg, const Mat3& R_before) {
     q_.segment<3>(first_joint(leg)) = q;
     R_BK_[k] = chains_[k].shank_in_base(q);
     const Vec3 turn = log_rotation(Quat(Mat3(R_WB_ * R_BK_[k] * R_WK_before.transpose())));
-    p_WF_[k] = p_before + turn.cross(description_.foot_radius * Vec3::UnitZ());
+    p_WF_[k] = p_before + turn.cross(description_.legs[k].foot_radius * Vec3::UnitZ());
   }
 }
 

@@ -61,7 +61,7 @@ TEST(EquationsOfMotion, and_no_contact_motion_together_are_the_constrained_forwa
 
 TEST(EquationsOfMotion, hold_with_straight_legs_where_the_contacts_lose_rank) {
   model::RobotDescription robot = test::anymal_b();
-  robot.foot_radius = 0.0;
+  for (model::LegDescription& leg : robot.legs) leg.foot_radius = 0.0;
   model::RobotModel model(robot);
   model::SupportDynamics support;
   const MotionPlan plan = plan_with_contacts({true, true, true, true});

@@ -85,7 +85,7 @@ TEST(PhysicsSubstitution, HasAllSolutionsOfBothLevelsAndNoOthers) {
 /// From bent knees to a leg as straight as the rank's tolerance lets count.
 TEST(PhysicsSubstitution, KeepsItsColumnsWhereContactsAreNearlySingular) {
   model::RobotDescription robot = test::anymal_b();
-  robot.foot_radius = 0.0;
+  for (model::LegDescription& leg : robot.legs) leg.foot_radius = 0.0;
   Example example;
   example.scene.model = model::RobotModel(robot);
   int solved = 0, refused = 0;
