@@ -87,7 +87,7 @@ def links_below_bodies(urdf, bodies):
     found = {}
     for link in (element.get("name") for element in robot.findall("link")):
         body, X_BL = link, np.eye(4)
-        while body not in bodies and body in parents and parents[body].get("type") == "fixed":
+        while body not in bodies and body in parents:
             X_BL = pose(parents[body]) @ X_BL
             body = parents[body].find("parent").get("link")
         if body in bodies:

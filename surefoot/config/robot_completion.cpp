@@ -215,13 +215,14 @@ void check_lists(const Section& top, const std::string& key, const JointLists& g
   }
 }
 
-/// Joints between the base and a foot.
+/// Joints between the base and a foot; with those that are held, so that these are told.
 std::vector<const model::UrdfJoint*> chain_to(const model::Urdf& urdf, const std::string& base,
-                                              const std::string& foot) {
+                                              const std::string& foot, bool with_held = false) {
   std::vector<const model::UrdfJoint*> chain;
   for (std::string link = foot; link != base && link != urdf.root;) {
     const auto joint = std::ranges::find(urdf.joints, link, &model::UrdfJoint::child);
-    if (joint->type != "fixed") chain.insert(chain.begin(), &*joint);
+    if (joint->type != "fixed" || (with_held && !joint->held_type.empty()))
+      chain.insert(chain.begin(), &*joint);
     link = joint->parent;
   }
   return chain;
@@ -293,7 +294,8 @@ std::vector<std::string> free_chain(const Section& top, const model::Urdf& urdf,
 
 void complete_leg(const Section& top, const model::Urdf& urdf, const std::string& base,
                   const std::string& key, model::LegDescription& leg) {
-  const std::vector<const model::UrdfJoint*> chain = chain_to(urdf, base, leg.foot_frame);
+  std::vector<const model::UrdfJoint*> chain = chain_to(urdf, base, leg.foot_frame);
+  if (chain.size() < leg.joints.size()) chain = chain_to(urdf, base, leg.foot_frame, true);
   if (leg.joints.front().empty()) {
     std::string names;
     for (const model::UrdfJoint* joint : chain) names += " " + joint->name;

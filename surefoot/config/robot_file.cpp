@@ -51,7 +51,7 @@ class NameCheck {
   NameCheck(const Section& top, const model::Urdf& urdf) : top_(top), urdf_(urdf) {
     for (const model::UrdfLink& link : urdf.links) links_.push_back(link.name);
     for (const model::UrdfJoint& joint : urdf.joints) {
-      if (joint.type != "fixed") joints_.push_back(joint.name);
+      if (joint.type != "fixed" || !joint.held_type.empty()) joints_.push_back(joint.name);
     }
   }
 
@@ -84,8 +84,9 @@ class NameCheck {
   void check_hinge(const std::string& key, const std::string& name, const std::string& limb) {
     const auto joint = std::ranges::find(urdf_.joints, name, &model::UrdfJoint::name);
     const std::string place = " (" + urdf_.path + ":" + std::to_string(joint->line) + ")";
-    if (joint->type != "revolute" && joint->type != "continuous") {
-      top_.fail(key, "joint \"" + name + "\" is " + joint->type + place + "; " + limb +
+    const std::string& type = joint->held_type.empty() ? joint->type : joint->held_type;
+    if (type != "revolute" && type != "continuous") {
+      top_.fail(key, "joint \"" + name + "\" is " + type + place + "; " + limb +
                          "'s joint must be revolute");
     }
     if (!joint->mimics.empty()) {

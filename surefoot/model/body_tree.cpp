@@ -35,9 +35,9 @@ void check_joint(const Urdf& urdf, const std::string& name, const std::string& l
   if (found == urdf.joints.end()) {
     throw UnknownNameError("unknown joint \"" + name + "\"; the robot has:" + known_joints(urdf));
   }
-  if (found->type != "revolute" && found->type != "continuous") {
-    throw Error("joint \"" + name + "\" is " + found->type + "; " + limb +
-                "'s joint must be revolute");
+  const std::string& type = found->held_type.empty() ? found->type : found->held_type;
+  if (type != "revolute" && type != "continuous") {
+    throw Error("joint \"" + name + "\" is " + type + "; " + limb + "'s joint must be revolute");
   }
   if (found->mimics.empty()) return;
   throw FileError(urdf.path + ":" + std::to_string(found->line) + ": joint \"" + name +

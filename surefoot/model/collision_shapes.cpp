@@ -27,6 +27,7 @@ void add_shapes(const UrdfReader& reader, const XMLElement& link,
     added.link = reader.name(link);
     added.kind = shape->Name();
     added.radius = radius_of(reader, *shape);
+    added.length = shape->DoubleAttribute("length");
     if (shape->Attribute("size") != nullptr) added.size = reader.vector(*shape, "size");
     if (const char* file = shape->Attribute("filename")) added.mesh = file;
     if (shape->Attribute("scale") != nullptr) added.scale = reader.vector(*shape, "scale");

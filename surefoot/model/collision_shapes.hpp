@@ -13,6 +13,7 @@ struct CollisionShape {
   std::string kind;            ///< sphere, cylinder, box, mesh …
   Vec3 center = Vec3::Zero();  ///< in the link's frame [m]
   double radius = 0.0;         ///< sphere, cylinder, capsule; else half the box's least side [m]
+  double length = 0.0;         ///< of a cylinder or capsule [m]
   Vec3 size = Vec3::Zero();    ///< of a box [m]
   std::string mesh;            ///< file of a mesh, as written; else empty
   Mat3 R = Mat3::Identity();   ///< its axes in the link's frame

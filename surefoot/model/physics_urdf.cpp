@@ -1,6 +1,7 @@
 #include "surefoot/model/physics_urdf.hpp"
 
 #include "surefoot/base/formatted.hpp"
+#include "surefoot/math/rotation.hpp"
 #include "surefoot/model/urdf_reader.hpp"
 
 #include <tinyxml2.h>
@@ -223,14 +224,27 @@ class Writer {
     const std::string_view type = from.Attribute("type");
     XMLElement& to = *to_.InsertNewChildElement("joint");
     copy_attributes(from, to, {"name", "type"});
-    copy_child(from, to, "origin", {"xyz", "rpy"});
+    const UrdfJoint& joint = *std::ranges::find(urdf_.joints, name, &UrdfJoint::name);
+    const bool is_held = !joint.held_type.empty();
+    is_held ? write_place(joint, to) : copy_child(from, to, "origin", {"xyz", "rpy"});
     copy_child(from, to, "parent", {"link"});
     copy_child(from, to, "child", {"link"});
-    if (type == "fixed") return;
+    if (type == "fixed" || is_held) return;
     if (type != "floating") copy_child(from, to, "axis", {"xyz"});
     const XMLElement* limit = from.FirstChildElement("limit");
     if (type == "revolute" && limit != nullptr) write_stops(*limit, name, to);
     count_dynamics(from);
+  }
+
+  /// A joint that is held is fixed where it is.
+  static void write_place(const UrdfJoint& joint, XMLElement& to) {
+    to.SetAttribute("type", "fixed");
+    const auto text = [](const Vec3& v) {
+      return exact(v.x()) + " " + exact(v.y()) + " " + exact(v.z());
+    };
+    XMLElement& origin = *to.InsertNewChildElement("origin");
+    origin.SetAttribute("xyz", text(joint.p).c_str());
+    origin.SetAttribute("rpy", text(roll_pitch_yaw(joint.R)).c_str());
   }
 
   /// Position limits only: drive limits come from the robot's file.

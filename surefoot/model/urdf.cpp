@@ -2,11 +2,14 @@
 
 #include "surefoot/base/error.hpp"
 #include "surefoot/base/formatted.hpp"
+#include "surefoot/math/rotation.hpp"
 #include "surefoot/model/urdf_reader.hpp"
 
 #include <tinyxml2.h>
 
 #include <algorithm>
+#include <array>
+#include <cctype>
 #include <cmath>
 #include <fstream>
 #include <set>
@@ -25,6 +28,7 @@ class Reader : public UrdfReader {
       : UrdfReader(path, text), impossible_(impossible) {}
 
   UrdfLink link(const XMLElement& element) const {
+    check_once(element, "link \"" + name(element) + "\"");
     const XMLElement* inertial = element.FirstChildElement("inertial");
     if (inertial == nullptr) return {name(element), Inertia(), line(element)};
     return {name(element), inertia(*inertial, name(element)), line(*inertial)};
@@ -34,6 +38,7 @@ class Reader : public UrdfReader {
     UrdfJoint result;
     result.name = name(element);
     result.line = line(element);
+    check_once(element, "joint \"" + result.name + "\"");
     const char* type = element.Attribute("type");
     if (type == nullptr) fail(result.line, "joint \"" + result.name + "\" has no type");
     result.type = type;
@@ -43,13 +48,49 @@ class Reader : public UrdfReader {
     if (result.type != "fixed" && result.type != "floating") read_axis(element, result);
     if (result.type != "fixed") read_limits(element, result);
     if (const XMLElement* mimic = element.FirstChildElement("mimic")) {
-      const char* followed = mimic->Attribute("joint");
-      result.mimics = followed == nullptr ? "another joint" : followed;
+      read_mimic(*mimic, result);
     }
+    if (const XMLElement* origin = element.FirstChildElement("origin"))
+      if (origin->Attribute("rpy") != nullptr) result.rpy = vector(*origin, "rpy");
     return result;
   }
 
+  /// Letters in another case would be passed over.
+  void check_tag(const XMLElement& element) const {
+    std::string small = element.Name();
+    std::ranges::transform(small, small.begin(),
+                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    if ((small != "link" && small != "joint") || small == element.Name()) return;
+    fail(line(element), std::string("<") + element.Name() +
+                            "> does not belong in a URDF; did you mean <" + small + ">?");
+  }
+
  private:
+  /// Of two inertias or limits the first would count.
+  void check_once(const XMLElement& element, const std::string& owner) const {
+    std::set<std::string_view> seen;
+    for (const XMLElement* child = element.FirstChildElement(); child != nullptr;
+         child = child->NextSiblingElement()) {
+      const std::string_view tag = child->Name();
+      if (tag == "inertial") check_once(*child, owner);
+      const bool is_once = std::ranges::count(kOnce, tag) > 0;
+      if (is_once && !seen.insert(tag).second)
+        fail(line(*child), owner + " has a second <" + std::string(tag) + ">; one of them must go");
+    }
+  }
+
+  void read_mimic(const XMLElement& mimic, UrdfJoint& joint) const {
+    const char* followed = mimic.Attribute("joint");
+    if (followed == nullptr)
+      fail(line(mimic), "joint \"" + joint.name + "\": <mimic> names no joint");
+    joint.mimics = followed;
+    if (mimic.Attribute("multiplier") != nullptr) joint.multiplier = number(mimic, "multiplier");
+    if (mimic.Attribute("offset") != nullptr) joint.offset = number(mimic, "offset");
+  }
+
+  static constexpr std::array<std::string_view, 9> kOnce{
+      "inertial", "origin", "mass", "inertia", "parent", "child", "axis", "limit", "mimic"};
+
   static bool is_no_limit(std::string_view text) {
     return text == "nan" || text == "inf" || text == "-inf";
   }
@@ -175,6 +216,47 @@ std::string find_root(const Reader& reader, const Urdf& urdf) {
   return *roots.begin();
 }
 
+/// Where a joint is while all that have a drive are at 0, as its limits allow.
+double position_at_rest(const Reader& reader, const Urdf& urdf, const UrdfJoint& joint) {
+  double position = 0.0, factor = 1.0;
+  const UrdfJoint* leader = &joint;
+  for (std::size_t i = 0; !leader->mimics.empty(); ++i) {
+    const auto next = std::ranges::find(urdf.joints, leader->mimics, &UrdfJoint::name);
+    if (next == urdf.joints.end())
+      reader.fail(leader->line, "joint \"" + leader->name + "\" mimics \"" + leader->mimics +
+                                    "\", and there is no joint of that name");
+    if (i == urdf.joints.size())
+      reader.fail(joint.line, "joint \"" + joint.name + "\" mimics \"" + joint.mimics +
+                                  "\", which follows it in turn; one of them must have a drive");
+    position += factor * leader->offset;
+    factor *= leader->multiplier;
+    leader = &*next;
+  }
+  const auto bound = [](double limit, double none) { return std::isnan(limit) ? none : limit; };
+  const double lower = bound(joint.lower, -kInfinity), upper = bound(joint.upper, kInfinity);
+  return lower > upper ? position : std::clamp(position, lower, upper);
+}
+
+/// A limb's joints are hinges with drives; others stay where they are.
+void hold_others(const Reader& reader, Urdf& urdf) {
+  for (UrdfJoint& joint : urdf.joints) {
+    const bool slides = joint.type == "prismatic";
+    const bool follows = !joint.mimics.empty() && joint.type != "fixed";
+    if (!slides && !follows) continue;
+    const double position = position_at_rest(reader, urdf, joint);
+    urdf.notes.push_back(formatted("joint \"%s\" (line %d) ", joint.name.c_str(), joint.line) +
+                         (follows ? "follows \"" + joint.mimics + "\"" : std::string("slides")) +
+                         formatted(": it is held at %g %s", position, slides ? "m" : "rad"));
+    if (slides) {
+      joint.p += joint.R * joint.axis * position;
+    } else {
+      joint.R = (joint.R * exp_rotation(position * joint.axis).toRotationMatrix()).eval();
+    }
+    joint.held_type = joint.type;
+    joint.type = "fixed";
+  }
+}
+
 /// Joints that form a circle are not reachable from the root.
 void check_connected(const Reader& reader, const Urdf& urdf) {
   const std::map<std::string, Weld> reached = welds(urdf);
@@ -249,6 +331,7 @@ Urdf read_urdf(const std::string& path, ImpossibleInertia impossible, const std:
   for (const XMLElement* element = robot.FirstChildElement(); element != nullptr;
        element = element->NextSiblingElement()) {
     const std::string_view tag = element->Name();
+    reader.check_tag(*element);
     if (tag == "link") urdf.links.push_back(reader.link(*element));
     if (tag == "joint") urdf.joints.push_back(reader.joint(*element));
     if (tag == "note" && !text.empty()) urdf.notes.emplace_back(element->Attribute("text"));
@@ -256,6 +339,7 @@ Urdf read_urdf(const std::string& path, ImpossibleInertia impossible, const std:
   check_link_names(reader, urdf);
   check_joint_names(reader, urdf);
   urdf.root = find_root(reader, urdf);
+  hold_others(reader, urdf);
   check_connected(reader, urdf);
   if (impossible == ImpossibleInertia::kept) return urdf;
   check_world(reader, urdf);

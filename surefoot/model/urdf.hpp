@@ -24,8 +24,12 @@ struct UrdfJoint {
   Mat3 R = Mat3::Identity();  ///< orientation of the child's frame in the parent's at position 0
   Vec3 p = Vec3::Zero();      ///< position of it [m]
   Vec3 axis =
-      Vec3::UnitX();   ///< unit vector in the child's frame; a fixed joint keeps this default
-  std::string mimics;  ///< the joint that it follows; empty: none
+      Vec3::UnitX();        ///< unit vector in the child's frame; a fixed joint keeps this default
+  Vec3 rpy = Vec3::Zero();  ///< of R, as written [rad]
+  std::string mimics;       ///< the joint that it follows; empty: none
+  double multiplier = 1.0, offset = 0.0;  ///< of the position that it follows
+  /// Its type in the file, if it is fixed only because it follows another joint or slides.
+  std::string held_type;
   /// Of its position [rad] or [m], effort and velocity; NaN: no finite number is given.
   double lower = kNaN, upper = kNaN, effort = kNaN, velocity = kNaN;
   int line = 0;  ///< in the file
@@ -49,12 +53,14 @@ struct Urdf {
 /// What reading a URDF does with masses and inertias that no body can have.
 enum class ImpossibleInertia { refused, kept };
 
-/// Reads a URDF. Ignores a placeholder inertia of the root link, with a note. Throws FileError,
-/// with file and line, if the file is missing, not XML or no robot, if the links do not form one
-/// tree, a joint's name repeats, a mass is negative, an inertia has a negative eigenvalue beyond
-/// rounding or a number is not finite. Ignores faults in parts that are not kept. With `kept`,
-/// masses and inertias stay as written, whatever they are. `text`: of the URDF, if it was made from
-/// the MJCF at `path`; its attributes `line` are lines of that.
+/// Reads a URDF. Ignores a placeholder inertia of the root link, with a note. A joint that follows
+/// another or slides has no drive of a limb: it becomes fixed where it is with all joints at 0, as
+/// its limits allow, with a note. Throws FileError, with file and line, if the file is missing, not
+/// XML or no robot, if the links do not form one tree, a joint's name or an element that stands
+/// once repeats, a joint follows none or itself, a mass is negative, an inertia has a negative
+/// eigenvalue beyond rounding or a number is not finite. Ignores faults in parts that are not kept.
+/// With `kept`, masses and inertias stay as written, whatever they are. `text`: of the URDF, if it
+/// was made from the MJCF at `path`; its attributes `line` are lines of that.
 [[nodiscard]] Urdf read_urdf(const std::string& path,
                              ImpossibleInertia impossible = ImpossibleInertia::refused,
                              const std::string& text = "");

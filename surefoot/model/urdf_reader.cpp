@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
 #include <fstream>
 #include <locale>
 #include <sstream>
@@ -63,12 +64,21 @@ std::string fault_of(const tinyxml2::XMLDocument& document) {
       return "an attribute here is not written as name=\"value\", or stands twice";
     case tinyxml2::XML_ERROR_PARSING:
       return "an element here is not closed, or text stands outside of elements";
+    case tinyxml2::XML_ERROR_PARSING_COMMENT:
+      return "a comment that begins with <!-- here does not end with -->";
+    case tinyxml2::XML_ERROR_PARSING_TEXT:
+    case tinyxml2::XML_ERROR_PARSING_CDATA:
+    case tinyxml2::XML_ERROR_PARSING_DECLARATION:
+    case tinyxml2::XML_ERROR_PARSING_UNKNOWN:
+      return "what begins with < here does not end with >";
     default:
       return document.ErrorName();
   }
 }
 
 void load_xml(const std::string& path, const char* format, tinyxml2::XMLDocument& document) {
+  if (std::filesystem::is_directory(path))
+    throw FileError(path + ": a folder; give the " + format + " in it");
   if (!std::ifstream(path))
     throw FileError(path + ": the " + format + " can't be read; does the file exist?");
   if (document.LoadFile(path.c_str()) == tinyxml2::XML_SUCCESS) return;

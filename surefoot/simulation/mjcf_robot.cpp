@@ -7,6 +7,7 @@
 #include "surefoot/simulation/urdf_spec.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <set>
@@ -66,7 +67,31 @@ class MjcfReader {
     std::array<char, 1024> error{};
     robot_.spec.reset(
         mj_parseXML(path_.c_str(), nullptr, error.data(), static_cast<int>(error.size())));
-    if (!robot_.spec) throw FileError(text(path_, ": ", one_line(error.data())));
+    if (!robot_.spec) fail_as_mujoco(one_line(error.data()));
+  }
+
+  /// Its message, with the line of the element that it speaks of.
+  [[noreturn]] void fail_as_mujoco(std::string message) const {
+    const std::string_view opening = "Error opening file '";
+    const std::size_t file = message.find(opening);
+    const auto meshes = robot_.spec && file != std::string::npos
+                            ? elements(*robot_.spec, mjOBJ_MESH)
+                            : std::vector<mjsElement*>();
+    for (mjsElement* element : meshes) {
+      const mjsMesh& mesh = *mjs_asMesh(element);
+      const std::string name = string_of(mesh.file);
+      if (name.empty() || message.find(name) == std::string::npos) continue;
+      const auto folder =
+          std::filesystem::absolute(path_).parent_path() / string_of(robot_.spec->compiler.meshdir);
+      fail(line_of(mesh.info), text("<mesh>: there is no \"", name, "\"; looked for in ",
+                                    folder.lexically_normal().string()));
+    }
+    const std::size_t place = message.rfind(", line ");
+    const int line = place == std::string::npos ? 1 : std::atoi(message.c_str() + place + 7);
+    message.resize(std::min(place, message.size()));
+    if (message.starts_with("XML Error: ")) message.erase(0, 11);
+    if (message.starts_with("Error: ")) message.erase(0, 7);
+    fail(std::max(1, line), message);
   }
 
   void find_base() {
@@ -120,6 +145,8 @@ class MjcfReader {
     const std::string name = "body \"" + name_of(body.element) + "\"";
     if (body.gravcomp != 0.0)
       fail(line_of(body.info), name + " has gravcomp; the model has no gravity compensation");
+    if (body.explicitinertial != 0 && !std::isfinite(body.mass))
+      fail(line_of(body.info), name + ": the mass of its <inertial> is not a finite number");
     const std::vector<mjsElement*> joints = children(body, mjOBJ_JOINT);
     if (joints.size() > 1) {
       fail(line_of(body.info), text(name, " has ", joints.size(),
@@ -256,7 +283,7 @@ class MjcfReader {
       joint.armature = joint.frictionloss = joint.damping[0] = 0.0;
     }
     robot_.model.reset(mj_compile(&spec, nullptr));
-    if (!robot_.model) throw FileError(text(path_, ": ", one_line(mjs_getError(&spec))));
+    if (!robot_.model) fail_as_mujoco(one_line(mjs_getError(&spec)));
   }
 
   void note_what_is_left_out() {

@@ -1,6 +1,7 @@
 #include "surefoot/simulation/urdf_spec.hpp"
 
 #include "surefoot/base/error.hpp"
+#include "surefoot/model/bare_urdf.hpp"
 #include "surefoot/model/physics_urdf.hpp"
 #include "surefoot/simulation/text.hpp"
 
@@ -52,6 +53,18 @@ mjsBody& find_body(mjSpec& spec, const std::string& name, const std::string& rol
         text("unknown ", role, " \"", name, "\"; the robot has: ", listed(body_names(spec))));
   }
   return *body;
+}
+
+SpecHandle read_bare_spec(const model::RobotDescription& description) {
+  const std::string urdf = model::bare_urdf(model::read_urdf(description));
+  std::array<char, 1024> error{};
+  SpecHandle spec(urdf.empty() ? nullptr
+                               : mj_parseXMLString(urdf.c_str(), nullptr, error.data(),
+                                                   static_cast<int>(error.size())));
+  mjsBody* const base = spec ? mjs_findBody(spec.get(), description.base_link.c_str()) : nullptr;
+  if (base == nullptr) return nullptr;
+  free_the_base(*base);
+  return spec;
 }
 
 SpecHandle read_spec(const model::RobotDescription& description, std::vector<std::string>& notes) {

@@ -8,6 +8,9 @@
 
 namespace surefoot::simulation {
 
+/// The URDF as MuJoCo reads its joints and inertias by itself, with a free base; null if it can't.
+[[nodiscard]] SpecHandle read_bare_spec(const model::RobotDescription& description);
+
 /// The robot's physics URDF as an editable MuJoCo spec: fixed links as separate bodies, the base
 /// free. Throws FileError or Error as build_model does.
 [[nodiscard]] SpecHandle read_spec(const model::RobotDescription& description,

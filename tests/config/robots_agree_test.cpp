@@ -24,6 +24,12 @@ TEST_P(ShippedRobot, is_the_same_in_both_models) {
 INSTANTIATE_TEST_SUITE_P(Each, ShippedRobot, testing::ValuesIn(robots()),
                          [](const auto& robot) { return robot.param; });
 
+/// Else the agreement would only be with a URDF of our own writing.
+TEST(RobotsInBothModels, are_read_by_MuJoCo_itself) {
+  for (const char* name : {"anymal_b", "a1", "go2", "g1", "hexapod", "laikago", "aliengo"})
+    EXPECT_TRUE(simulation::is_read_by_mujoco(load_robot(name))) << name;
+}
+
 /// What is changed in the model alone, and what is said of it.
 struct Change {
   const char *name, *from, *to, *message;

@@ -129,7 +129,10 @@ TEST(BadRobot, takes_what_is_odd_but_does_no_harm) {
       "iyy=\"1e-6\" iyz=\"1e-6\" izz=\"1e-6\"/></inertial>";
   for (const ChangedUrdf& urdf :
        {ChangedUrdf(kImuJoint, std::string(kImuJoint) + "<axis xyz=\"0 0 0\"/>"),
-        ChangedUrdf(kImuLink, kImuLink + flat), ChangedUrdf("<?xml", "\xEF\xBB\xBF<?xml")}) {
+        ChangedUrdf("</robot>", "<link name=\"odd\">" + flat +
+                                    "</link><joint name=\"odd\" type=\"fixed\"><parent "
+                                    "link=\"base\"/><child link=\"odd\"/></joint></robot>"),
+        ChangedUrdf("<?xml", "\xEF\xBB\xBF<?xml")}) {
     EXPECT_EQ(message_of<Error>(urdf.robot()), "nothing was thrown");
   }
 }

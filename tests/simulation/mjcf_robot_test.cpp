@@ -181,11 +181,13 @@ INSTANTIATE_TEST_SUITE_P(
               ":17: body \"shank\" has gravcomp"},
         Wrong{"NotFinite", "pos=\"0 0 -0.31\"", "pos=\"0 nan -0.31\"",
               ":20: <origin> needs xyz=\"three finite numbers\""},
-        Wrong{"UnknownElement", "<light pos=\"0 0 3\"/>", "<ligt/>", "ligt"},
+        Wrong{"UnknownElement", "<light pos=\"0 0 3\"/>", "<ligt/>", ":7: Schema violation"},
+        Wrong{"MassNan", "mass=\"0.3\"", "mass=\"nan\"",
+              ":17: body \"shank\": the mass of its <inertial> is not a finite number"},
         Wrong{"NotClosed", "</mujoco>", "", "not well-formed XML"},
         Wrong{"MeshOfInertia",
               "<inertial pos=\"0.1 0 0\" mass=\"5\" diaginertia=\"0.1 0.2 0.25\"/>", "",
-              "box.stl"}),
+              ":4: <mesh>: there is no \"box.stl\"; looked for in"}),
     [](const auto& wrong) { return std::string(wrong.param.name); });
 
 TEST_F(MjcfRobotFile, of_another_format_is_refused_with_the_way_out) {
