@@ -20,6 +20,8 @@ export interface Picture {
   beliefToWorld: THREE.Matrix4;
   /** Centre of mass of a body in S; false: there is no such body. */
   centreOf: (body: string, out: THREE.Vector3) => boolean;
+  /** Place and axis of a joint in S; false: there is no such joint. */
+  axisOf: (joint: string, place: THREE.Vector3, axis: THREE.Vector3) => boolean;
   /** Trails are drawn again in this picture. */
   trails: boolean;
 }

@@ -5,6 +5,7 @@ import { coloursOf, paletteOf, type Palette } from "../scene/palette.ts";
 import { CentreOfMass } from "./com.ts";
 import { Footholds, LimbLimits, SwingCurves } from "./feet.ts";
 import { GroundForces, OutsideForce, WantedForces } from "./forces.ts";
+import { JointAxes } from "./joints.ts";
 import { SupportPolygon, TerrainPlane, ZeroMomentPoint } from "./ground_marks.ts";
 import type { Overlay, Picture } from "./overlay.ts";
 import { FrictionPyramids } from "./pyramids.ts";
@@ -28,6 +29,7 @@ const ENTRIES: [id: string, name: string, about: string, on: boolean, make: () =
   ["limbs", "Hip–foot limits", "spheres between which a foot must stay; its distance from the hip, and what is left, in cm", false, () => new LimbLimits()],
   ["wanted", "Forces of the solution", "that the controller asks for", false, () => new WantedForces()],
   ["plane", "Terrain plane", "that the controller walks by", false, () => new TerrainPlane()],
+  ["joints", "Joints", "name and axis of each; a positive angle turns about the arrow by the right hand", false, () => new JointAxes()],
 ];
 
 /** All overlays. What the controller believes is moved to the true robot. */

@@ -78,6 +78,15 @@ export class Robot {
     link.localToWorld(out.copy(centre));
     return true;
   }
+
+  /** Place [m] and axis of a joint in S; false: there is no joint of that name. */
+  axisOf(name: string, place: THREE.Vector3, axis: THREE.Vector3): boolean {
+    const joint = this.urdf.joints[name];
+    if (joint === undefined) return false;
+    joint.getWorldPosition(place);
+    axis.copy(joint.axis).transformDirection(joint.matrixWorld);
+    return true;
+  }
 }
 
 /** Only joints move relative to their parents; all other local transforms are computed once. */

@@ -164,8 +164,8 @@ export class World {
     if (trails) this.sinceTrails = 0;
     this.shown = frame.time;
     const { header } = this.session;
-    const { labels, newton, centreOf } = this;
-    this.overlays.update({ frame, source, header, labels, newton, longest: LONGEST, trails, centreOf });
+    const { labels, newton, centreOf, axisOf } = this;
+    this.overlays.update({ frame, source, header, labels, newton, longest: LONGEST, trails, centreOf, axisOf });
   }
 
   /** `base`, `legs`: topics with their positions. False: the base's pose is not known. */
@@ -175,6 +175,7 @@ export class World {
     return known;
   }
 
+  private readonly axisOf = (joint: string, place: THREE.Vector3, axis: THREE.Vector3): boolean => this.robot.axisOf(joint, place, axis);
   private readonly centreOf = (body: string, out: THREE.Vector3): boolean => this.robot.centreOf(body, out);
 
   /** Place of a link's frame in S [m]. */
