@@ -3,12 +3,11 @@
 #include "cli/exit_code.hpp"
 #include "cli/progress.hpp"
 #include "surefoot/base/printable.hpp"
-#include "surefoot/config/data_file.hpp"
-#include "surefoot/config/robot_file.hpp"
-#include "surefoot/doctor/checks.hpp"
+#include "surefoot/doctor/limit_guesses.hpp"
 #include "surefoot/doctor/picture.hpp"
 #include "surefoot/doctor/report.hpp"
 #include "surefoot/doctor/robot_file_text.hpp"
+#include "surefoot/logging/output_files.hpp"
 #include "surefoot/runtime/interrupt.hpp"
 
 #include <algorithm>
@@ -20,15 +19,8 @@
 namespace surefoot::cli {
 namespace {
 
-/// The file to examine: a robot that ships is known by its name.
-std::string file_of(const std::string& given) {
-  const std::vector<std::string> ours = config::list_data("robots");
-  const bool is_name = !std::filesystem::exists(given) && std::ranges::count(ours, given) > 0;
-  return is_name ? config::load_robot(given).urdf_path : given;
-}
-
 /// Guesses stand in for what the robot file lacks.
-std::vector<doctor::Trial> walk(const doctor::Diagnosis& robot) {
+std::vector<doctor::Trial> walk(const doctor::Diagnosis& robot, const std::string& out) {
   std::unique_ptr<Progress> progress;
   std::string shown;
   doctor::TrialOptions options;
@@ -41,6 +33,7 @@ std::vector<doctor::Trial> walk(const doctor::Diagnosis& robot) {
     }
     progress->update(time);
   };
+  if (!out.empty()) options.logs = std::filesystem::path(out).replace_extension("").string() + "_";
   return doctor::try_walking(robot, options);
 }
 
@@ -55,9 +48,17 @@ void write_files(const doctor::Diagnosis& robot, const std::string& file) {
   std::fprintf(stderr, "picture: %s\n", write_picture(robot, file).c_str());
 }
 
+/// Beside the robot file.
+void write_report(const doctor::Diagnosis& robot, const std::vector<doctor::Trial>& trials,
+                  const std::string& file) {
+  const std::string report = std::filesystem::path(file).replace_extension(".txt").string();
+  logging::write_file(report, printable(report_text(robot, trials), "\n"));
+  std::fprintf(stderr, "report: %s\n", report.c_str());
+}
+
 /// What to do next: a robot file with gaps is refused until they are filled in.
 std::string next_step(const doctor::Diagnosis& robot, const std::string& file) {
-  if (!robot.robot) return "";
+  if (!robot.robot || !robot.robot_file.empty()) return "";
   if (file.empty()) return "\nwrite its robot file: --out " + robot.name + ".yaml\n";
   const std::string scenario = robot.robot->can_walk() ? "walk_flat" : "flat_feet";
   return "\n" + std::string(has_gaps(robot) ? "fill in " + file + ", then see it: " : "see it: ") +
@@ -68,13 +69,14 @@ std::string next_step(const doctor::Diagnosis& robot, const std::string& file) {
 
 int doctor_command(const DoctorArguments& arguments) {
   runtime::watch_for_interrupt();
-  const doctor::Diagnosis robot = doctor::examine(file_of(arguments.urdf), arguments.name);
+  const doctor::Diagnosis robot = doctor::examine(arguments.urdf, arguments.name);
   const bool can_walk = robot.robot.has_value();
   if (!arguments.out.empty()) write_files(robot, arguments.out);
   if (arguments.walk && !can_walk)
     std::fprintf(stderr, "surefoot: no trial: the program refuses the robot, see the errors\n");
   const std::vector<doctor::Trial> trials =
-      arguments.walk && can_walk ? walk(robot) : std::vector<doctor::Trial>();
+      arguments.walk && can_walk ? walk(robot, arguments.out) : std::vector<doctor::Trial>();
+  if (arguments.walk && !arguments.out.empty()) write_report(robot, trials, arguments.out);
   std::cout << printable(arguments.json
                              ? report_json(robot, trials) + "\n"
                              : report_text(robot, trials) + next_step(robot, arguments.out),

@@ -251,7 +251,8 @@ void add_doctor(CLI::App& app, Command& chosen) {
       ->required();
   doctor
       ->add_option("--out", arguments->out,
-                   "Write the robot file here (.yaml), and its picture beside it")
+                   "Write the robot file here (.yaml), beside it its picture and, with --walk, the "
+                   "report and a log of each trial that fails")
       ->check(some_name());
   doctor->add_option("--name", arguments->name, "Of the robot; the description's by default")
       ->check(robot_name());

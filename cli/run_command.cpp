@@ -10,6 +10,7 @@
 #include "surefoot/base/error.hpp"
 #include "surefoot/base/printable.hpp"
 #include "surefoot/closed_loop/closed_loop.hpp"
+#include "surefoot/config/robot_guesses.hpp"
 #include "surefoot/config/scenario_file.hpp"
 #include "surefoot/logging/output_files.hpp"
 #include "surefoot/logging/recorder.hpp"
@@ -181,7 +182,8 @@ std::string check_text(const config::Scenario& scenario, const RunCost& cost,
     if (std::ranges::find(scenario.notes, note) == scenario.notes.end())
       said += "note: " + note + "\n";
   }
-  return said;
+  const std::string guesses = config::robot_guesses(scenario);
+  return guesses.empty() ? said : said + "note: " + guesses + "\n";
 }
 
 int check_one(const RunArguments& arguments) {

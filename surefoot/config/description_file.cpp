@@ -2,7 +2,6 @@
 
 #include "surefoot/base/error.hpp"
 #include "surefoot/config/data_directory.hpp"
-#include "surefoot/config/data_file.hpp"
 #include "surefoot/model/mesh_files.hpp"
 #include "surefoot/model/urdf_reader.hpp"
 #include "surefoot/simulation/mjcf_urdf.hpp"
@@ -22,27 +21,8 @@ std::string urdf_of_mjcf_named(const std::string& name, const std::string& path)
   return simulation::urdf_of_mjcf(path, is_of_package ? name.substr(0, name.rfind('/')) : "");
 }
 
-namespace {
-
-/// What a robot file names, as ", FILE"; empty: nothing.
-std::string named_by(const std::string& robot_file) {
-  const ConfigNode tree = parse_yaml_file(robot_file);
-  for (const char* key : {"urdf", "mjcf"}) {
-    const ConfigNode* given = tree.find(key);
-    if (given != nullptr && !given->text.empty()) return ", " + given->text;
-  }
-  return "";
-}
-
-}  // namespace
-
 DescriptionFile read_description(const std::string& name) {
   DescriptionFile file{.path = name, .urdf = {}};
-  if (std::filesystem::path(name).extension() == ".yaml" && std::filesystem::is_regular_file(name))
-    throw FileError(
-        name + " is a robot file, not a URDF or an MJCF; give the one that it names" +
-        named_by(name) +
-        ", or check the robot file: surefoot run walk_flat --check --set robot=" + name);
   if (name.find("://") != std::string::npos) file.path = find_description(name, {});
   if (model::root_of_xml(file.path, "description") == "mujoco")
     file.urdf = urdf_of_mjcf_named(name, file.path);

@@ -31,6 +31,8 @@ class LimbFinder {
     Limb limb;
     collect(first, limb);
     if (!limb.no_leg.empty()) return limb;
+    if (limb.joints.size() < kJointsPerLeg) add_held(limb);
+    if (!limb.no_leg.empty()) return limb;
     limb.is_chain = true;
     if (limb.joints.size() != kJointsPerLeg)
       limb.no_leg = "it has " + std::to_string(limb.joints.size()) + " joints, a leg has 3";
@@ -41,10 +43,22 @@ class LimbFinder {
   void collect(const model::UrdfJoint& joint, Limb& limb) const {
     limb.joints.push_back(joint);
     if (!is_hinge(joint)) limb.no_leg = "joint \"" + joint.name + "\" is " + joint.type;
-    if (!joint.mimics.empty()) limb.no_leg = "joint \"" + joint.name + "\" mimics another";
     const std::vector<model::UrdfJoint> next = moving_from(joint.child);
     if (next.size() > 1) limb.no_leg = "it branches behind joint \"" + joint.name + "\"";
     for (const model::UrdfJoint& child : next) collect(child, limb);
+  }
+
+  /// What might be a leg, but for a joint that follows another or slides.
+  void add_held(Limb& limb) const {
+    for (const model::UrdfJoint& joint : urdf_.joints) {
+      const std::string& parent = welds_.at(joint.parent).body;
+      const bool is_behind =
+          std::ranges::find(limb.joints, parent, &model::UrdfJoint::child) != limb.joints.end();
+      if (joint.held_type.empty() || !is_behind) continue;
+      limb.no_leg = "joint \"" + joint.name + "\" " +
+                    (joint.mimics.empty() ? "is " + joint.held_type : "mimics another");
+      limb.joints.push_back(joint);
+    }
   }
 
   const model::Urdf& urdf_;
@@ -91,7 +105,8 @@ std::string remedy_of(const Limb& limb, const model::Urdf& urdf) {
   return fixed;
 }
 
-/// Where the legs are known, other chains are arms; where not, only those too long for a leg.
+/// Where the legs are known, other chains are arms; where not, only those too long for a leg, and
+/// fewer than a robot has legs.
 void name_arms(Anatomy& anatomy) {
   std::vector<Limb> limbs;
   for (const Limb& limb : anatomy.others) {
@@ -100,21 +115,43 @@ void name_arms(Anatomy& anatomy) {
     if (chains.empty()) limbs.push_back(limb);
     limbs.insert(limbs.end(), chains.begin(), chains.end());
   }
-  for (Limb& limb : limbs)
-    limb.is_arm = limb.is_chain && (has_legs(anatomy) || limb.joints.size() > kJointsPerLeg);
+  const auto is_single = [&](const Limb& limb) {
+    return std::ranges::count_if(limbs, [&](const Limb& other) {
+             return other.joints.size() == limb.joints.size();
+           }) < kNumLegs;
+  };
+  for (Limb& limb : limbs) {
+    const bool is_long = limb.joints.size() > kJointsPerLeg && is_single(limb);
+    limb.is_arm = limb.is_chain && (has_legs(anatomy) || is_long);
+  }
   anatomy.others = std::move(limbs);
+}
+
+/// Limbs that may be legs of another build are told together.
+bool may_be_legs(const Limb& limb, const Anatomy& anatomy) {
+  return !has_legs(anatomy) && limb.is_chain && !limb.is_arm &&
+         std::ranges::count_if(anatomy.others, [&](const Limb& other) {
+           return other.is_chain && other.joints.size() == limb.joints.size();
+         }) >= kNumLegs;
 }
 
 void tell_others(const model::Urdf& urdf, const Anatomy& anatomy, Findings& findings) {
   for (const Limb& limb : anatomy.others) {
+    if (may_be_legs(limb, anatomy)) continue;
     std::string names;
     for (const model::UrdfJoint& joint : limb.joints) names += " " + joint.name;
     const model::UrdfJoint& first = limb.joints.front();
     if (limb.is_arm) {
-      findings.push_back({Severity::note, Confidence::likely, "joint \"" + first.name + "\"",
-                          first.line, "an arm begins here:" + names,
-                          "give it a posture under `arms:` in the robot file, or make its joints "
-                          "fixed"});
+      const std::string& last = limb.joints.back().child;
+      const bool is_waist = std::ranges::any_of(anatomy.others, [&](const Limb& other) {
+        return anatomy.welds.at(other.joints.front().parent).body == last;
+      });
+      findings.push_back(
+          {Severity::note, Confidence::likely, "joint \"" + first.name + "\"", first.line,
+           (is_waist ? "what carries arms begins here, a waist perhaps:" : "an arm begins here:") +
+               names,
+           "give it a posture under `arms:` in the robot file, or make its joints "
+           "fixed"});
       continue;
     }
     findings.push_back({Severity::error, Confidence::certain, "joint \"" + first.name + "\"",

@@ -6,6 +6,8 @@ namespace surefoot::doctor {
 
 // Each check adds what it finds to the diagnosis.
 
+/// Joints of no known type, origins turned in degrees. Others wait until these are mended.
+void check_joints(Diagnosis& robot);
 /// Masses and inertias of links and bodies: impossible ones, and those in other units.
 void check_inertias(Diagnosis& robot);
 /// Total mass and leg length: g for kg, mm for m.
@@ -14,7 +16,9 @@ void check_size(Diagnosis& robot);
 void check_flat_feet(Diagnosis& robot);
 /// Feet that differ, are missing or have no sphere.
 void check_feet(Diagnosis& robot);
-/// Knees that turn across their hips.
+/// Collision shapes in another unit.
+void check_shapes(Diagnosis& robot);
+/// Knees that turn across their hips, hips that turn across the base, legs that reach up.
 void check_axes(Diagnosis& robot);
 /// Effort, velocity and position limits: missing, placeholders, too weak to stand.
 void check_limits(Diagnosis& robot);
@@ -30,15 +34,5 @@ void check_stance(Diagnosis& robot);
 
 /// Whether MuJoCo's model of the robot has the same masses, places and dynamics as ours.
 void check_agreement(Diagnosis& robot);
-
-/// Which limits of a joint, or of any, have to be filled in.
-struct LimitGaps {
-  bool effort = false, velocity = false, position = false;  ///< a placeholder, or missing
-};
-
-/// Without the standing torque an effort counts as a placeholder from 1000 N·m on.
-[[nodiscard]] LimitGaps gaps_of(const Diagnosis& robot, const model::UrdfJoint& joint);
-/// Does any joint of the legs lack a limit? Of two legs with flat feet: false.
-[[nodiscard]] bool has_gaps(const Diagnosis& robot);
 
 }  // namespace surefoot::doctor

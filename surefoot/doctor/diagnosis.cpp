@@ -1,6 +1,7 @@
 #include "surefoot/doctor/diagnosis.hpp"
 
 #include "surefoot/base/error.hpp"
+#include "surefoot/config/data_file.hpp"
 #include "surefoot/config/description_file.hpp"
 #include "surefoot/config/robot_file.hpp"
 #include "surefoot/control/standing_torque.hpp"
@@ -25,6 +26,39 @@ std::string name_of(const std::string& urdf) {
   std::string name = std::filesystem::path(urdf).stem().string();
   std::ranges::replace_if(name, [](char letter) { return !is_of_name(letter); }, '_');
   return is_robot_name(name) ? name : "robot" + name;
+}
+
+/// The robot file that is meant, by its path or the name of a robot that ships; empty: none.
+std::string robot_file_called(const std::string& given) {
+  const std::filesystem::path path = given;
+  if (path.extension() == ".yaml" || path.extension() == ".yml") return given;
+  const std::vector<std::string> ours = config::list_data("robots");
+  const bool is_ours =
+      !std::filesystem::is_regular_file(path) && std::ranges::count(ours, given) > 0;
+  return is_ours ? config::find_data_file("robots", given).string() : "";
+}
+
+/// The limits of a robot's file in place of its description's.
+void take_limits(const model::RobotDescription& file, model::UrdfJoint& joint) {
+  const std::vector<std::string> names = file.joint_names();
+  const auto found = std::ranges::find(names, joint.name);
+  if (found == names.end()) return;
+  const auto i = static_cast<Eigen::Index>(found - names.begin());
+  joint.effort = file.torque_limit[i];
+  joint.velocity = file.velocity_limit[i];
+  joint.lower = file.q_min[i];
+  joint.upper = file.q_max[i];
+}
+
+void take_numbers(const model::RobotDescription& file, Anatomy& anatomy) {
+  for (Limb& limb : anatomy.others) {
+    for (model::UrdfJoint& joint : limb.joints) take_limits(file, joint);
+  }
+  if (!anatomy.legs) return;
+  for (FoundLeg& leg : *anatomy.legs) {
+    for (model::UrdfJoint& joint : leg.joints) take_limits(file, joint);
+    leg.foot.guessed_from.clear();
+  }
 }
 
 /// Is this line of the URDF among the errors already?
@@ -62,17 +96,25 @@ bool is_robot_name(const std::string& name) {
          name.front() != '-' && name.front() != '.';
 }
 
-Diagnosis examine(const std::string& urdf, const std::string& name) {
+Diagnosis examine(const std::string& given, const std::string& name) {
   Diagnosis robot;
-  robot.given = urdf;
-  const config::DescriptionFile file = config::read_description(urdf);
+  robot.given = given;
+  robot.robot_file = robot_file_called(given);
+  const bool has_file = !robot.robot_file.empty();
+  const auto of_file = has_file ? config::load_robot(robot.robot_file) : model::RobotDescription();
+  const config::DescriptionFile file =
+      has_file ? config::DescriptionFile{of_file.urdf_path, of_file.urdf_text}
+               : config::read_description(given);
   robot.urdf = model::read_urdf(file.path, model::ImpossibleInertia::kept, file.urdf);
-  robot.name = name.empty() ? name_of(robot.urdf.path) : name;
+  robot.name = !name.empty() ? name : has_file ? of_file.name : name_of(robot.urdf.path);
   robot.anatomy = find_anatomy(robot.urdf, robot.findings);
-  check_size(robot);
-  check_axes(robot);
+  if (has_file) take_numbers(of_file, robot.anatomy);
+  check_joints(robot);
+  if (!has_cause(robot.findings)) check_size(robot);
+  if (!has_cause(robot.findings)) check_axes(robot);
   check_flat_feet(robot);
   if (!has_cause(robot.findings)) check_feet(robot);
+  if (!has_cause(robot.findings)) check_shapes(robot);
   check_inertias(robot);
   check_names(robot);
   if (!has_cause(robot.findings)) check_signs(robot);

@@ -142,8 +142,7 @@ std::vector<Limb> chains_of(const Limb& limb, const std::map<std::string, model:
   std::vector<Limb> chains;
   const auto parent = [&](const model::UrdfJoint& joint) { return welds.at(joint.parent).body; };
   for (const model::UrdfJoint& joint : limb.joints) {
-    if ((joint.type != "revolute" && joint.type != "continuous") || !joint.mimics.empty())
-      return {};
+    if (joint.type != "revolute" && joint.type != "continuous") return {};
     const auto siblings = std::ranges::count_if(
         limb.joints, [&](const auto& other) { return parent(other) == parent(joint); });
     const bool goes_on =

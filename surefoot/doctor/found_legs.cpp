@@ -15,6 +15,40 @@ Limb limb_of(const FoundLeg& leg, const char* why) {
   return {{leg.joints.begin(), leg.joints.end()}, why, true, false};
 }
 
+/// Limbs of as many hinges each, but not of three: legs of another build.
+bool tell_other_legs(const Anatomy& anatomy, Findings& findings) {
+  for (const Limb& limb : anatomy.others) {
+    const auto is_alike = [&](const Limb& other) {
+      return other.is_chain && other.joints.size() == limb.joints.size();
+    };
+    const auto count = std::ranges::count_if(anatomy.others, is_alike);
+    if (!limb.is_chain || count < kNumLegs) continue;
+    std::string last;
+    for (const Limb& other : anatomy.others)
+      if (is_alike(other)) last += " " + other.joints.back().name;
+    const std::string hinges = std::to_string(limb.joints.size()) + " hinges";
+    findings.push_back({Severity::error, Confidence::certain,
+                        "joint \"" + limb.joints.front().name + "\"", limb.joints.front().line,
+                        "here begins one of " + std::to_string(count) + " limbs of " + hinges +
+                            " each; the legs of a robot that walks have three, HAA, HFE and KFE",
+                        limb.joints.size() > kJointsPerLeg
+                            ? "if they are legs, make fixed what they can walk without:" + last
+                            : "if they are legs, they can't walk with this program"});
+    return true;
+  }
+  return false;
+}
+
+void tell_too_many(const std::vector<FoundLeg>& legs, Findings& findings) {
+  std::string names;
+  for (const FoundLeg& leg : legs) names += " " + leg.joints[0].name;
+  findings.push_back({Severity::error, Confidence::certain, "legs", 0,
+                      "the base has " + std::to_string(legs.size()) +
+                          " limbs of three hinges that reach as low, beginning at" + names +
+                          "; valid are four or six legs",
+                      "take out the legs beyond six, or make their joints fixed"});
+}
+
 void tell_too_few(const std::vector<FoundLeg>& legs, Findings& findings) {
   std::string names;
   for (const FoundLeg& leg : legs) names += " " + leg.joints[0].name;
@@ -94,13 +128,14 @@ FoundLeg measured_leg(const Limb& limb, const std::map<std::string, model::Weld>
 namespace {
 
 /// Do the six lowest reach as low, and stand in three pairs? Else the upper two are arms.
-bool are_alike(const std::vector<FoundLeg>& legs) {
+bool are_alike(const std::vector<FoundLeg>& legs, std::size_t num_legs = kMaxLegs) {
   constexpr double kAsLow = 0.2;  // of the leg's length
-  const auto six = std::span(legs).first(kMaxLegs);
+  const auto six = std::span(legs).first(std::max<std::size_t>(kMaxLegs, num_legs));
   const double length = six.front().thigh + six.front().shank;
   const auto num_left =
       std::ranges::count_if(six, [](const FoundLeg& leg) { return leg.hip.y() > 0.0; });
-  return six.back().tip.z() - six.front().tip.z() < kAsLow * length && num_left == kMaxLegs / 2;
+  return six.back().tip.z() - six.front().tip.z() < kAsLow * length &&
+         2 * num_left == std::ssize(six);
 }
 
 /// The place of each of six legs: on both sides from the front to the hind one.
@@ -135,6 +170,7 @@ PerLeg<const FoundLeg*> by_quadrants(const std::vector<FoundLeg>& legs) {
 
 void keep_lowest(std::vector<FoundLeg>& legs, Anatomy& anatomy) {
   std::ranges::stable_sort(legs, {}, [](const FoundLeg& leg) { return leg.tip.z(); });
+  if (legs.size() > kMaxLegs && are_alike(legs, legs.size())) return;  // `name_legs` tells it
   const bool is_hexapod = legs.size() >= kMaxLegs && are_alike(legs);
   const std::size_t num_legs = is_hexapod ? kMaxLegs : kNumLegs;
   const char* const why = is_hexapod ? "six others reach lower" : "four others reach lower";
@@ -147,7 +183,11 @@ void keep_lowest(std::vector<FoundLeg>& legs, Anatomy& anatomy) {
 void name_legs(const std::vector<FoundLeg>& legs, Anatomy& anatomy, Findings& findings) {
   anatomy.loose = legs;
   const bool is_hexapod = legs.size() == kMaxLegs;
-  if (!is_hexapod && legs.size() != kNumLegs) return tell_too_few(legs, findings);
+  if (legs.size() > kMaxLegs) return tell_too_many(legs, findings);
+  if (!is_hexapod && legs.size() != kNumLegs) {
+    if (legs.size() > 1 || !tell_other_legs(anatomy, findings)) tell_too_few(legs, findings);
+    return;
+  }
   const PerLeg<const FoundLeg*> found = is_hexapod ? by_places(legs) : by_quadrants(legs);
   if (std::ranges::find(found, nullptr) != found.end()) return tell_quadrants(legs, findings);
   anatomy.legs.emplace(static_cast<int>(legs.size()), FoundLeg{});

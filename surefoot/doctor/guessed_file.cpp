@@ -7,10 +7,13 @@
 namespace surefoot::doctor {
 
 GuessedFile::GuessedFile(const Diagnosis& robot)
-    : path_(folder_.write("robot.yaml",
-                          robot_file_text(robot, folder_.path(), Guesses::as_numbers))) {}
+    : is_guess_(robot.robot_file.empty()),
+      path_(is_guess_ ? folder_.write("robot.yaml",
+                                      robot_file_text(robot, folder_.path(), Guesses::as_numbers))
+                      : robot.robot_file) {}
 
 std::string GuessedFile::without_path(std::string message) const {
+  if (!is_guess_) return message;
   // With the line behind it, ":10: ": nobody sees that file.
   for (std::size_t at = message.find(path_); at != std::string::npos; at = message.find(path_)) {
     const std::size_t end =

@@ -7,8 +7,8 @@
 
 namespace surefoot::doctor {
 
-/// A robot's file for the program to read now, with guesses for what its URDF lacks. It goes with
-/// the object.
+/// A robot's file for the program to read now: the one it has, or one with guesses for what its
+/// description lacks, which goes with the object.
 class GuessedFile {
  public:
   explicit GuessedFile(const Diagnosis& robot);
@@ -19,6 +19,7 @@ class GuessedFile {
 
  private:
   logging::ScratchFolder folder_;
+  bool is_guess_;
   std::string path_;
 };
 

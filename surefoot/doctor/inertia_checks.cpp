@@ -32,12 +32,13 @@ class BodyList {
       others_ += " " + link.name;
     }
   }
-  void tell(Severity severity, Confidence confidence, const char* remedy,
-            Findings& findings) const {
+  void tell(Severity severity, Confidence confidence, const char* remedy, Findings& findings,
+            bool is_cause = false) const {
     if (first_ == nullptr) return;
     findings.push_back(of_link(*first_, severity, confidence,
                                what_ + (others_.empty() ? "" : "; so it is with" + others_),
                                remedy));
+    findings.back().is_cause = is_cause;
   }
 
  private:
@@ -130,18 +131,23 @@ class UnitCheck {
     if (gyration < kLeastGyration * body.reach)
       small_.add(*body.link, seen + ": the inertia is too small for the mass");
     if (body.inertia.com.norm() > std::max(kFarAway, kFarCom * body.reach)) {
-      far_.add(*body.link,
+      BodyList& list = body.inertia.com.norm() > kOtherUnit * body.reach ? farther_ : far_;
+      list.add(*body.link,
                formatted("its centre of mass is %.3g m from its joint,", body.inertia.com.norm()) +
                    within);
     }
   }
+  /// Moments about places in another unit are in another unit, too: places come first.
   void tell(Findings& findings) const {
+    farther_.tell(Severity::error, Confidence::likely,
+                  "is <inertial><origin> in mm? Expected are m", findings, true);
+    if (has_cause(findings)) return;
     for (const auto& [list, severity] :
          {std::pair{&huge_, Severity::error}, std::pair{&large_, Severity::warning}}) {
       list->tell(severity, Confidence::likely,
                  "is <inertia> in kg·mm² (divide by 1e6) or g·mm² (by 1e9), or the mass too small? "
                  "Expected are kg and kg·m²",
-                 findings);
+                 findings, severity == Severity::error);
     }
     small_.tell(Severity::warning, Confidence::likely,
                 "is the mass in g (divide by 1000), or <inertia> a placeholder? Expected are kg "
@@ -152,7 +158,7 @@ class UnitCheck {
   }
 
  private:
-  BodyList huge_, large_, small_, far_;
+  BodyList huge_, large_, small_, far_, farther_;
 };
 
 /// The torso of a robot is often fixed to a base without mass; a leg's link has its own.

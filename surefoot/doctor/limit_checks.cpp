@@ -1,10 +1,11 @@
 #include "surefoot/base/formatted.hpp"
 #include "surefoot/config/robot_plausibility.hpp"
 #include "surefoot/doctor/checks.hpp"
+#include "surefoot/doctor/limit_guesses.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <tuple>
+#include <utility>
 
 namespace surefoot::doctor {
 namespace {
@@ -67,92 +68,132 @@ class JointList {
 
 std::string number(double value, const char* unit) { return formatted("%.4g %s", value, unit); }
 
-void check_effort(Diagnosis& robot) {
-  const std::string format = robot.urdf.format();
-  JointList missing(robot), placeholders(robot);
-  for (const FoundLeg& leg : *robot.anatomy.legs) {
-    for (const model::UrdfJoint& joint : leg.joints) {
-      if (is_missing(joint.effort)) {
-        missing.add(joint, "");
-      } else if (is_effort_placeholder(robot, joint.effort)) {
-        placeholders.add(joint, number(joint.effort, "N·m"));
+bool is_mjcf(const Diagnosis& robot) { return !robot.urdf.text.empty(); }
+
+/// What stands in for a limit, as text.
+std::string taken(const Diagnosis& robot, std::size_t guess) {
+  const LimitGuess& one = limit_guesses(robot)[guess];
+  return formatted("; %.3g %s, ANYmal B's to size, is taken for it", one.numbers[0], one.unit);
+}
+
+/// The limits of all joints of the legs of one kind.
+class LimitCheck {
+ public:
+  explicit LimitCheck(Diagnosis& robot) : robot_(robot), missing_(robot), placeholders_(robot) {}
+
+  void run(const auto& missing, const auto& is_placeholder, const auto& value) {
+    for (const FoundLeg& leg : *robot_.anatomy.legs) {
+      for (const model::UrdfJoint& joint : leg.joints) {
+        if (missing(joint)) {
+          missing_.add(joint, "");
+        } else if (is_placeholder(joint)) {
+          placeholders_.add(joint, value(joint));
+        }
       }
     }
   }
-  missing.tell(Severity::error, Confidence::certain, "the " + format + " has no effort limit",
-               "fill in limits.torque of the robot file", robot.findings);
-  placeholders.tell(Severity::warning, Confidence::likely,
-                    "the effort limit looks like a placeholder, far above what standing needs" +
-                        (std::isnan(most_standing_torque(robot))
-                             ? std::string()
-                             : formatted(" (at most %.3g N·m)", most_standing_torque(robot))),
-                    "fill in limits.torque of the robot file with the drive's torque",
-                    robot.findings);
+  void tell(Severity severity, const std::string& missing, const std::string& placeholder,
+            const std::string& remedy, const std::string& what) const {
+    missing_.tell(severity, Confidence::certain,
+                  "the " + std::string(robot_.urdf.format()) + missing, remedy, robot_.findings);
+    placeholders_.tell(Severity::warning, Confidence::likely, placeholder, remedy + what,
+                       robot_.findings);
+  }
+
+ private:
+  Diagnosis& robot_;
+  JointList missing_, placeholders_;
+};
+
+void check_effort(Diagnosis& robot) {
+  LimitCheck check(robot);
+  check.run([](const auto& joint) { return is_missing(joint.effort); },
+            [&](const auto& joint) { return is_effort_placeholder(robot, joint.effort); },
+            [](const auto& joint) { return number(joint.effort, "N·m"); });
+  check.tell(Severity::error, " has no effort limit",
+             "the effort limit looks like a placeholder, far above what standing needs" +
+                 (std::isnan(most_standing_torque(robot))
+                      ? std::string()
+                      : formatted(" (at most %.3g N·m)", most_standing_torque(robot))),
+             "fill in limits.torque of the robot file", " with the drive's torque");
 }
 
 void check_velocity(Diagnosis& robot) {
-  const std::string format = robot.urdf.format();
-  JointList missing(robot), placeholders(robot);
-  for (const FoundLeg& leg : *robot.anatomy.legs) {
-    for (const model::UrdfJoint& joint : leg.joints) {
-      if (is_missing(joint.velocity)) {
-        missing.add(joint, "");
-      } else if (config::is_velocity_placeholder(joint.velocity)) {
-        placeholders.add(joint, number(joint.velocity, "rad/s"));
-      }
-    }
-  }
-  missing.tell(Severity::error, Confidence::certain, "the " + format + " has no velocity limit",
-               "fill in limits.velocity of the robot file", robot.findings);
-  placeholders.tell(Severity::warning, Confidence::likely,
-                    "the velocity limit looks like a placeholder, above 100 rad/s",
-                    "fill in limits.velocity of the robot file with the drive's no-load speed",
-                    robot.findings);
+  LimitCheck check(robot);
+  check.run([](const auto& joint) { return is_missing(joint.velocity); },
+            [](const auto& joint) { return config::is_velocity_placeholder(joint.velocity); },
+            [](const auto& joint) { return number(joint.velocity, "rad/s"); });
+  check.tell(is_mjcf(robot) ? Severity::warning : Severity::error,
+             " has no velocity limit" + taken(robot, 1),
+             "the velocity limit looks like a placeholder, above 100 rad/s",
+             "fill in limits.velocity of the robot file", " with the drive's no-load speed");
+}
+
+/// Beyond any turn of a leg: in degrees?
+bool is_in_degrees(const model::UrdfJoint& joint) {
+  constexpr double kMostTurn = 20.0;  // [rad]
+  return std::max(std::abs(joint.lower), std::abs(joint.upper)) > kMostTurn;
 }
 
 void check_position(Diagnosis& robot) {
-  const std::string format = robot.urdf.format();
-  JointList missing(robot), placeholders(robot);
+  LimitCheck check(robot), in_degrees(robot);
+  const auto value = [](const auto& joint) {
+    return formatted("%.4g to %.4g rad", joint.lower, joint.upper);
+  };
+  const auto no_stops = [&](const auto& joint) { return gaps_of(robot, joint).turns; };
+  const std::string keys = "limits.position_min and position_max of the robot file";
+  check.run(
+      [&](const auto& joint) { return has_no_position(joint) && !no_stops(joint); },
+      [](const auto& joint) { return is_position_placeholder(joint) && !is_in_degrees(joint); },
+      value);
+  check.tell(Severity::error, " has no position limits",
+             "the position limits look like placeholders, a whole turn or more, or empty",
+             "fill in " + keys, " with what the legs can do");
+  in_degrees.run([](const auto&) { return false; }, is_in_degrees, value);
+  in_degrees.tell(Severity::error, "", "the position limits look like degrees",
+                  "give them in rad (1° is 0.01745 rad), here or in " + keys, "");
+  JointList turning(robot);
   for (const FoundLeg& leg : *robot.anatomy.legs) {
     for (const model::UrdfJoint& joint : leg.joints) {
-      if (has_no_position(joint)) {
-        missing.add(joint, "");
-      } else if (is_position_placeholder(joint)) {
-        placeholders.add(joint, formatted("%.4g to %.4g rad", joint.lower, joint.upper));
-      }
+      if (no_stops(joint)) turning.add(joint, "");
     }
   }
-  missing.tell(Severity::error, Confidence::certain, "the " + format + " has no position limits",
-               "fill in limits.position_min and position_max of the robot file", robot.findings);
-  placeholders.tell(Severity::warning, Confidence::likely,
-                    "the position limits look like placeholders, a whole turn or more, or empty",
-                    "fill in limits.position_min and position_max of the robot file with what the "
-                    "legs can do",
-                    robot.findings);
+  turning.tell(Severity::warning, Confidence::certain,
+               "these joints have no stops, so the legs' usual range is taken for them, HAA ±1.2, "
+               "HFE ±2.6, KFE ±2.9 rad",
+               "narrow " + keys + " where something is in the way", robot.findings);
 }
 
 /// What arms lack, for which guesses stand in.
 void check_arms(Diagnosis& robot) {
-  for (const auto& [described, what, key] :
-       {std::tuple{&model::UrdfJoint::effort, " has no effort limit", "torque"},
-        {&model::UrdfJoint::velocity, " has no velocity limit", "velocity"},
-        {&model::UrdfJoint::lower, " has no position limits", "position_min and position_max"}}) {
+  for (const auto& [guess, what] : {std::pair{0u, " has no effort limit"},
+                                    {1u, " has no velocity limit"},
+                                    {2u, " has no position limits"}}) {
     std::string names;
     int line = 0;
+    bool is_known = guess == 1 && is_mjcf(robot);
+    const LimitGuess taken = limit_guesses(robot)[guess];
     for (const Limb& limb : robot.anatomy.others) {
       for (const model::UrdfJoint& joint : limb.joints) {
-        const double given = joint.*described;
-        const bool is_missing =
-            std::isnan(given) || (described != &model::UrdfJoint::lower && given <= 0.0);
-        if (!limb.is_arm || !is_missing) continue;
+        const LimitGaps gaps = gaps_of(robot, joint);
+        const bool lacks = guess == 0   ? is_missing(joint.effort)
+                           : guess == 1 ? is_missing(joint.velocity)
+                                        : has_no_position(joint);
+        if (!limb.is_arm || !lacks) continue;
+        is_known = guess == 2 ? (names.empty() || is_known) && gaps.turns : is_known;
         if (line == 0) line = joint.line;
         names += " " + joint.name;
       }
     }
     if (names.empty()) continue;
-    robot.findings.push_back({Severity::error, Confidence::certain, "arms", line,
-                              "the " + std::string(robot.urdf.format()) + what + ":" + names,
-                              "fill in " + std::string(key) + " of the arm in the robot file"});
+    const std::string keys = guess == 2 ? "position_min and position_max" : taken.key;
+    robot.findings.push_back({is_known ? Severity::warning : Severity::error, Confidence::certain,
+                              "arms", line,
+                              "the " + std::string(robot.urdf.format()) + what +
+                                  formatted("; %s%.3g %s is taken:", guess == 2 ? "±" : "",
+                                            std::abs(taken.of_arm), taken.unit) +
+                                  names,
+                              "fill in " + keys + " of the arm in the robot file"});
   }
 }
 
@@ -177,22 +218,6 @@ void check_strength(Diagnosis& robot) {
 }
 
 }  // namespace
-
-LimitGaps gaps_of(const Diagnosis& robot, const model::UrdfJoint& joint) {
-  return {.effort = is_missing(joint.effort) || is_effort_placeholder(robot, joint.effort),
-          .velocity = is_missing(joint.velocity) || config::is_velocity_placeholder(joint.velocity),
-          .position = has_no_position(joint) || is_position_placeholder(joint)};
-}
-
-bool has_gaps(const Diagnosis& robot) {
-  if (!robot.anatomy.legs) return false;
-  return std::ranges::any_of(*robot.anatomy.legs, [&](const FoundLeg& leg) {
-    return std::ranges::any_of(leg.joints, [&](const model::UrdfJoint& joint) {
-      const LimitGaps gaps = gaps_of(robot, joint);
-      return gaps.effort || gaps.velocity || gaps.position;
-    });
-  });
-}
 
 void check_limits(Diagnosis& robot) {
   if (has_legs(robot.anatomy)) check_arms(robot);

@@ -1,50 +1,108 @@
 #include "surefoot/doctor/checks.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace surefoot::doctor {
 namespace {
 
-/// The leg that a joint's name begins with, as robots are used to be described.
-std::optional<Leg> leg_called(const std::string& joint, int num_legs) {
-  std::string begin = joint.substr(0, 3);
-  std::ranges::transform(begin, begin.begin(),
-                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  for (const auto& [prefix, leg] : {std::pair{"lf_", Leg::LF},
-                                    {"fl_", Leg::LF},
-                                    {"rf_", Leg::RF},
-                                    {"fr_", Leg::RF},
-                                    {"lh_", Leg::LH},
-                                    {"hl_", Leg::LH},
-                                    {"rl_", Leg::LH},
-                                    {"rh_", Leg::RH},
-                                    {"hr_", Leg::RH},
-                                    {"rr_", Leg::RH}}) {
-    if (begin == prefix)
-      return is_front(leg) ? leg : static_cast<Leg>(static_cast<int>(leg) + num_legs - kNumLegs);
+/// The words of a name, in small letters: "front_right.hx" has three.
+std::vector<std::string> words_of(const std::string& name) {
+  std::vector<std::string> words(1);
+  for (const char letter : name) {
+    const auto c = static_cast<unsigned char>(letter);
+    if (std::isalnum(c) != 0) {
+      words.back() += static_cast<char>(std::tolower(c));
+    } else if (!words.back().empty()) {
+      words.emplace_back();
+    }
   }
+  return words;
+}
+
+bool has_any(const std::vector<std::string>& words, const auto& wanted) {
+  return std::ranges::any_of(words, [&](const std::string& word) {
+    return std::ranges::find(wanted, word) != wanted.end();
+  });
+}
+
+/// The leg that a joint's name tells, as robots are used to be described.
+std::optional<Leg> leg_called(const std::string& joint, int num_legs) {
+  const std::vector<std::string> words = words_of(joint);
+  const auto place = [&](int pair, bool left) { return Leg{2 * pair + (left ? 0 : 1)}; };
+  const int hind = num_legs / 2 - 1;
+  const std::string& first = words.front();
+  if (first.size() == 2) {
+    const auto has = [&](char letter) { return first.find(letter) != std::string::npos; };
+    const bool is_rear_right = first == "rr";
+    const bool is_left = has('l'), is_right = has('r');
+    const bool is_front = has('f');
+    const bool is_hind = has('h') || has('b') || (is_left && is_right) || is_rear_right;
+    if (is_front && is_left != is_right) return place(0, is_left);
+    if (has('m') && is_left != is_right && hind == 2) return place(1, is_left);
+    if (is_hind && (is_left || is_right)) return place(hind, is_left);
+  }
+  const bool left = has_any(words, std::array<std::string, 1>{"left"});
+  if (left == has_any(words, std::array<std::string, 1>{"right"})) return std::nullopt;
+  if (has_any(words, std::array<std::string, 2>{"front", "fore"})) return place(0, left);
+  if (has_any(words, std::array<std::string, 3>{"hind", "rear", "back"})) return place(hind, left);
+  if (hind == 2 && has_any(words, std::array<std::string, 2>{"middle", "mid"}))
+    return place(1, left);
   return std::nullopt;
+}
+
+struct Misnamed {
+  Leg place, called;
+};
+
+std::string text(Leg leg, const Diagnosis& robot) {
+  return std::string(leg_name(leg, static_cast<int>(robot.anatomy.legs->size())));
+}
+
+const model::UrdfJoint& first_joint_at(Leg leg, const Diagnosis& robot) {
+  return (*robot.anatomy.legs)[index(leg)].joints[0];
+}
+
+/// Two legs that have each other's names, the rest being right.
+void tell_swapped(const Misnamed& one, const Misnamed& other, Diagnosis& robot) {
+  const model::UrdfJoint& joint = first_joint_at(one.place, robot);
+  robot.findings.push_back(
+      {Severity::warning, Confidence::likely, "joint \"" + joint.name + "\"", joint.line,
+       text(one.place, robot) + " and " + text(other.place, robot) + " seem to be swapped: \"" +
+           joint.name + "\" is at the place of " + text(one.place, robot) + ", and \"" +
+           first_joint_at(other.place, robot).name + "\" at that of " + text(other.place, robot) +
+           "; places count",
+       "exchange the <origin>s of the two legs, or their names; does the driver have them in the "
+       "same order?"});
+}
+
+void tell_misnamed(const Misnamed& leg, Diagnosis& robot) {
+  const model::UrdfJoint& joint = first_joint_at(leg.place, robot);
+  robot.findings.push_back(
+      {Severity::warning, Confidence::guess, "joint \"" + joint.name + "\"", joint.line,
+       "by its name it belongs to " + text(leg.called, robot) +
+           ", but its hip is at the place of " + text(leg.place, robot) + "; places count",
+       "does the base look along x, with y to the left?"});
 }
 
 }  // namespace
 
 void check_names(Diagnosis& robot) {
   if (!robot.anatomy.legs) return;
-  const int num_legs = static_cast<int>(robot.anatomy.legs->size());
+  std::vector<Misnamed> wrong;
   for (const Leg leg : robot.anatomy.legs->legs()) {
-    const model::UrdfJoint& joint = (*robot.anatomy.legs)[index(leg)].joints[0];
-    const std::optional<Leg> called = leg_called(joint.name, num_legs);
-    if (!called || *called == leg) continue;
-    robot.findings.push_back(
-        {Severity::warning, Confidence::guess, "joint \"" + joint.name + "\"", joint.line,
-         "by its name it belongs to " + std::string(leg_name(*called, num_legs)) +
-             ", but its hip is at the place of " + std::string(leg_name(leg, num_legs)) +
-             "; places count",
-         "does the base look along x, with y to the left?"});
+    const std::optional<Leg> called =
+        leg_called(first_joint_at(leg, robot).name, static_cast<int>(robot.anatomy.legs->size()));
+    if (called && *called != leg) wrong.push_back({leg, *called});
   }
+  const bool are_swapped =
+      wrong.size() == 2 && wrong[0].called == wrong[1].place && wrong[1].called == wrong[0].place;
+  if (are_swapped) return tell_swapped(wrong[0], wrong[1], robot);
+  for (const Misnamed& leg : wrong) tell_misnamed(leg, robot);
 }
 
 }  // namespace surefoot::doctor

@@ -72,7 +72,12 @@ void add_proportions(JsonText& json, const Diagnosis& robot) {
   const Scale scale = model::scale_of(*robot.proportions);
   json.object().member("leg_m", robot.proportions->leg).member("mass_kg", robot.proportions->mass);
   json.member("length_scale", scale.length).member("mass_scale", scale.mass);
-  json.member("standing_torque_max_nm", robot.standing_torque.cwiseAbs().maxCoeff()).end_object();
+  json.member("standing_torque_max_nm", robot.standing_torque.cwiseAbs().maxCoeff());
+  if (robot.reach) {
+    json.member("stance_share_of_reach", robot.reach->stretched);
+    json.member("stance_from_haa_axis_m", robot.reach->from_haa * robot.reach->longest);
+  }
+  json.end_object();
 }
 
 void add_findings(JsonText& json, const Findings& findings) {

@@ -1,7 +1,7 @@
 #include "surefoot/base/formatted.hpp"
 #include "surefoot/base/text_table.hpp"
-#include "surefoot/doctor/checks.hpp"
 #include "surefoot/doctor/knees.hpp"
+#include "surefoot/doctor/limit_guesses.hpp"
 #include "surefoot/doctor/report.hpp"
 
 #include <algorithm>
@@ -22,6 +22,7 @@ std::string base_text(const Diagnosis& robot) {
   std::string text = robot.name + ": " + robot.urdf.path + ", " +
                      std::to_string(robot.urdf.links.size()) + " links, " +
                      std::to_string(num_moving) + " joints that move\n";
+  if (!robot.robot_file.empty()) text += "limits, feet and postures: " + robot.robot_file + "\n";
   text += "base: " + anatomy.base;
   if (anatomy.base == anatomy.root) text += ", the root";
   if (anatomy.torso != anatomy.base)
@@ -76,6 +77,15 @@ std::string limbs_text(const Anatomy& anatomy) {
   return text;
 }
 
+std::string reach_text(const Diagnosis& robot) {
+  if (!robot.reach) return "";
+  return formatted(
+      "reach %.3f m below the hip; the stance uses %.0f %% of it, with feet at least %.3f m from "
+      "the axes of HAA\n",
+      robot.reach->longest, 100.0 * robot.reach->stretched,
+      robot.reach->from_haa * robot.reach->longest);
+}
+
 std::string proportions_text(const Diagnosis& robot) {
   if (!robot.proportions || !robot.anatomy.legs) return "";
   const model::Proportions& found = *robot.proportions;
@@ -84,7 +94,8 @@ std::string proportions_text(const Diagnosis& robot) {
              "leg %.3f m, mass %.2f kg; against ANYmal B: %.2f of the leg, %.2f of the mass\n",
              found.leg, found.mass, scale.length, scale.mass) +
          formatted("to stand: at most %.3g N·m at a joint\n",
-                   robot.standing_torque.cwiseAbs().maxCoeff());
+                   robot.standing_torque.cwiseAbs().maxCoeff()) +
+         reach_text(robot);
 }
 
 std::string finding_text(const Finding& finding, const std::string& file) {
@@ -108,13 +119,15 @@ std::string count_text(const Findings& findings) {
 std::string trials_text(const Diagnosis& robot, const std::vector<Trial>& trials) {
   if (trials.empty()) return "";
   std::string text = "\n";
-  if (has_gaps(robot))
+  if (robot.robot_file.empty() && has_gaps(robot))
     text += "walked with guessed limits, which the robot file has as comments:\n";
   for (const Trial& trial : trials) {
     text += trial.scenario + (trial.succeeded ? ": succeeded: " : ": did not succeed: ") +
             trial.why + "\n";
-    if (!trial.succeeded)
-      text += "  → surefoot run " + trial.scenario + " --set robot=FILE --view shows it\n";
+    if (trial.succeeded) continue;
+    text += trial.log.empty()
+                ? "  → surefoot run " + trial.scenario + " --set robot=FILE --view shows it\n"
+                : "  → surefoot report " + trial.log + " shows it\n";
   }
   return text;
 }
@@ -130,7 +143,7 @@ std::string report_text(const Diagnosis& robot, const std::vector<Trial>& trials
   text += limbs_text(robot.anatomy) + proportions_text(robot);
   text += "\n" + count_text(robot.findings) + "\n";
   if (has_cause(robot.findings))
-    text += "mend the first: signs, symmetry and stance are checked when sizes are right\n";
+    text += "mend the first: others may follow from it, and more is checked then\n";
   const std::size_t slash = robot.urdf.path.find_last_of('/') + 1;
   for (const Finding& finding : robot.findings)
     text += finding_text(finding, robot.urdf.path.substr(slash));

@@ -2,7 +2,7 @@
 
 #include "surefoot/base/error.hpp"
 #include "surefoot/base/formatted.hpp"
-#include "surefoot/doctor/checks.hpp"
+#include "surefoot/doctor/limit_guesses.hpp"
 #include "surefoot/logging/output_files.hpp"
 
 #include <algorithm>
@@ -58,36 +58,37 @@ std::string foot_lines(const Foot& foot, Guesses guesses) {
   return text;
 }
 
-/// One limit of a leg that the URDF lacks, as a guess for HAA, HFE and KFE.
-struct Guess {
-  const char* key;
-  bool LimitGaps::* gap;
-  std::array<double, kJointsPerLeg> numbers;
-  const char* help;
+/// A line of the robot file, or what would be one.
+struct Line {
+  std::string text;
+  bool is_comment = false;  ///< a guess, to be filled in
 };
 
-/// As ANYmal B's are, for a robot of this size.
-std::vector<Guess> guesses_for(const Diagnosis& robot) {
-  const Scale scale = robot.proportions ? model::scale_of(*robot.proportions) : Scale();
-  const double torque = 40.0 * scale.torque(), velocity = 15.0 * scale.rate();
-  return {{"torque", &LimitGaps::effort, {torque, torque, torque}, "N·m, of the drives"},
-          {"velocity",
-           &LimitGaps::velocity,
-           {velocity, velocity, velocity},
-           "rad/s, where no torque is left"},
-          {"position_min", &LimitGaps::position, {-1.2, -2.6, -2.9}, "rad, HAA HFE KFE"},
-          {"position_max", &LimitGaps::position, {1.2, 2.6, 2.9}, "rad, HAA HFE KFE"}};
+/// `limits:` and what belongs to it; a key with nothing but comments would be a fault.
+std::string limits_block(const std::string& indent, const std::vector<Line>& lines) {
+  if (lines.empty()) return "";
+  const bool is_empty = std::ranges::all_of(lines, &Line::is_comment);
+  const auto mark = [](bool is_comment) { return std::string(is_comment ? "#" : ""); };
+  std::string text = mark(is_empty) + indent + "limits:\n";
+  for (const Line& line : lines) {
+    text += mark(line.is_comment) + indent + "  " + line.text +
+            (line.is_comment ? "; fill in, and take the # away: ANYmal B's, to size" : "") + "\n";
+  }
+  return text;
 }
 
-/// Which joints lack a limit.
+/// A key of the limits that some joint of a leg lacks.
 class Lacking {
  public:
-  Lacking(const Diagnosis& robot, bool LimitGaps::* gap) {
+  Lacking(const Diagnosis& robot, const LimitGuess& guess) : guess_(guess) {
+    const bool is_position = guess.gap == &LimitGaps::position;
     lacks_.resize(static_cast<int>(robot.anatomy.legs->size()));
     for (const Leg leg : lacks_.legs()) {
       for (std::size_t j = 0; j < kJointsPerLeg; ++j) {
-        const model::UrdfJoint& joint = (*robot.anatomy.legs)[index(leg)].joints[j];
-        lacks_[index(leg)][j] = gaps_of(robot, joint).*gap;
+        const LimitGaps gaps = gaps_of(robot, (*robot.anatomy.legs)[index(leg)].joints[j]);
+        const bool is_free = is_position && gaps.turns;
+        lacks_[index(leg)][j] = gaps.*(guess.gap) || is_free;
+        is_unknown_ |= gaps.*(guess.gap);
       }
     }
   }
@@ -96,53 +97,55 @@ class Lacking {
       return std::ranges::all_of(leg, [](bool lacks) { return lacks; });
     });
   }
-  [[nodiscard]] const std::array<bool, kJointsPerLeg>& of(Leg leg) const {
-    return lacks_[index(leg)];
+  [[nodiscard]] Line line(const std::string& numbers, Guesses guesses) const {
+    return {guess_.key + (": " + numbers) + "   # " + guess_.unit +
+                (is_unknown_ ? ""
+                             : "; its joints have no stops: narrow it where something is in "
+                               "the way"),
+            is_unknown_ && guesses == Guesses::as_comments};
+  }
+  /// Of all joints of all legs.
+  [[nodiscard]] std::string numbers() const {
+    const auto& [haa, hfe, kfe] = guess_.numbers;
+    const bool is_one = haa == hfe && hfe == kfe;
+    return is_one ? formatted("%.3g", haa) : formatted("[%.4g, %.4g, %.4g]", haa, hfe, kfe);
+  }
+  /// Of those joints of one leg that lack it.
+  [[nodiscard]] std::string numbers_of(Leg leg) const {
+    std::string text;
+    for (std::size_t j = 0; j < kJointsPerLeg; ++j) {
+      if (!lacks_[index(leg)][j]) continue;
+      text += (text.empty() ? "{" : ", ") + std::string(kJointNames[j]) +
+              formatted(": %.3g", guess_.numbers[j]);
+    }
+    return text.empty() ? "" : text + "}";
   }
 
  private:
+  const LimitGuess guess_;
   PerLeg<std::array<bool, kJointsPerLeg>> lacks_{};
+  bool is_unknown_ = false;
 };
-
-const char* to_fill_in(Guesses guesses) {
-  return guesses == Guesses::as_comments
-             ? "   # fill in, and take the # away: the file has placeholders or nothing; these are "
-               "ANYmal B's, to size"
-             : "";
-}
 
 /// What all joints of all legs lack.
 std::string limit_lines(const Diagnosis& robot, Guesses guesses) {
-  const std::string begin = guesses == Guesses::as_comments ? "#" : "";
-  std::string text;
-  for (const Guess& guess : guesses_for(robot)) {
-    if (!Lacking(robot, guess.gap).all()) continue;
-    const auto& [haa, hfe, kfe] = guess.numbers;
-    const bool is_one = haa == hfe && hfe == kfe;
-    text += begin + "  " + guess.key + ": " +
-            (is_one ? formatted("%.3g", haa) : formatted("[%.4g, %.4g, %.4g]", haa, hfe, kfe)) +
-            "   # " + guess.help + "\n";
+  std::vector<Line> lines;
+  for (const LimitGuess& guess : limit_guesses(robot)) {
+    const Lacking lacking(robot, guess);
+    if (lacking.all()) lines.push_back(lacking.line(lacking.numbers(), guesses));
   }
-  return text.empty() ? "" : begin + "limits:" + to_fill_in(guesses) + "\n" + text;
+  return limits_block("", lines);
 }
 
 /// What only some joints lack, of one leg: joints that have limits keep them.
 std::string limit_lines_of(Leg leg, const Diagnosis& robot, Guesses guesses) {
-  const std::string begin = guesses == Guesses::as_comments ? "#   " : "    ";
-  std::string text;
-  for (const Guess& guess : guesses_for(robot)) {
-    const Lacking lacking(robot, guess.gap);
-    if (lacking.all()) continue;
-    std::string numbers;
-    for (std::size_t j = 0; j < kJointsPerLeg; ++j) {
-      if (!lacking.of(leg)[j]) continue;
-      numbers += (numbers.empty() ? "" : ", ") + std::string(kJointNames[j]) +
-                 formatted(": %.3g", guess.numbers[j]);
-    }
-    if (!numbers.empty())
-      text += begin + "  " + guess.key + ": {" + numbers + "}   # " + guess.help + "\n";
+  std::vector<Line> lines;
+  for (const LimitGuess& guess : limit_guesses(robot)) {
+    const Lacking lacking(robot, guess);
+    const std::string numbers = lacking.numbers_of(leg);
+    if (!lacking.all() && !numbers.empty()) lines.push_back(lacking.line(numbers, guesses));
   }
-  return text.empty() ? "" : begin + "limits:" + to_fill_in(guesses) + "\n" + text;
+  return limits_block("    ", lines);
 }
 
 std::string listed(const std::vector<double>& numbers) {
@@ -170,35 +173,30 @@ std::string sole_lines(const Sole& sole) {
                    sole.size.y(), sole.center.x(), sole.center.y(), sole.center.z());
 }
 
-/// A limit of an arm's joints where one lacks it: the known ones, and guesses.
-struct ArmLimit {
-  const char* key;
-  double model::UrdfJoint::* described;
-  double guess;
-  const char* unit;
-};
+double given_limit(const model::UrdfJoint& joint, const std::string& key) {
+  if (key == "torque") return joint.effort;
+  if (key == "velocity") return joint.velocity;
+  return key == "position_min" ? joint.lower : joint.upper;
+}
 
+/// A limit of an arm's joints where one lacks it: the known ones, and guesses.
 std::string arm_limit_lines(const Diagnosis& robot, const Limb& limb, Guesses guesses) {
-  const Scale scale = robot.proportions ? model::scale_of(*robot.proportions) : Scale();
   std::string text;
-  for (const ArmLimit& limit :
-       {ArmLimit{"torque", &model::UrdfJoint::effort, 40.0 * scale.torque(), "N·m"},
-        ArmLimit{"velocity", &model::UrdfJoint::velocity, 6.0 * scale.rate(), "rad/s"},
-        ArmLimit{"position_min", &model::UrdfJoint::lower, -kPi, "rad"},
-        ArmLimit{"position_max", &model::UrdfJoint::upper, kPi, "rad"}}) {
+  for (const LimitGuess& guess : limit_guesses(robot)) {
+    const bool is_position = guess.gap == &LimitGaps::position;
     std::vector<double> numbers;
-    bool lacks = false;
-    const bool is_positive = limit.guess > 0.0 && std::string(limit.unit) != "rad";
+    bool lacks = false, is_unknown = false;
     for (const model::UrdfJoint& joint : limb.joints) {
-      const double given = joint.*limit.described;
-      const bool is_missing = std::isnan(given) || (is_positive && given <= 0.0);
+      const double given = given_limit(joint, guess.key);
+      const bool is_missing = std::isnan(given) || (!is_position && given <= 0.0);
       lacks |= is_missing;
-      numbers.push_back(is_missing ? limit.guess : given);
+      is_unknown |= is_missing && !(is_position && gaps_of(robot, joint).turns);
+      numbers.push_back(is_missing ? guess.of_arm : given);
     }
     if (!lacks) continue;
-    text += std::string(guesses == Guesses::as_comments ? "#   " : "    ") + limit.key + ": " +
-            listed(numbers) + "   # " + limit.unit +
-            (guesses == Guesses::as_comments ? "; guesses: fill in, and take the # away" : "") +
+    const bool is_comment = is_unknown && guesses == Guesses::as_comments;
+    text += std::string(is_comment ? "#    " : "    ") + guess.key + ": " + listed(numbers) +
+            "   # " + guess.unit + (is_comment ? "; guesses: fill in, and take the # away" : "") +
             "\n";
   }
   return text;
@@ -251,6 +249,9 @@ std::string robot_file_text(const Diagnosis& robot, const std::filesystem::path&
 }
 
 void write_robot_file(const Diagnosis& robot, const std::filesystem::path& file) {
+  if (!robot.robot_file.empty())
+    throw Error(robot.name + " has a robot file, " + robot.robot_file +
+                "; give its URDF or MJCF to write another: " + robot.urdf.path);
   const std::string extension = file.extension().string();
   if (extension != ".yaml" && extension != ".yml")
     throw Error(file.string() + ": a robot file's name ends in .yaml");

@@ -16,7 +16,8 @@ enum class Guesses { as_comments, as_numbers };
 [[nodiscard]] std::string robot_file_text(const Diagnosis& robot,
                                           const std::filesystem::path& folder, Guesses guesses);
 
-/// Writes that file whole, with guesses as comments. Throws Error if there is one already, if its
+/// Writes that file whole, with guesses as comments. Throws Error if there is one already, also
+/// the one that was examined, if its
 /// name does not end in .yaml or .yml, if the robot's legs were not found, or if it can't be
 /// written.
 void write_robot_file(const Diagnosis& robot, const std::filesystem::path& file);

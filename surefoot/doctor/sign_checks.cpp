@@ -1,4 +1,3 @@
-#include "surefoot/base/formatted.hpp"
 #include "surefoot/doctor/checks.hpp"
 #include "surefoot/doctor/knees.hpp"
 
@@ -33,8 +32,8 @@ void tell_odd(Diagnosis& robot, std::size_t leg, std::size_t joint) {
       {Severity::error, Confidence::likely, "joint \"" + odd.name + "\"", odd.line,
        "the " + std::string(kJointNames[joint]) + " of " +
            std::string(leg_names(static_cast<int>(robot.anatomy.legs->size()))[leg]) +
-           " turns the other way than those of the other legs; if that is wrong, the controller "
-           "drives this joint the wrong way",
+           " turns the other way than those of the other legs, by the " + robot.urdf.format() +
+           "; if its drive does not, the controller drives it the wrong way",
        "change the sign of its <axis>, and exchange and negate its lower and upper limit, unless "
        "the robot is built so"});
 }
@@ -50,8 +49,9 @@ void tell_pairs(Diagnosis& robot, const PerLeg<double>& signs, std::size_t joint
   const model::UrdfJoint& first =
       (*robot.anatomy.legs)[signs.size() == kNumLegs && !sides_alike ? 2 : other].joints[joint];
   const bool is_hind = pairs_alike && signs.size() == kNumLegs;
+  const bool is_regular = sides_alike || pairs_alike;
   robot.findings.push_back(
-      {joint == 0 ? Severity::note : Severity::warning, Confidence::certain,
+      {is_regular ? Severity::note : Severity::warning, Confidence::certain,
        "joint \"" + first.name + "\"", first.line,
        std::string(kJointNames[joint]) + " turns one way in " +
            (signs.size() == kNumLegs ? "two"
@@ -63,7 +63,8 @@ void tell_pairs(Diagnosis& robot, const PerLeg<double>& signs, std::size_t joint
             : signs.size() == kNumLegs ? "diagonal ones"
                                        : "others"),
        joint == 0 ? "fine as long as posture.nominal has HAA at 0"
-                  : "give all legs the same direction of <axis>: posture.nominal is one for all"});
+                  : "fine if the drives turn so; a posture.nominal of these legs is then given by "
+                    "legs.RF.posture.nominal and so on"});
 }
 
 void check_joint(Diagnosis& robot, std::size_t joint) {
@@ -83,10 +84,12 @@ void tell_knees(Diagnosis& robot, const char* side, const std::string& legs) {
   if (legs.empty()) return;
   const model::UrdfJoint& knee = (*robot.anatomy.legs)[0].joints[2];
   const bool never = std::string_view(side) == name(KneeSides{});
-  robot.findings.push_back(
-      {never ? Severity::error : Severity::note, Confidence::certain, "knees", knee.line,
-       "by their limits the knees of" + legs + " bend " + side + (never ? "" : " only"),
-       never ? "correct <limit> lower and upper of KFE, rad" : ""});
+  robot.findings.push_back({never ? Severity::error : Severity::note, Confidence::certain, "knees",
+                            knee.line,
+                            "by their limits the knees of" + legs +
+                                (never ? " bend by less than 0.5 rad to either side"
+                                       : " bend " + std::string(side) + " only"),
+                            never ? "correct <limit> lower and upper of KFE, rad" : ""});
 }
 
 /// A left and a right knee that bend to no side in common can't stand alike.
@@ -106,21 +109,6 @@ void check_pair(Diagnosis& robot, Leg left, Leg right) {
 }
 
 }  // namespace
-
-void check_axes(Diagnosis& robot) {
-  if (!robot.anatomy.legs) return;
-  constexpr double kMostSkew = 0.1;  // [rad]
-  for (const FoundLeg& leg : *robot.anatomy.legs) {
-    if (leg.chain.knee_skew() < kMostSkew) continue;
-    robot.findings.push_back(
-        {Severity::error, Confidence::likely, "joint \"" + leg.joints[2].name + "\"",
-         leg.joints[2].line,
-         formatted("the knee's axis is turned by %.3g rad against that of \"%s\"; both must bend "
-                   "the leg in one plane",
-                   leg.chain.knee_skew(), leg.joints[1].name.c_str()),
-         "correct its <axis>, or the rpy of its <origin>", true});
-  }
-}
 
 void check_signs(Diagnosis& robot) {
   if (!robot.anatomy.legs) return;

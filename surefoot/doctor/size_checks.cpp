@@ -10,7 +10,11 @@ namespace surefoot::doctor {
 namespace {
 
 constexpr double kLeastMass = 0.5, kMostMass = 500.0;   // of a robot that walks [kg]
+constexpr double kNoMass = 0.05;                        // less is another unit [kg]
 constexpr double kShortLeg = 0.05, kLongLeg = 2.0;      // [m]
+constexpr double kNoLeg = 0.02;                         // shorter is another unit, or none [m]
+constexpr double kLeastUsual = 0.15, kMostUsual = 1.2;  // of legs, to tell their unit [m]
+constexpr double kMostRadius = 0.25;                    // of a foot, as a share of its leg
 constexpr double kStub = 0.5;                           // of the usual shank, and of the thigh
 constexpr double kMostInBase = 0.9, kMostInLimb = 0.5;  // of the robot's mass, in one link
 
@@ -35,12 +39,14 @@ void check_mass(Diagnosis& robot) {
          formatted("it has %.4g of the %.4g kg of all links", link->inertia.mass, mass),
          "is its mass in g? Divide it by 1000, and look at its inertia, in kg·m²", true});
   } else if (!is_mass(mass)) {
+    const bool is_small = mass >= kNoMass && mass < kLeastMass;
     robot.findings.push_back(
-        {Severity::error, Confidence::likely, "robot", 0,
-         formatted("all links together have %.4g kg; a robot that walks has 0.5 to 500 kg", mass),
+        {is_small ? Severity::warning : Severity::error,
+         is_small ? Confidence::guess : Confidence::likely, "robot", 0,
+         formatted("all links together have %.4g kg; robots that walk have 0.5 to 500 kg", mass),
          mass > kMostMass ? "are the masses in g? Divide masses and inertias by 1000"
                           : "are the masses in t, or missing? Expected are kg",
-         true});
+         !is_small});
   }
 }
 
@@ -48,6 +54,22 @@ std::string names_of(const std::vector<Leg>& legs, std::size_t num_legs) {
   std::string names;
   for (const Leg leg : legs) names += " " + std::string(leg_name(leg, static_cast<int>(num_legs)));
   return names;
+}
+
+/// The units in which a leg would have a usual length, with what to do.
+std::string unit_of(double length) {
+  struct Unit {
+    const char* name;
+    double metres;
+  };
+  std::string units;
+  for (const auto& [name, metres] : {Unit{"mm", 0.001}, {"cm", 0.01}, {"inches", 0.0254}}) {
+    if (length * metres < kLeastUsual || length * metres > kMostUsual) continue;
+    units += (units.empty() ? "" : ", or in ") + std::string(name) +
+             formatted("? Divide them by %.4g, and inertias by %.4g", 1.0 / metres,
+                       1.0 / (metres * metres));
+  }
+  return "are the origins in " + (units.empty() ? "mm? Expected are m" : units);
 }
 
 void check_length(Diagnosis& robot) {
@@ -61,13 +83,15 @@ void check_length(Diagnosis& robot) {
   }
   if (wrong.empty()) return;
   const model::UrdfJoint& knee = (*robot.anatomy.legs)[index(wrong.front())].joints[2];
+  const bool is_small = length >= kNoLeg && length < kShortLeg;
   robot.findings.push_back(
-      {Severity::error, Confidence::likely, "joint \"" + knee.name + "\"", knee.line,
+      {is_small ? Severity::warning : Severity::error, Confidence::likely,
+       "joint \"" + knee.name + "\"", knee.line,
        formatted("thigh and shank have %.4g m together in", length) +
            names_of(wrong, robot.anatomy.legs->size()) + "; legs of robots have 0.05 to 2 m",
-       length > kLongLeg ? "are the origins in mm? Divide them by 1000, and inertias by 1e6"
+       length > kLongLeg ? unit_of(length)
                          : "are the origins of HFE, KFE and foot missing? Expected are m",
-       true});
+       !is_small});
 }
 
 double usual_shank(const PerLeg<FoundLeg>& legs) {
@@ -108,6 +132,31 @@ void tell_other_sphere(const Foot& foot, std::string_view leg, Findings& finding
 
 bool is_same_sphere(const Foot& a, const Foot& b) {
   return std::abs(a.radius - b.radius) <= 1e-6 && (a.center - b.center).norm() <= 1e-6;
+}
+
+/// Spheres that are no feet, all in one finding.
+void check_radii(const PerLeg<FoundLeg>& legs, Findings& findings) {
+  std::string links;
+  const FoundLeg* first = nullptr;
+  for (const FoundLeg& leg : legs) {
+    const bool is_usual = leg.foot.radius <= kMostRadius * (leg.thigh + leg.shank);
+    if (is_usual || !leg.foot.guessed_from.empty()) continue;
+    if (first == nullptr) first = &leg;
+    links += " " + leg.foot.link;
+  }
+  if (first == nullptr) return;
+  const double length = first->thigh + first->shank;
+  findings.push_back(
+      {Severity::error, Confidence::likely, "link \"" + first->foot.link + "\"", first->foot.line,
+       formatted(
+           "its foot sphere has a radius of %.3g m, and the leg a length of %.3g m; feet have "
+           "at most a quarter of that:",
+           first->foot.radius, length) +
+           links,
+       first->foot.radius > length
+           ? "is <sphere radius> in mm? Expected are m"
+           : "correct <sphere radius>; it must enclose only what the foot stands on",
+       true});
 }
 
 /// Feet without a sphere, all in one finding.
@@ -166,6 +215,7 @@ void check_feet(Diagnosis& robot) {
     if (foot.guessed_from.empty() && !is_same_sphere(foot, legs[0].foot))
       tell_other_sphere(foot, leg_name(leg, static_cast<int>(legs.size())), robot.findings);
   }
+  check_radii(legs, robot.findings);
   tell_guesses(legs, robot.findings);
 }
 

@@ -1,9 +1,11 @@
 #include "surefoot/base/error.hpp"
+#include "surefoot/base/formatted.hpp"
 #include "surefoot/closed_loop/closed_loop.hpp"
 #include "surefoot/config/initial_posture.hpp"
 #include "surefoot/config/scenario_file.hpp"
 #include "surefoot/doctor/checks.hpp"
 #include "surefoot/doctor/guessed_file.hpp"
+#include "surefoot/model/robot_model.hpp"
 
 #include <algorithm>
 #include <array>
@@ -33,6 +35,52 @@ std::string other_knees(const Diagnosis& robot, const char* scenario, std::strin
          std::string(asked);
 }
 
+/// Distance of the foot from the HAA axis, and of the foot from the hip, across the HFE axis.
+struct Extension {
+  double from_haa, from_hip;
+};
+Extension extension(const model::LegChain& chain, const Vec3& q) {
+  Mat3 J;
+  (void)chain.foot_in_base(q, &J);
+  return {J.col(0).norm(), J.col(1).norm()};
+}
+
+Reach reach_of(const Diagnosis& robot, const JointVector& q) {
+  Reach reach{.longest = robot.proportions->leg, .from_haa = kInfinity};
+  const PerLeg<FoundLeg>& legs = *robot.anatomy.legs;
+  for (const Leg leg : legs.legs()) {
+    const auto [from_haa, from_hip] =
+        extension(legs[index(leg)].chain, q.segment<3>(first_joint(leg)));
+    reach.from_haa = std::min(reach.from_haa, from_haa / reach.longest);
+    if (from_hip / reach.longest <= reach.stretched) continue;
+    reach.stretched = from_hip / reach.longest;
+    reach.leg = leg;
+  }
+  return reach;
+}
+
+/// A leg stretched to its end, or whose foot is on the HAA axis, can't be moved in one direction.
+void check_singular(Diagnosis& robot) {
+  constexpr double kStretched = 0.97, kOnAxis = 0.15;
+  const Reach& reach = *robot.reach;
+  const std::string leg(leg_name(reach.leg, static_cast<int>(robot.anatomy.legs->size())));
+  if (reach.stretched > kStretched) {
+    robot.findings.push_back(
+        {Severity::warning, Confidence::likely, "stance", 0,
+         formatted("%s is stretched to %.0f %% of its reach, %.3g m, so it can't reach down any "
+                   "further",
+                   leg.c_str(), 100.0 * reach.stretched, reach.longest),
+         "a smaller planner.stance.height, or limits of KFE that let the knee be straighter"});
+  }
+  if (reach.from_haa < kOnAxis) {
+    robot.findings.push_back(
+        {Severity::warning, Confidence::likely, "stance", 0,
+         formatted("a foot is only %.3g m from the axis of its HAA, so HAA hardly moves it",
+                   reach.from_haa * reach.longest),
+         "another planner.stance.height, or look at the axes of HAA"});
+  }
+}
+
 }  // namespace
 
 void check_stance(Diagnosis& robot) {
@@ -51,6 +99,12 @@ void check_stance(Diagnosis& robot) {
   try {
     const config::Scenario scenario = config::load_scenario(
         {.name_or_path = scenario_name, .seed = 0, .assignments = {"robot=" + file.path()}});
+    if (walks) {
+      const model::RobotModel model(scenario.robot);
+      const auto q = config::stance_posture(model, scenario.controller.planner.stance);
+      robot.reach = reach_of(robot, q);
+      check_singular(robot);
+    }
     for (const std::string& note : closed_loop::check_setup(scenario)) {
       if (is_told_already(note)) continue;
       robot.findings.push_back({Severity::note, Confidence::certain, scenario_name, 0, note, ""});

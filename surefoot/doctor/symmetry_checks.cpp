@@ -48,6 +48,7 @@ class Comparison {
               mass_behind(robot_, b_.joints[j]), b_.joints[j]);
     }
     compare_hips();
+    compare_axes();
   }
 
  private:
@@ -63,6 +64,23 @@ class Comparison {
          formatted("place of the hip: (%.4g, %.4g, %.4g) against (%.4g, %.4g, %.4g) "
                    "m, which is no mirror image",
                    a_.hip.x(), a_.hip.y(), a_.hip.z(), b_.hip.x(), b_.hip.y(), b_.hip.z()));
+  }
+
+  /// As lines: which way a joint turns is another question.
+  void compare_axes() const {
+    constexpr double kMostAngle = 0.05;  // [rad]
+    Mat3 R_a = Mat3::Identity(), R_b = Mat3::Identity();
+    for (std::size_t j = 0; j < kJointsPerLeg; ++j) {
+      R_a = R_a * a_.chain.hinges[j].R;
+      R_b = R_b * b_.chain.hinges[j].R;
+      const Vec3 mirrored = (R_a * a_.chain.hinges[j].axis).cwiseProduct(pair_.mirror);
+      const double share = std::abs(mirrored.dot(R_b * b_.chain.hinges[j].axis));
+      const double angle = std::acos(std::min(1.0, share));
+      if (angle > kMostAngle)
+        tell(b_.joints[j],
+             formatted("axis of %s: one is turned by %.3g rad against the other's mirror image",
+                       kJointNames[j].data(), angle));
+    }
   }
 
   void tell(const model::UrdfJoint& joint, const std::string& difference) const {

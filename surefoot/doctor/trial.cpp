@@ -7,6 +7,7 @@
 #include "surefoot/doctor/guessed_file.hpp"
 
 #include <cmath>
+#include <filesystem>
 
 namespace surefoot::doctor {
 namespace {
@@ -54,9 +55,13 @@ Trial run(Asked asked, const GuessedFile& robot, const TrialOptions& options) {
     loop.interrupted = options.interrupted;
     if (options.progress)
       loop.progress = [&](double time) { options.progress(name, time, scenario.duration); };
+    if (!options.logs.empty()) loop.record_path = options.logs + name + ".mcap";
     const closed_loop::RunResult result = closed_loop::run_closed_loop(scenario, loop);
     if (result.ending == closed_loop::Ending::interrupted) throw Error("interrupted: no results");
-    return {name, result.metrics.succeeded.value_or(false), why(result) + figures(result.metrics)};
+    const bool succeeded = result.metrics.succeeded.value_or(false);
+    if (succeeded && !loop.record_path.empty()) std::filesystem::remove(loop.record_path);
+    return {name, succeeded, why(result) + figures(result.metrics),
+            succeeded ? "" : loop.record_path};
   } catch (const Error& error) {
     if (options.interrupted && options.interrupted()) throw;
     return {name, false, robot.without_path(error.what())};

@@ -12,12 +12,14 @@ namespace surefoot::doctor {
 struct Trial {
   std::string scenario;  ///< or "stand"
   bool succeeded = false;
-  std::string why;  ///< how it ended, the criteria that were missed, and some figures
+  std::string why;    ///< how it ended, the criteria that were missed, and some figures
+  std::string log{};  ///< of a run that did not succeed; empty: none was asked for
 };
 
 struct TrialOptions {
   std::function<void(const std::string& scenario, double time, double duration)> progress{};
   std::function<bool()> interrupted{};
+  std::string logs{};  ///< where a log goes: a path to which SCENARIO.mcap is added; empty: nowhere
 };
 
 /// Stands for 4 s, walks on flat ground for 20 s, and down a step, with guesses for what the URDF

@@ -2,6 +2,8 @@
 #include "cli/doctor_command.hpp"
 
 #include "cli/exit_code.hpp"
+#include "surefoot/config/data_file.hpp"
+#include "surefoot/doctor/robot_file_text.hpp"
 #include "tests/doctor/changed_robot.hpp"
 #include "tests/support/messages.hpp"
 
@@ -53,12 +55,36 @@ TEST_F(DoctorCommand, refuses_what_is_no_urdf) {
   (void)testing::internal::GetCapturedStdout();
 }
 
-TEST_F(DoctorCommand, tells_how_to_check_a_robot_file) {
+TEST_F(DoctorCommand, takes_the_numbers_of_a_robot_file) {
+  test::write_file(folder_ / "robot.urdf", urdf_);
   const std::string file = folder_ / "robot.yaml";
-  test::write_file(file, "name: r\n");
-  arguments_.urdf = file;
+  test::write_file(
+      file,
+      "name: rex\nurdf: robot.urdf\nlegs:\n  LF: {foot: LF_FOOT}\n  RF: {foot: RF_FOOT}\n"
+      "  LH: {foot: LH_FOOT}\n  RH: {foot: RH_FOOT}\nfoot: {radius: 0.031, center: [0, 0, "
+      "0.02325]}\nlimits: {torque: 3, position_min: -2.5, position_max: 2.5}\n");
+  const doctor::Diagnosis robot = doctor::examine(file);
+  EXPECT_EQ(robot.name, "rex");
+  EXPECT_FALSE(test::has(robot, doctor::Severity::warning, "position limits look like"));
+  EXPECT_TRUE(test::has(robot, doctor::Severity::error, "to stand takes more torque"));
+  EXPECT_TRUE(
+      test::holds(test::message_of([&] { doctor::write_robot_file(robot, folder_ / "b.yaml"); }),
+                  "rex has a robot file, " + file));
+}
+
+class DoctorOfShipped : public testing::TestWithParam<std::string> {};
+
+TEST_P(DoctorOfShipped, finds_no_error) {
+  const doctor::Diagnosis robot = doctor::examine(GetParam());
+  EXPECT_FALSE(has_error(robot.findings)) << robot.findings.front().what;
+}
+
+INSTANTIATE_TEST_SUITE_P(Each, DoctorOfShipped, testing::ValuesIn(config::list_data("robots")));
+
+TEST_F(DoctorCommand, tells_a_folder) {
+  arguments_.urdf = folder_.path();
   EXPECT_TRUE(test::holds(test::message_of([&] { (void)doctor_command(arguments_); }),
-                          file + " is a robot file, not a URDF or an MJCF"));
+                          ": a folder; give the description in it"));
 }
 
 }  // namespace

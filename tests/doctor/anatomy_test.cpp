@@ -37,7 +37,7 @@ TEST_F(Anatomy, goes_by_places_not_by_names) {
   EXPECT_EQ((*robot.anatomy.legs)[index(Leg::LF)].foot.link, "RH_FOOT");
   EXPECT_EQ((*robot.anatomy.legs)[index(Leg::RH)].foot.link, "LF_FOOT");
   EXPECT_FALSE(has_error(robot.findings)) << robot.findings.front().what;
-  EXPECT_TRUE(has(robot, Severity::warning, "joint \"RH_HAA\": by its name it belongs to RH"));
+  EXPECT_TRUE(has(robot, Severity::warning, "LF and RH seem to be swapped: \"RH_HAA\" is at"));
 }
 
 TEST_F(Anatomy, with_a_joint_too_few_says_that_legs_are_missing) {
@@ -56,26 +56,66 @@ TEST_F(Anatomy, of_a_leg_with_a_mimic_joint_says_to_take_that_out) {
   EXPECT_TRUE(test::holds(finding.remedy, "take out <mimic>"));
 }
 
-TEST_F(Anatomy, with_an_arm_says_which_joints_must_be_fixed) {
+/// An arm of three hinges, and a gripper's two fingers of a kind.
+std::string arm_with(const std::string& finger) {
+  std::string text, parent = "base";
+  const auto add = [&](const std::string& name, const std::string& behind,
+                       const std::string& joint) {
+    text += "<link name=\"" + name +
+            "\"><inertial><mass value=\"0.2\"/><inertia ixx=\"1e-3\" iyy=\"1e-3\" izz=\"1e-3\" "
+            "ixy=\"0\" ixz=\"0\" iyz=\"0\"/></inertial></link><joint name=\"to_" +
+            name + "\" " + joint + "<origin xyz=\"0.1 0 0.1\"/><parent link=\"" + behind +
+            "\"/><child link=\"" + name + "\"/></joint>";
+  };
+  for (const std::string name : {"arm_1", "arm_2", "arm_3"}) {
+    add(name, parent,
+        "type=\"revolute\"><axis xyz=\"0 1 0\"/><limit lower=\"-1\" upper=\"1\" effort=\"9\" "
+        "velocity=\"2\"/>");
+    parent = name;
+  }
+  if (finger.empty()) return text;
+  add("finger_1", parent, finger);
+  add("finger_2", parent, finger + "<mimic joint=\"to_finger_1\" multiplier=\"-1\"/>");
+  return text;
+}
+
+TEST_F(Anatomy, holds_the_fingers_of_a_gripper) {
   change("</robot>", "</robot>",
-         "<link name=\"gripper\"/><joint name=\"arm\" type=\"prismatic\"><parent link=\"base\"/>"
-         "<child link=\"gripper\"/></joint></robot>");
+         arm_with("type=\"prismatic\"><limit lower=\"0.01\" upper=\"0.05\" effort=\"9\" "
+                  "velocity=\"2\"/>") +
+             "</robot>");
   const Diagnosis robot = diagnosis();
-  ASSERT_TRUE(robot.anatomy.legs);
   ASSERT_EQ(robot.anatomy.others.size(), 1U);
-  EXPECT_TRUE(has(robot, Severity::error, "joint \"arm\" is prismatic"));
+  EXPECT_TRUE(robot.anatomy.others[0].is_arm);
+  EXPECT_EQ(robot.anatomy.others[0].joints.size(), 3U);
+  EXPECT_FALSE(has_error(robot.findings)) << robot.findings.front().what;
+  EXPECT_TRUE(has(robot, Severity::note, "joint \"to_finger_1\" (line"));
+  EXPECT_TRUE(has(robot, Severity::note, "slides: it is held at 0.01 m"));
+  EXPECT_TRUE(has(robot, Severity::note, "follows \"to_finger_1\": it is held at 0.01 m"));
+}
+
+TEST_F(Anatomy, takes_a_finger_that_others_follow_for_the_arms_last_joint) {
+  change("</robot>", "</robot>",
+         arm_with("type=\"revolute\"><axis xyz=\"0 0 1\"/><limit lower=\"-1\" upper=\"1\" "
+                  "effort=\"9\" velocity=\"2\"/>") +
+             "</robot>");
+  const Diagnosis robot = diagnosis();
+  ASSERT_EQ(robot.anatomy.others.size(), 1U);
+  EXPECT_EQ(robot.anatomy.others[0].joints.size(), 4U);
+  EXPECT_FALSE(has_error(robot.findings)) << robot.findings.front().what;
+}
+
+TEST_F(Anatomy, of_legs_of_four_hinges_says_what_to_make_fixed) {
+  replace_all("(name=\"(LF|RF|LH|RH)_ADAPTER_TO_FOOT\" type=)\"fixed\"", "$1\"revolute\"");
+  const Diagnosis robot = diagnosis();
+  const Finding legs = test::finding(robot, Severity::error, "one of 4 limbs of 4 hinges each");
+  EXPECT_TRUE(test::holds(legs.remedy, "make fixed what they can walk without:"));
+  EXPECT_TRUE(test::holds(legs.remedy, "LF_ADAPTER_TO_FOOT"));
+  EXPECT_FALSE(has(robot, Severity::note, "an arm begins here"));
 }
 
 TEST_F(Anatomy, takes_the_four_lowest_of_five_limbs_for_legs) {
-  std::string arm;
-  std::string parent = "base";
-  for (const std::string name : {"arm_1", "arm_2", "arm_3"}) {
-    arm += "<link name=\"" + name + "\"/><joint name=\"to_" + name +
-           "\" type=\"revolute\"><origin xyz=\"0.1 0 0.1\"/><parent link=\"" + parent +
-           "\"/><child link=\"" + name + "\"/></joint>";
-    parent = name;
-  }
-  change("</robot>", "</robot>", arm + "</robot>");
+  change("</robot>", "</robot>", arm_with("") + "</robot>");
   const Diagnosis robot = diagnosis();
   ASSERT_TRUE(robot.anatomy.legs);
   EXPECT_TRUE(has(robot, Severity::note, "an arm begins here"));

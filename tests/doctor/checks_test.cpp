@@ -41,6 +41,41 @@ TEST_F(Checks, one_mass_in_grams) {
   EXPECT_TRUE(holds(first.what, "it has 1635 of the 1664 kg of all links"));
 }
 
+TEST_F(Checks, feet_in_millimetres) {
+  replace_all("<sphere radius=\"0.031\"/>", "<sphere radius=\"31\"/>");
+  const Finding first = diagnosis().findings.front();
+  EXPECT_TRUE(holds(first.what, "its foot sphere has a radius of 31 m"));
+  EXPECT_TRUE(holds(first.remedy, "is <sphere radius> in mm?"));
+}
+
+TEST_F(Checks, foot_of_a_third_of_its_leg) {
+  replace_all("<sphere radius=\"0.031\"/>", "<sphere radius=\"0.19\"/>");
+  EXPECT_TRUE(has(diagnosis(), Severity::error, "feet have at most a quarter of that"));
+}
+
+TEST_F(Checks, collision_shapes_in_millimetres) {
+  replace_all("<box size=\"0.08 0.07 0.13\"/>", "<box size=\"80 70 130\"/>");
+  const Finding first = diagnosis().findings.front();
+  EXPECT_TRUE(holds(first.what, "it collides with a shape of up to 130 m"));
+  EXPECT_TRUE(holds(first.remedy, "are the sizes of <collision> in mm?"));
+}
+
+TEST_F(Checks, centres_of_mass_in_millimetres_come_before_the_inertias) {
+  change("<link name=\"LF_THIGH\"", "-0.214583373795", "-214.583373795");
+  const Finding first = diagnosis().findings.front();
+  EXPECT_TRUE(holds(first.remedy, "is <inertial><origin> in mm?"));
+  EXPECT_TRUE(first.is_cause);
+}
+
+TEST_F(Checks, lengths_in_inches) {
+  for (const char* leg : {"LF", "RF", "LH", "RH"}) {
+    const std::string joint = std::string("<joint name=\"") + leg;
+    change(joint + "_KFE\"", "-0.25\"", "-9.84\"");
+    change(joint + "_ADAPTER_TO_FOOT\"", "-0.32125\"", "-12.65\"");
+  }
+  EXPECT_TRUE(holds(diagnosis().findings.front().remedy, "or in inches? Divide them by 39.37"));
+}
+
 TEST_F(Checks, lengths_in_millimetres) {
   for (const char* leg : {"LF", "RF", "LH", "RH"}) {
     const std::string joint = std::string("<joint name=\"") + leg;
@@ -111,6 +146,43 @@ TEST_F(Checks, hip_abduction_that_turns_the_other_way) {
   EXPECT_TRUE(has(diagnosis(), Severity::error, "joint \"LF_HAA\": the HAA of LF turns"));
 }
 
+TEST_F(Checks, hip_abduction_about_another_axis) {
+  for (const char* axis : {"0 0 1", "0 1 0"}) {
+    change("<joint name=\"RH_HAA\"", "<axis xyz=\"1 0 0\"",
+           "<axis xyz=\"" + std::string(axis) + "\"");
+    const Finding first = diagnosis().findings.front();
+    EXPECT_EQ(first.subject, "joint \"RH_HAA\"");
+    EXPECT_TRUE(holds(first.what, "HAA is turned by 1.57 rad against x of the base"));
+    EXPECT_TRUE(holds(first.remedy, "1 0 0 in the base's frame is valid"));
+    change("<joint name=\"RH_HAA\"", "<axis xyz=\"" + std::string(axis) + "\"",
+           "<axis xyz=\"1 0 0\"");
+  }
+}
+
+TEST_F(Checks, hip_abduction_of_all_legs_about_another_axis) {
+  for (const char* leg : {"LF", "RF", "LH", "RH"})
+    change(std::string("<joint name=\"") + leg + "_HAA\"", "<axis xyz=\"1 0 0\"",
+           "<axis xyz=\"0 0 1\"");
+  EXPECT_TRUE(has(diagnosis(), Severity::error, "so it is with RF_HAA LH_HAA RH_HAA"));
+}
+
+TEST_F(Checks, hip_abduction_that_is_tilted) {
+  change("<joint name=\"RH_HAA\"", "<axis xyz=\"1 0 0\"", "<axis xyz=\"1 0.3 0\"");
+  const Diagnosis robot = diagnosis();
+  EXPECT_TRUE(has(robot, Severity::warning, "HAA is turned by 0.291 rad against x"));
+  EXPECT_TRUE(has(robot, Severity::warning, "LH and RH, axis of HAA: one is turned by 0.291 rad"));
+}
+
+TEST_F(Checks, legs_that_reach_up) {
+  for (const char* leg : {"LF", "RF", "LH", "RH"}) {
+    const std::string joint = std::string("<joint name=\"") + leg;
+    change(joint + "_KFE\"", "-0.25\"", "0.25\"");
+    change(joint + "_ADAPTER_TO_FOOT\"", "-0.32125\"", "0.32125\"");
+  }
+  const Finding first = diagnosis().findings.front();
+  EXPECT_TRUE(holds(first.what, "the foot is above the hip in LF RF LH RH"));
+}
+
 TEST_F(Checks, mirrored_hip_abduction_is_fine) {
   change("<joint name=\"LF_HAA\"", "<axis xyz=\"1 0 0\"", "<axis xyz=\"-1 0 0\"");
   change("<joint name=\"LH_HAA\"", "<axis xyz=\"1 0 0\"", "<axis xyz=\"-1 0 0\"");
@@ -132,7 +204,8 @@ TEST_F(Checks, knees_that_bend_one_way_only) {
 TEST_F(Checks, knee_that_can_not_bend) {
   change("<joint name=\"LF_KFE\"", "upper=\"9.42\"", "upper=\"0.1\"");
   change("<joint name=\"LF_KFE\"", "lower=\"-9.42\"", "lower=\"-0.1\"");
-  EXPECT_TRUE(has(diagnosis(), Severity::error, "knees of LF bend not at all"));
+  EXPECT_TRUE(
+      has(diagnosis(), Severity::error, "knees of LF bend by less than 0.5 rad to either side"));
 }
 
 TEST_F(Checks, leg_that_is_longer_than_its_mirror_image) {
@@ -154,6 +227,49 @@ TEST_F(Checks, effort_that_is_too_weak_to_stand) {
   for (const char* leg : {"LF", "RF", "LH", "RH"})
     change(std::string("<joint name=\"") + leg + "_KFE\"", "effort=\"80\"", "effort=\"2\"");
   EXPECT_TRUE(has(diagnosis(), Severity::error, "to stand takes more torque than the limit"));
+}
+
+TEST_F(Checks, position_limits_in_degrees) {
+  replace_all("upper=\"9.42\"", "upper=\"150\"");
+  replace_all("lower=\"-9.42\"", "lower=\"-150\"");
+  EXPECT_TRUE(has(diagnosis(), Severity::warning, "the position limits look like degrees"));
+}
+
+TEST_F(Checks, joints_without_stops) {
+  replace_all("(name=\"(LF|RF|LH|RH)_(HAA|HFE|KFE)\" type=)\"revolute\"", "$1\"continuous\"");
+  replace_all("(lower|upper)=\"-?9.42\"", "");
+  const Diagnosis robot = diagnosis();
+  EXPECT_TRUE(
+      has(robot, Severity::warning, "these joints have no stops, so the legs' usual range"));
+  EXPECT_FALSE(has_error(robot.findings)) << robot.findings.front().what;
+}
+
+TEST_F(Checks, stance_that_stretches_the_legs) {
+  const Diagnosis sound = diagnosis();
+  ASSERT_TRUE(sound.reach);
+  EXPECT_NEAR(sound.reach->longest, 0.5643, 1e-3);
+  EXPECT_GT(sound.reach->stretched, 0.7);
+  EXPECT_LT(sound.reach->stretched, 0.95);
+  EXPECT_GT(sound.reach->from_haa, 0.5);
+}
+
+TEST_F(Checks, names_of_two_legs_that_are_swapped) {
+  replace_all("\\bLF_", "XX_");
+  replace_all("\\bRF_", "LF_");
+  replace_all("\\bXX_", "RF_");
+  const Diagnosis robot = diagnosis();
+  EXPECT_TRUE(has(robot, Severity::warning, "LF and RF seem to be swapped: \"RF_HAA\" is at the"));
+  EXPECT_FALSE(has(robot, Severity::warning, "by its name it belongs"));
+}
+
+TEST_F(Checks, names_in_words_of_two_legs_that_are_swapped) {
+  for (const auto& [code, words] : {std::pair{"LF", "front.right"},
+                                    {"RF", "left_front"},
+                                    {"LH", "rear-left"},
+                                    {"RH", "hind_right"}})
+    replace_all(std::string("\\b") + code + "_", std::string(words) + "_");
+  EXPECT_TRUE(has(diagnosis(), Severity::warning,
+                  "LF and RF seem to be swapped: \"front.right_HAA\" is at the place of LF"));
 }
 
 TEST_F(Checks, position_limits_of_whole_turns) {

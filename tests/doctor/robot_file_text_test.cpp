@@ -53,7 +53,7 @@ TEST_F(RobotFileText, of_an_mjcf_has_its_key_and_what_it_lacks) {
   EXPECT_TRUE(holds(text, "radius: 0.036"));
   EXPECT_TRUE(holds(text, "\n#  velocity: "));
   EXPECT_EQ(text.find("torque:"), std::string::npos);
-  EXPECT_TRUE(test::has(robot, Severity::error, "the MJCF has no velocity limit"));
+  EXPECT_TRUE(test::has(robot, Severity::warning, "the MJCF has no velocity limit; 1"));
 }
 
 TEST_F(RobotFileText, of_a_foot_without_shape_lacks_the_radius) {
@@ -71,13 +71,22 @@ TEST_F(RobotFileText, fills_in_only_the_joints_that_lack_a_limit) {
   change("<joint name=\"LF_HFE\"", "effort=\"80\"", "effort=\"0\"");
   const Diagnosis robot = diagnosis();
   EXPECT_TRUE(holds(robot_file_text(robot, folder_.path(), Guesses::as_comments),
-                    "  LF:\n    foot: LF_FOOT\n#   limits:"));
+                    "  LF:\n    foot: LF_FOOT\n#    limits:\n#      torque: {HFE: 40}"));
   test::write_file(folder_ / "robot.yaml",
                    robot_file_text(robot, folder_.path(), Guesses::as_numbers));
   const model::RobotDescription read = config::load_robot(folder_ / "robot.yaml");
   EXPECT_EQ(read.torque_limit[0], 80.0);
   EXPECT_EQ(read.torque_limit[1], 40.0);
   EXPECT_EQ(read.torque_limit[4], 80.0);
+}
+
+TEST_F(RobotFileText, gives_joints_without_stops_a_range) {
+  replace_all("(name=\"(LF|RF|LH|RH)_(HAA|HFE|KFE)\" type=)\"revolute\"", "$1\"continuous\"");
+  replace_all("(lower|upper)=\"-?9.42\"", "");
+  write_robot_file(diagnosis(), folder_ / "robot.yaml");
+  const model::RobotDescription read = config::load_robot(folder_ / "robot.yaml");
+  EXPECT_EQ(read.q_min[1], -2.6);
+  EXPECT_EQ(read.q_max[2], 2.9);
 }
 
 TEST_F(RobotFileText, has_a_valid_name) {

@@ -213,9 +213,12 @@ FOUND = {
     "foot inside the shank": ([(r'(name="LF_to_foot"(?:.*\n){3}.*)-0.26"', r'\1-0.05"')], "the shank seems to end here, near the knee"),
     "no foot sphere": ([(r"(?a)<collision>.*sphere.*</collision>", "")], 'error (certain): link "LF_foot" line 52: these feet collide with nothing, so foot.radius is a guess, 0.026 m: LF_foot RF_foot LH_foot RH_foot', "measure the foot"),
     "axis turned round": ([(of_leg("LF", "KFE") + "0 1 0", r"\g<1>0 -1 0")], 'error (likely): joint "LF_KFE" line 33: the KFE of LF turns the other way than those of the other legs', "change the sign of its <axis>"),
+    "hip axis across": ([(of_leg("RH", "HAA") + "1 0 0", r"\g<1>0 0 1")], 'error (likely): joint "RH_HAA"', "the axis of HAA is turned by 1.57 rad against x of the base", "1 0 0 in the base's frame is valid"),
+    "feet in mm": ([(r'(?a)<sphere radius="0.024"', '<sphere radius="24"')], "its foot sphere has a radius of 24 m", "is <sphere radius> in mm?"),
+    "origin in degrees": ([(r'(?a)(name="LF_HAA"(?:.*\n){3}.*xyz="\S+ \S+ 0")', r'\1 rpy="0 0 90"')], 'error (certain): joint "LF_HAA" line 9', "is rpy in degrees?"),
     "axis across": ([(of_leg("LF", "KFE") + "0 1 0", r"\g<1>0 0 1")], "the knee's axis is turned by 1.57 rad against that of \"LF_HFE\"", "correct its <axis>"),
     "knee the wrong way": ([(r'(name="LF_KFE"(?:.*\n){5}.*)lower="-2.6"', r'\1lower="0.2"'), (r'(name="RF_KFE"(?:.*\n){5}.*)upper="2.6"', r'\1upper="-0.2"')], "the knee of RF bends backward only, that of LF forward only", "exchange and negate lower and upper"),
-    "knee that does not bend": ([('lower="-2.6" upper="2.6"', 'lower="-0.1" upper="0.1"')], "by their limits the knees of LF bend not at all"),
+    "knee that does not bend": ([('lower="-2.6" upper="2.6"', 'lower="-0.1" upper="0.1"')], "by their limits the knees of LF bend by less than 0.5 rad to either side"),
     "no limits": ([(r'(name="LF_HFE"(?:.*\n){5}) *<limit.*/>', r"\1")], "joint line 20: the URDF has no effort limit: LF_HFE", "fill in limits.torque of the robot file"),
     "placeholder of an effort": ([], "warning (likely): joints line 9: the effort limit looks like a placeholder, far above what standing needs (at most 4.91 N·m): all joints of the legs, 1000 N·m"),
     "effort too weak": ([('(?a)effort="1000"', 'effort="1"')], "error (likely): joints", "to stand takes more torque than the limit"),
@@ -249,6 +252,8 @@ def test_legs_may_have_feet_and_gains_of_their_own(good, tmp_path):
 
 
 @pytest.mark.parametrize("edits, said", [
+    ([], "note: not in the file of marten, so that is taken: posture with knees bent by 0.8 rad; gains of ANYmal B, to size: hold"),
+    ([("yaml drives.*\n", "")], "so that is taken: drives as strong and fast as limits; posture"),
     ([("yaml   torque.*\n", "")], "warning: limits.torque of all joints is up to 1000 N·m, far above the"),
     ([("yaml   velocity.*\n", "")], "warning: limits.velocity of all joints is up to 1000 rad/s, above 100: a placeholder?"),
     ([(r"(?a)<collision>.*sphere.*</collision>", "")], 'note: a massless foot sphere was added to "LF_foot"'),

@@ -1,0 +1,99 @@
+#include "surefoot/base/formatted.hpp"
+#include "surefoot/doctor/checks.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace surefoot::doctor {
+namespace {
+
+constexpr double kMostSkew = 0.1;  // of a knee against its hip [rad]
+constexpr double kAside = 0.2;     // of a hip's axis against the base's: it is told [rad]
+constexpr double kAcross = 0.7;    // and that is wrong [rad]
+
+/// The axis of HAA or HFE in B at q = 0.
+Vec3 axis_in_base(const FoundLeg& leg, std::size_t joint) {
+  Mat3 R = leg.chain.hinges[0].R;
+  if (joint == 1) R = R * leg.chain.hinges[1].R;
+  return R * leg.chain.hinges[joint].axis;
+}
+
+/// The hips' joints of one kind that turn about another axis than the base's, in one finding.
+void check_hips(Diagnosis& robot, std::size_t joint) {
+  const PerLeg<FoundLeg>& legs = *robot.anatomy.legs;
+  const Vec3 wanted = joint == 0 ? Vec3::UnitX() : Vec3::UnitY();
+  std::string others;
+  const model::UrdfJoint* first = nullptr;
+  double angle_of_first = 0.0, most = 0.0;
+  for (const FoundLeg& leg : legs) {
+    const double share = std::abs(axis_in_base(leg, joint).dot(wanted));
+    const double angle = std::acos(std::min(1.0, share));
+    if (angle < kAside) continue;
+    most = std::max(most, angle);
+    if (first == nullptr) {
+      first = &leg.joints[joint];
+      angle_of_first = angle;
+    } else {
+      others += " " + leg.joints[joint].name;
+    }
+  }
+  if (first == nullptr) return;
+  const bool is_wrong = most > kAcross;
+  robot.findings.push_back(
+      {is_wrong ? Severity::error : Severity::warning, Confidence::likely,
+       "joint \"" + first->name + "\"", first->line,
+       formatted("the axis of %s is turned by %.3g rad against %s of the base",
+                 kJointNames[joint].data(), angle_of_first, joint == 0 ? "x" : "y") +
+           (joint == 0 ? "; HAA must swing the leg sideways" : "; HFE must swing the leg forward") +
+           (others.empty() ? "" : "; so it is with" + others),
+       formatted("correct its <axis>, %s in the base's frame is valid, or the rpy of its <origin>",
+                 joint == 0 ? "1 0 0" : "0 1 0"),
+       is_wrong});
+}
+
+void check_knees(Diagnosis& robot) {
+  for (const FoundLeg& leg : *robot.anatomy.legs) {
+    if (leg.chain.knee_skew() < kMostSkew) continue;
+    robot.findings.push_back(
+        {Severity::error, Confidence::likely, "joint \"" + leg.joints[2].name + "\"",
+         leg.joints[2].line,
+         formatted("the knee's axis is turned by %.3g rad against that of \"%s\"; both must bend "
+                   "the leg in one plane",
+                   leg.chain.knee_skew(), leg.joints[1].name.c_str()),
+         "correct its <axis>, or the rpy of its <origin>", true});
+  }
+}
+
+/// Legs that reach up.
+void check_up(Diagnosis& robot) {
+  const PerLeg<FoundLeg>& legs = *robot.anatomy.legs;
+  std::string names;
+  const FoundLeg* first = nullptr;
+  for (const Leg leg : legs.legs()) {
+    const FoundLeg& found = legs[index(leg)];
+    if (found.tip.z() <= found.hip.z()) continue;
+    if (first == nullptr) first = &found;
+    names += " " + std::string(leg_name(leg, static_cast<int>(legs.size())));
+  }
+  if (first == nullptr) return;
+  robot.findings.push_back(
+      {Severity::error, Confidence::likely, "link \"" + first->foot.link + "\"", first->foot.line,
+       "with all joints at 0 the foot is above the hip in" + names,
+       "does z of the base point up? Else look at the <origin> of the leg's joints: all angles at "
+       "0 must leave the legs below the base",
+       true});
+}
+
+}  // namespace
+
+void check_axes(Diagnosis& robot) {
+  if (!robot.anatomy.legs) return;
+  check_knees(robot);
+  if (has_cause(robot.findings)) return;
+  check_hips(robot, 0);
+  check_hips(robot, 1);
+  if (!has_cause(robot.findings)) check_up(robot);
+}
+
+}  // namespace surefoot::doctor

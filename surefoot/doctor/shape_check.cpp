@@ -1,0 +1,57 @@
+#include "surefoot/base/formatted.hpp"
+#include "surefoot/config/data_directory.hpp"
+#include "surefoot/doctor/checks.hpp"
+#include "surefoot/model/collision_shapes.hpp"
+#include "surefoot/model/mesh_files.hpp"
+#include "surefoot/model/mesh_points.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace surefoot::doctor {
+namespace {
+
+constexpr double kMostShape = 10.0;  // of a collision shape, in legs: it is in another unit
+
+/// Of a shape about its link's origin; 0: not known [m].
+double size_of(const model::CollisionShape& shape, const model::Urdf& urdf) {
+  if (shape.mesh.empty()) return std::max({shape.radius, shape.size.maxCoeff(), shape.length});
+  const model::MeshFolders folders{.packages = config::package_directories(),
+                                   .urdf = std::filesystem::absolute(urdf.path).parent_path()};
+  double size = 0.0;
+  for (const Vec3& vertex : model::mesh_points(model::find_mesh(shape.mesh, folders)))
+    size = std::max(size, vertex.cwiseProduct(shape.scale).norm());
+  return size;
+}
+
+}  // namespace
+
+void check_shapes(Diagnosis& robot) {
+  if (!robot.anatomy.legs) return;
+  const FoundLeg& leg = (*robot.anatomy.legs)[0];
+  const double most = kMostShape * (leg.thigh + leg.shank);
+  std::vector<std::string> links;
+  double largest = 0.0;
+  for (const model::CollisionShape& shape : model::collision_shapes(robot.urdf)) {
+    const double size = size_of(shape, robot.urdf);
+    if (size <= most) continue;
+    largest = std::max(largest, size);
+    if (std::ranges::find(links, shape.link) == links.end()) links.push_back(shape.link);
+  }
+  if (links.empty()) return;
+  std::string others;
+  for (std::size_t i = 1; i < links.size(); ++i) others += " " + links[i];
+  robot.findings.push_back(
+      {Severity::error, Confidence::likely, "link \"" + links.front() + "\"",
+       robot.urdf.find_link(links.front())->line,
+       formatted("it collides with a shape of up to %.3g m, and the leg has %.3g m", largest,
+                 leg.thigh + leg.shank) +
+           (others.empty() ? "" : "; so it is with" + others),
+       "are the sizes of <collision> in mm? Expected are m; a mesh in mm needs scale=\"0.001 0.001 "
+       "0.001\"",
+       true});
+}
+
+}  // namespace surefoot::doctor
