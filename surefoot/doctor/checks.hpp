@@ -31,6 +31,8 @@ void check_names(Diagnosis& robot);
 /// The start of a walk as the program checks it: stance, overlaps, shapes below the feet. Also
 /// which knees are chosen where the limits don't leave those that a scenario asks for.
 void check_stance(Diagnosis& robot);
+/// Legs that the stance stretches to their end, feet on the axis of HAA. `check_stance` asks.
+void check_singular(Diagnosis& robot);
 
 /// Whether MuJoCo's model of the robot has the same masses, places and dynamics as ours.
 void check_agreement(Diagnosis& robot);

@@ -71,7 +71,7 @@ std::string limbs_text(const Anatomy& anatomy) {
   }
   for (const Limb& limb : anatomy.others) {
     text += limb.is_arm
-                ? "arm: " + joints_text(limb.joints) + "\n"
+                ? "arm or waist: " + joints_text(limb.joints) + "\n"
                 : "other limb: " + joints_text(limb.joints) + "; no leg: " + limb.no_leg + "\n";
   }
   return text;

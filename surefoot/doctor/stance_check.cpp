@@ -59,6 +59,8 @@ Reach reach_of(const Diagnosis& robot, const JointVector& q) {
   return reach;
 }
 
+}  // namespace
+
 /// A leg stretched to its end, or whose foot is on the HAA axis, can't be moved in one direction.
 void check_singular(Diagnosis& robot) {
   constexpr double kStretched = 0.97, kOnAxis = 0.15;
@@ -80,8 +82,6 @@ void check_singular(Diagnosis& robot) {
          "another planner.stance.height, or look at the axes of HAA"});
   }
 }
-
-}  // namespace
 
 void check_stance(Diagnosis& robot) {
   if (!robot.robot) return;

@@ -1,4 +1,6 @@
 // Each fault that a URDF may have gives a finding.
+#include "surefoot/doctor/checks.hpp"
+
 #include "tests/doctor/changed_robot.hpp"
 #include "tests/support/messages.hpp"
 
@@ -251,6 +253,24 @@ TEST_F(Checks, stance_that_stretches_the_legs) {
   EXPECT_GT(sound.reach->stretched, 0.7);
   EXPECT_LT(sound.reach->stretched, 0.95);
   EXPECT_GT(sound.reach->from_haa, 0.5);
+}
+
+TEST_F(Checks, singular_postures) {
+  Diagnosis robot = diagnosis();
+  EXPECT_FALSE(has(robot, Severity::warning, "is stretched to"));
+  robot.reach = Reach{.longest = 0.5, .stretched = 0.99, .from_haa = 0.02, .leg = Leg::RH};
+  check_singular(robot);
+  EXPECT_TRUE(has(robot, Severity::warning, "RH is stretched to 99 % of its reach, 0.5 m"));
+  EXPECT_TRUE(has(robot, Severity::warning, "a foot is only 0.01 m from the axis of its HAA"));
+}
+
+TEST_F(Checks, hip_flexion_and_knee_about_another_axis) {
+  for (const char* joint : {"RH_HFE", "RH_KFE"})
+    change(std::string("<joint name=\"") + joint + "\"", "<axis xyz=\"0 1 0\"",
+           "<axis xyz=\"0 0 1\"");
+  const Finding first = diagnosis().findings.front();
+  EXPECT_EQ(first.subject, "joint \"RH_HFE\"");
+  EXPECT_TRUE(holds(first.what, "HFE is turned by 1.57 rad against y of the base"));
 }
 
 TEST_F(Checks, names_of_two_legs_that_are_swapped) {
