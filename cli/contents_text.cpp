@@ -45,6 +45,12 @@ std::string drawn(const logging::LogHeader& header) {
   return out;
 }
 
+std::string own_parts(const logging::LogHeader& header) {
+  std::string out;
+  for (const std::string& part : header.own_parts) out += (out.empty() ? "" : ", ") + part;
+  return out + (out.empty() ? "" : ": the command above alone gives another run");
+}
+
 std::string steered(const LogContents& contents) {
   if (contents.changes == 0) return "";
   return (contents.problem.empty() ? "" : "at least ") + std::to_string(contents.changes) +
@@ -91,6 +97,7 @@ std::string facts(const LogContents& contents) {
                                    ": what is new since then is passed over"
                              : ""},
       {"again by", header.command},
+      {"own parts", own_parts(header)},
       {"", contents.problem.empty() || !contents.summary.empty()
                ? ""
                : "that run goes on where this log ends"},

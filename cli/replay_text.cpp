@@ -66,6 +66,19 @@ std::string place(const logging::LogHeader& header, const replay::TorqueDifferen
          formatted("%.3g", difference.computed - difference.logged) + ")\n";
 }
 
+/// What was computed again, and what not.
+std::string ran_again(const replay::Verification& result) {
+  std::string out = result.estimated
+                        ? "Estimator and controller ran again on the logged readings.\n"
+                        : "The controller ran again on the logged readings and states.\n";
+  std::string own;
+  for (const std::string& part : result.played_back) own += (own.empty() ? "" : ", ") + part;
+  if (!own.empty())
+    out += "Not run again, as they are of the program that recorded the log: " + own +
+           ". What they gave is the log's.\n";
+  return out;
+}
+
 /// Stages with other results, in order: the first one is the place to look at.
 std::string first_cause(const replay::Verification& result) {
   std::string out;
@@ -242,8 +255,7 @@ Json count_json(const replay::TickCount& count) {
 
 std::string verification_text(const std::string& path, const replay::Verification& result) {
   std::string out = headline(path, result.header);
-  out += result.estimated ? "Estimator and controller ran again on the logged readings.\n"
-                          : "The controller ran again on the logged readings and states.\n";
+  out += ran_again(result);
   if (result.ticks == 0) return out + not_compared(result) + not_whole(result.problem);
   out += span(result.ticks, result.first_time, result.last_time) + ": ";
   if (result.is_same()) {
@@ -263,6 +275,7 @@ std::string verification_text(const std::string& path, const replay::Verificatio
 Json verification_json(const std::string& path, const replay::Verification& result) {
   Json json = log_json(path, result.header);
   json["estimated"] = result.estimated;
+  if (!result.played_back.empty()) json["played_back"] = result.played_back;
   json["ticks"] = result.ticks;
   json["first_time"] = result.first_time;
   json["last_time"] = result.last_time;

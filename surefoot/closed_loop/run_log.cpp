@@ -108,6 +108,7 @@ logging::LogHeader log_header(const config::Scenario& scenario,
   header.level_names = controller.level_names();
   header.level_units = controller.level_units();
   header.event_names = event_names();
+  header.own_parts = controller.own_parts();
   header.robot = robot_of(model);
   header.limb = limb_limits(stack);
   header.terrain = log_terrain(scenario.plant.terrain);

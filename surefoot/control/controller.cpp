@@ -2,6 +2,7 @@
 #include "surefoot/control/checked_input.hpp"
 #include "surefoot/control/controller_implementation.hpp"
 #include "surefoot/control/lying_posture.hpp"
+#include "surefoot/control/own_parts.hpp"
 #include "surefoot/control/standing_torque.hpp"
 #include "surefoot/control/unsolved_tick.hpp"
 #include "surefoot/math/rotation.hpp"
@@ -38,6 +39,7 @@ Controller::Implementation::Implementation(
     : model(robot),
       estimator(std::move(state_estimator)),
       has_own_planner(own_planner != nullptr),
+      checks_plan(has_own_planner || has_own_gait(options)),
       planner(has_own_planner
                   ? std::move(own_planner)
                   : gaits::make_planner(options.planner, checked_period(options.period),
@@ -55,6 +57,9 @@ Controller::Implementation::Implementation(
       safety(options.safety, robot, stack.tasks().first_free_level(),
              lying_posture(model, options.safety.sit_height), options.period) {
   check_physics(options.stack);
+  own_parts = own_gaits_and_tasks(options);
+  if (has_own_planner) own_parts.insert(own_parts.begin(), "planner");
+  if (estimator->is_own()) own_parts.insert(own_parts.begin(), "estimator");
   notes = model.notes();
   std::ranges::copy(missing_physics(options.stack), std::back_inserter(notes));
   size_joints(record, robot.num_joints(), robot.num_legs());
@@ -207,7 +212,7 @@ bool Controller::Implementation::plan_motion(const model::Dynamics& dynamics) no
   const auto update = [&] {
     plan = &planner->update(record.user, record.state, dynamics, memory.last.outcome);
   };
-  if (runs(update, found, "the planner") && has_own_planner)
+  if (runs(update, found, "the planner") && checks_plan)
     found.set(what_is_wrong(*plan, model.description()));
   blame(found);
   if (!found.is_set()) {

@@ -117,6 +117,8 @@ class Controller {
   /// What a part of your own did wrong last, naming it: "task "my_task" threw: ..."; empty if
   /// nothing. If it goes on, the controller sits down with `StopCause::own_part`.
   [[nodiscard]] std::string fault() const;
+  /// The user's own among its parts: "estimator", "planner", "gait my_gait", "task my_task".
+  [[nodiscard]] std::vector<std::string> own_parts() const;
   /// Messages for the user at start: what the model ignores of the URDF, what the stack lacks.
   [[nodiscard]] std::vector<std::string> notes() const;
   /// From the next tick on, records which rows block each level, at a cost of some microseconds a

@@ -78,6 +78,8 @@ std::vector<std::vector<std::string>> Controller::row_names() const {
 
 std::string Controller::fault() const { return implementation_->fault.text(); }
 
+std::vector<std::string> Controller::own_parts() const { return implementation_->own_parts; }
+
 std::vector<std::string> Controller::notes() const { return implementation_->notes; }
 
 void Controller::explain_levels(bool wanted) { implementation_->explains_levels = wanted; }

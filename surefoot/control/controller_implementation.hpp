@@ -64,13 +64,14 @@ struct Controller::Implementation {
 
   model::RobotModel model;
   std::unique_ptr<estimation::StateEstimator> estimator;
-  bool has_own_planner;
+  bool has_own_planner, checks_plan;
   std::unique_ptr<gaits::MotionPlanner> planner;
   Memory memory;
   Memory at_start;
   estimation::FirstReadings first_readings;
   ActiveStack stack;
   Safety safety;
+  std::vector<std::string> own_parts;
   std::vector<std::string> notes;
   TickRecord record;
   std::array<double, kMaxLevels> level_times{};  // [s]

@@ -53,6 +53,7 @@ class LegInertialEstimator final : public StateEstimator {
   [[nodiscard]] const RobotState& update(const SensorReading& reading,
                                          const TickContext& context) noexcept override;
   void restart() noexcept override;
+  bool is_own() const noexcept override { return false; }
 
   [[nodiscard]] const InvariantFilter& filter() const { return filter_; }
 

@@ -23,6 +23,9 @@ class StateEstimator {
 
   /// Before an update: discards all readings so far (FirstReadings).
   virtual void restart() = 0;
+
+  /// Is it one of your own? A log says so, as others can't compute its states again.
+  [[nodiscard]] virtual bool is_own() const noexcept { return true; }
 };
 
 }  // namespace surefoot::estimation

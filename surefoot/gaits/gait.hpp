@@ -13,8 +13,8 @@ struct GaitOutcome {
 };
 
 /// A way to stand or to walk. One gait is active at a time: it reads the situation and changes the
-/// body. Nothing allocates or throws. Derive one of your own and add it to `OwnGaits`: scenarios
-/// and commands then name it.
+/// body. Nothing allocates. If it throws, the controller holds its posture, then sits down. Derive
+/// one of your own and add it to `OwnGaits`: scenarios and commands then name it.
 class Gait {
  public:
   virtual ~Gait() = default;

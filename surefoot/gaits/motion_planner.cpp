@@ -13,11 +13,10 @@ class GaitPlanner final : public MotionPlanner {
       : planner_(options, period, scale, gaits, first), fresh_(planner_) {}
 
   const MotionPlan& update(const UserCommand& user, const RobotState& state,
-                           const model::Dynamics& dynamics,
-                           const HierarchyOutcome& last) noexcept override {
+                           const model::Dynamics& dynamics, const HierarchyOutcome& last) override {
     return planner_.update(user, state, dynamics, last);
   }
-  void restart() noexcept override { planner_.begin_anew(fresh_); }
+  void restart() override { planner_.begin_anew(fresh_); }
   int steps_taken() const noexcept override { return planner_.steps_taken(); }
   void set_friction(double friction) override {
     planner_.set_friction(friction);

@@ -51,7 +51,11 @@ Planner::Planner(const PlannerOptions& options, double period, const Scale& scal
   for (int gait = UserCommand::kOwnGait; gait < choice_.size(); ++gait)
     rhythms_.emplace_back(choice_.options(gait), scale);
   own_.emplace_back();
-  for (const NamedGait& gait : gaits) own_.push_back(made(gait, period, scale));
+  names_.emplace_back();
+  for (const NamedGait& gait : gaits) {
+    own_.push_back(made(gait, period, scale));
+    names_.push_back(gait.name);
+  }
   if (present_ == UserCommand::kOwnGait) return;
   body_.use(choice_.options(present_), 0.0);
   limits_.use(choice_.options(present_));
@@ -75,12 +79,23 @@ void Planner::set_friction(double friction) {
 }
 
 const MotionPlan& Planner::update(const UserCommand& command, const RobotState& state,
-                                  const model::Dynamics& dynamics,
-                                  const HierarchyOutcome& last) noexcept {
+                                  const model::Dynamics& dynamics, const HierarchyOutcome& last) {
   if (dynamics.has_flat_feet()) {
     flat_stand_.update(command, state, dynamics, plan_);
     return plan_;
   }
+  try {
+    plan(command, state, dynamics, last);
+  } catch (const std::exception& error) {
+    const auto place = static_cast<std::size_t>(present_ + 1);
+    if (own_[place] == nullptr) throw;
+    throw Error("gait \"" + names_[place] + "\": " + error.what());
+  }
+  return plan_;
+}
+
+void Planner::plan(const UserCommand& command, const RobotState& state,
+                   const model::Dynamics& dynamics, const HierarchyOutcome& last) {
   body_.events = {};
   if (!initialised_) calibration_.expect_switch(command.calibrate);  // a calibration begins anyway
   if (!initialised_ || restarts_) initialise(state, dynamics);
@@ -91,7 +106,6 @@ const MotionPlan& Planner::update(const UserCommand& command, const RobotState& 
   move_legs(now);
   finish_calibration(state);
   write_plan(now);
-  return plan_;
 }
 
 void Planner::initialise(const RobotState& state, const model::Dynamics& dynamics) {

@@ -14,6 +14,7 @@
 #include "surefoot/gaits/stand/stand.hpp"
 
 #include <memory>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -31,10 +32,10 @@ class Planner {
   Planner(const PlannerOptions& options, double period, const Scale& scale = {},
           const std::vector<NamedGait>& gaits = {}, int first = UserCommand::kOwnGait);
 
-  /// One tick. Allocates nothing, throws nothing.
+  /// One tick. Allocates nothing. What a gait of the user's own throws is thrown as Error with the
+  /// gait's name.
   const MotionPlan& update(const UserCommand& command, const RobotState& state,
-                           const model::Dynamics& dynamics,
-                           const HierarchyOutcome& last = {}) noexcept;
+                           const model::Dynamics& dynamics, const HierarchyOutcome& last = {});
 
   /// Before an update: resets to `fresh`, which has had no tick, but keeps the steps taken.
   void begin_anew(const Planner& fresh);
@@ -58,6 +59,8 @@ class Planner {
   [[nodiscard]] bool is_undisturbed(const RobotState& state) const;
 
  private:
+  void plan(const UserCommand& command, const RobotState& state, const model::Dynamics& dynamics,
+            const HierarchyOutcome& last);
   void initialise(const RobotState& state, const model::Dynamics& dynamics);
   /// A restart or a calibration of the estimate moves the footholds in W.
   void relearn_ground();
@@ -92,6 +95,7 @@ class Planner {
   std::vector<RhythmicGait> rhythms_;  // by gait, the own one first
   /// By gait, the user's own ones; the others are null. Shared with copies: only one copy may plan.
   std::vector<std::shared_ptr<Gait>> own_;
+  std::vector<std::string> names_;
   bool walks_ = false;         // the stand is not active
   bool has_new_gait_ = false;  // at this tick: walks by a clock, or did
   ReferenceBlend blend_;

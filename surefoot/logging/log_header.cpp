@@ -105,7 +105,7 @@ std::string to_json(const LogHeader& header) {
   json.member("level_names", header.level_names).member("level_units", header.level_units);
   const std::vector<double> visible = visible_residuals(header);
   numbers(json, "level_visible", visible.data(), visible.size());
-  json.member("event_names", header.event_names);
+  json.member("event_names", header.event_names).member("own_parts", header.own_parts);
   robot_member(json, header.robot);
   json.key("limb")
       .object()

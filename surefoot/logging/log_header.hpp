@@ -15,7 +15,7 @@
 namespace surefoot::logging {
 
 /// Version of the log's topics and fields: the major number changes if readers must change.
-inline constexpr std::string_view kLogVersion = "3.2";
+inline constexpr std::string_view kLogVersion = "3.3";
 
 /// Robot data for the report.
 struct LogRobot {
@@ -80,6 +80,7 @@ struct LogHeader {
   std::vector<std::string> level_names;  ///< of the hierarchy, highest first
   std::vector<std::string> level_units;  ///< of their residuals; empty texts: none
   std::vector<std::string> event_names;  ///< of MotionPlan::event, by number
+  std::vector<std::string> own_parts;    ///< as Controller::own_parts() has them
   LogRobot robot;
   LogLimbLimits limb;
   std::vector<LogTerrain> terrain;

@@ -86,6 +86,7 @@ void parse_newer(const json& header, LogHeader& result) {
   result.commit = header.value("commit", "");
   result.command = header.value("command", "");
   result.description = header.value("description", "");
+  result.own_parts = header.value("own_parts", std::vector<std::string>());
   result.level_units = header.value("level_units", std::vector<std::string>());
   result.level_units.resize(result.level_names.size());
   const json drawn = header.value("drawn", json::array());

@@ -5,26 +5,16 @@
 #include "surefoot/logging/message_decoder.hpp"
 #include "surefoot/logging/scratch_folder.hpp"
 #include "surefoot/replay/logged_scenario.hpp"
+#include "surefoot/replay/playback.hpp"
 
 #include <algorithm>
 #include <bit>
 #include <cstdint>
+#include <iterator>
+#include <string_view>
 
 namespace surefoot::replay {
 namespace {
-
-/// Gives a state that others set, whatever the readings.
-class PlaybackEstimator final : public estimation::StateEstimator {
- public:
-  explicit PlaybackEstimator(const RobotState& state) : state_(state) {}
-  const RobotState& update(const SensorReading&, const TickContext&) noexcept override {
-    return state_;
-  }
-  void restart() noexcept override {}
-
- private:
-  const RobotState& state_;
-};
 
 void check_attachments(const std::string& path, const logging::LogReader& log) {
   for (const char* name : {"resolved_stack.yaml", "robot.yaml", "robot.urdf"}) {
@@ -32,6 +22,34 @@ void check_attachments(const std::string& path, const logging::LogReader& log) {
     throw FileError(path + ": the log has no attachment " + name +
                     ", so its controller can't be made again; record the run anew" +
                     (log.problem().empty() ? "" : "; " + log.problem()));
+  }
+}
+
+/// The own parts of the run that gave a state, or a plan.
+std::vector<std::string> own_estimator(const logging::LogHeader& header) {
+  std::vector<std::string> found;
+  std::ranges::copy_if(header.own_parts, std::back_inserter(found),
+                       [](const std::string& part) { return part == "estimator"; });
+  return found;
+}
+std::vector<std::string> own_planner(const logging::LogHeader& header) {
+  std::vector<std::string> found;
+  std::ranges::copy_if(header.own_parts, std::back_inserter(found), [](const std::string& part) {
+    return part == "planner" || part.starts_with("gait ");
+  });
+  return found;
+}
+
+/// States and plans are in the log; what a task asked for is not.
+void check_tasks(const std::string& path, const logging::LogHeader& header,
+                 const tasks::OwnTasks& own) {
+  constexpr std::string_view kTask = "task ";
+  for (const std::string& part : header.own_parts) {
+    if (!part.starts_with(kTask) || own.find(part.substr(kTask.size())) != nullptr) continue;
+    throw Error(path + ": the run's " + part +
+                " is the user's own, and this program does not have it, so the run's controller "
+                "can't be made again; the program that recorded the log can, with "
+                "ReplayOptions::own_tasks");
   }
 }
 
@@ -51,10 +69,12 @@ LogReplay::LogReplay(const std::string& path, const ReplayOptions& options)
            }),
       own_tasks_(options.own_tasks) {
   check_attachments(path, log_);
+  check_tasks(path, log_.header(), own_tasks_);
   const logging::ScratchFolder folder;
   config::Scenario scenario = logged_scenario(log_.header(), folder, own_tasks_);
   estimates_ = options.state == ReplayedState::estimated &&
-               scenario.estimation == estimation::Estimation::sensors;
+               scenario.estimation == estimation::Estimation::sensors &&
+               own_estimator(log_.header()).empty();
   std::unique_ptr<estimation::StateEstimator> estimator;
   if (estimates_) {
     estimator = std::make_unique<estimation::LegInertialEstimator>(
@@ -62,9 +82,17 @@ LogReplay::LogReplay(const std::string& path, const ReplayOptions& options)
   } else {
     estimator = std::make_unique<PlaybackEstimator>(tick_.state);
   }
-  controller_ = std::make_unique<control::Controller>(
-      scenario.robot, scenario.controller, std::move(estimator),
-      options.make_planner ? options.make_planner() : nullptr);
+  std::unique_ptr<gaits::MotionPlanner> planner;
+  if (options.make_planner) {
+    planner = options.make_planner();
+  } else if (std::vector<std::string> own = own_planner(log_.header()); !own.empty()) {
+    planner = std::make_unique<PlaybackPlanner>(tick_);
+    played_back_ = std::move(own);
+  }
+  if (!estimates_)
+    std::ranges::copy(own_estimator(log_.header()), std::back_inserter(played_back_));
+  controller_ = std::make_unique<control::Controller>(scenario.robot, scenario.controller,
+                                                      std::move(estimator), std::move(planner));
   explain_levels(true);
   stack_ = std::move(scenario.controller.stack);
 }

@@ -15,15 +15,16 @@ namespace surefoot::replay {
 /// State that a replayed controller uses.
 enum class ReplayedState {
   logged,     ///< the log's, at every tick
-  estimated,  ///< from the run's own estimator; the log's if that was the truth
+  estimated,  ///< from the library's estimator; the log's if the run had another
 };
 
 struct ReplayOptions {
   ReplayedState state = ReplayedState::logged;
   /// Called with messages on other channels, such as /truth; may be empty.
   logging::LogReader::Other observer{};
-  /// The user's own parts of the run: without them its controller can't be made again.
+  /// The user's own tasks of the run: without them its controller can't be made again.
   tasks::OwnTasks own_tasks{};
+  /// The user's own planner of the run; empty: the plans are the log's.
   std::function<std::unique_ptr<gaits::MotionPlanner>()> make_planner{};
 };
 
@@ -60,6 +61,8 @@ class LogReplay {
   [[nodiscard]] const logging::LogHeader& header() const { return log_.header(); }
   /// Whether the run's estimator is computed again, too.
   [[nodiscard]] bool estimates() const { return estimates_; }
+  /// The user's own parts of the run that this program lacks: their states and plans are the log's.
+  [[nodiscard]] const std::vector<std::string>& played_back() const { return played_back_; }
   /// After the last tick: why the log could not be read further; empty if it is whole.
   [[nodiscard]] std::string problem() const { return log_.problem(); }
   /// After the last tick: the gap that ended the replay.
@@ -81,6 +84,7 @@ class LogReplay {
   std::optional<double> last_time_;  // of the last computed tick [s]
   std::optional<LogGap> gap_;
   bool estimates_ = false;
+  std::vector<std::string> played_back_;
   std::unique_ptr<control::Controller> controller_;
   control::StackOptions stack_;
   tasks::OwnTasks own_tasks_;

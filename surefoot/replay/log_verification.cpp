@@ -110,6 +110,7 @@ Verification verify_log(const std::string& path, const ReplayOptions& options) {
   result.header = replay.header();
   result.header.attachments.clear();
   result.estimated = replay.estimates();
+  result.played_back = replay.played_back();
   while (replay.step()) {
     if (runtime::interrupted()) throw Error("interrupted: nothing is said of the log");
     const TickRecord& logged = replay.logged();

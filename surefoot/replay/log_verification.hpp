@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace surefoot::replay {
 
@@ -30,7 +31,8 @@ struct MessageDifferences {
 struct Verification {
   logging::LogHeader header;  ///< of the log, without its attachments
   bool estimated = false;  ///< the run's estimator ran again on the readings; else the logged state
-  long ticks = 0;          ///< compared
+  std::vector<std::string> played_back;      ///< see LogReplay::played_back
+  long ticks = 0;                            ///< compared
   double first_time = 0.0, last_time = 0.0;  ///< [s]
   long different_ticks = 0;                  ///< with another torque or mode
   std::optional<TorqueDifference> first, largest;
@@ -51,8 +53,7 @@ struct Verification {
 
 /// Runs the controller of a log again on the logged readings, with the run's own estimator, and
 /// compares every torque bit for bit, up to the first tick that is lost. Throws Error as
-/// `LogReplay`, if the log holds no tick, and when it is interrupted. A run with an estimator of
-/// the user's own needs `state` logged.
+/// `LogReplay`, if the log holds no tick, and when it is interrupted.
 [[nodiscard]] Verification verify_log(const std::string& path,
                                       const ReplayOptions& options = {
                                           .state = ReplayedState::estimated});

@@ -16,6 +16,7 @@ class TruthEstimator final : public estimation::StateEstimator {
   [[nodiscard]] const RobotState& update(const SensorReading& reading,
                                          const TickContext& context) noexcept override;
   void restart() noexcept override {}  // the truth has no first reading
+  bool is_own() const noexcept override { return false; }
 
  private:
   const GroundTruth& truth_;
