@@ -25,6 +25,7 @@ void bind_stack(nb::module_& module);
 void bind_scenario(nb::module_& module);
 void bind_plant(nb::module_& module);
 void bind_parts(nb::module_& module);
+void bind_gaits(nb::module_& module);
 void bind_controller(nb::module_& module);
 void bind_running(nb::module_& module);
 void bind_evaluation(nb::module_& module);

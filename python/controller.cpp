@@ -13,6 +13,7 @@
 #include "surefoot/control/stack_reach.hpp"
 #include "surefoot/simulation/make_estimator.hpp"
 
+#include <nanobind/stl/shared_ptr.h>
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/vector.h>
 
@@ -126,7 +127,23 @@ void set_friction(BoundController& self, double friction) {
 
 void bind_changes(nb::class_<BoundController>& type) {
   using Self = BoundController;
-  type.def("set_stack_text", &set_stack, nb::arg("text"), nb::arg("name"), nb::arg("duration"),
+  type.def(
+          "set_stack",
+          [](nb::handle_t<Self> self, const nb::object& stack, double duration) {
+            const Self& controller = nb::cast<Self&>(self);
+            return nb::cast<bool>(
+                nb::module_::import_("surefoot.control")
+                    .attr("change_stack")(self, stack, duration,
+                                          std::make_shared<Robot>(controller.robot()),
+                                          controller.options()));
+          },
+          nb::arg("stack").none(), nb::arg("duration") = 0.3,
+          nb::sig("def set_stack(self, stack: typing.Any, duration: float = 0.3) -> bool"),
+          "Between two ticks: another stack with the same levels, in any order and with any gains. "
+          "The torques fade to\nthe new ones over `duration` [s]. False, and without effect, "
+          "during "
+          "another change. The scenario's `tasks:` hold\nfor it, but for what you give yourself.")
+      .def("set_stack_text", &set_stack, nb::arg("text"), nb::arg("name"), nb::arg("duration"),
            nb::arg("own") = nb::list(),
            nb::sig("def set_stack_text(self, text: str, name: str, duration: float, own: "
                    "list[typing.Any] = []) -> bool"),

@@ -20,14 +20,20 @@ class BoundController : public Lent<control::Controller> {
   BoundController(const config::Scenario& scenario, std::unique_ptr<control::Controller> controller)
       : Lent(std::move(controller), "controller"),
         robot_(scenario.robot),
+        options_(scenario.options_json),
         gaits_(gaits_of(scenario)),
         timer_(std::make_unique<runtime::StageTimer>()) {
     (**this).set_stage_observer(timer_.get());
   }
   BoundController(const config::Scenario& scenario, control::Controller& of_run)
-      : Lent(of_run, "controller"), robot_(scenario.robot), gaits_(gaits_of(scenario)) {}
+      : Lent(of_run, "controller"),
+        robot_(scenario.robot),
+        options_(scenario.options_json),
+        gaits_(gaits_of(scenario)) {}
 
   [[nodiscard]] const model::RobotDescription& robot() const { return robot_; }
+  /// The scenario's, as JSON.
+  [[nodiscard]] const std::string& options() const { return options_; }
   /// With the interpreter's lock. Throws Error on a command that makes no sense.
   void step(const SensorReading& reading, const NamedCommand& user);
   /// How many ticks it has made, but not in a run.
@@ -49,6 +55,7 @@ class BoundController : public Lent<control::Controller> {
   [[nodiscard]] static std::vector<std::string> gaits_of(const config::Scenario& scenario);
 
   model::RobotDescription robot_;
+  std::string options_;
   std::vector<std::string> gaits_;
   std::unique_ptr<runtime::StageTimer> timer_;
   std::string told_;

@@ -37,6 +37,7 @@ NB_MODULE(_core, module) {
   bind_scenario(module);
   bind_plant(module);
   bind_parts(module);
+  bind_gaits(module);
   bind_controller(module);
   bind_evaluation(module);
   bind_running(module);

@@ -4,7 +4,7 @@
 
 #include "python/bindings.hpp"
 #include "python/dynamics.hpp"
-#include "python/interrupt.hpp"
+#include "python/in_python.hpp"
 #include "python/named_command.hpp"
 #include "python/numbers.hpp"
 #include "surefoot/estimation/leg_inertial_estimator.hpp"
@@ -21,13 +21,11 @@
 #include <vector>
 
 namespace surefoot::python {
-namespace {
 
 std::string text_of(const nb::object& object) {
   return nb::cast<std::string>(nb::str(nb::handle(object)));
 }
 
-/// "ValueError: no room (my_task.py, line 12)"
 std::string one_line(const nb::python_error& error) {
   const std::string name = text_of(error.type().attr("__name__"));
   const std::string what = text_of(nb::borrow<nb::object>(error.value()));
@@ -40,18 +38,7 @@ std::string one_line(const nb::python_error& error) {
          text_of(last.attr("lineno")) + ")";
 }
 
-/// Calls with the interpreter's lock. What ends a program waits until the tick is over.
-template <typename Call>
-auto in_python(const Call& call) {
-  const nb::gil_scoped_acquire python;
-  try {
-    return call();
-  } catch (nb::python_error& error) {
-    const std::string told = one_line(error);
-    if (ends_program(error)) waiting_exit().emplace(std::move(error));
-    throw Error(told);
-  }
-}
+namespace {
 
 template <typename T>
 const T& result_of(nb::handle object, const char* method, const char* type, nb::handle result) {

@@ -1,8 +1,10 @@
 #pragma once
 
+#include "python/robot.hpp"
 #include "surefoot/config/scenario.hpp"
 #include "surefoot/estimation/state_estimator.hpp"
 #include "surefoot/gaits/motion_planner.hpp"
+#include "surefoot/gaits/own_gaits.hpp"
 #include "surefoot/tasks/task_definition.hpp"
 
 #include <nanobind/nanobind.h>
@@ -35,6 +37,9 @@ class SharedObject {
     const SharedObject& object, const model::RobotDescription& robot);
 [[nodiscard]] std::unique_ptr<gaits::MotionPlanner> own_planner(
     const SharedObject& object, const model::RobotDescription& robot);
+/// Of names and what makes a `Gait` each, called for each controller; `robot` is set before.
+[[nodiscard]] gaits::OwnGaits own_gaits(const nb::dict& makers,
+                                        std::shared_ptr<std::shared_ptr<Robot>> robot);
 /// Of a list of `OwnTask`s.
 [[nodiscard]] tasks::OwnTasks own_tasks(const nb::list& list);
 

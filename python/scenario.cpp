@@ -35,11 +35,17 @@ nb::typed<nb::dict, std::string, double> drawn(const config::Scenario& scenario)
 }
 
 config::Scenario load(const std::string& name, const nb::int_& seed,
-                      const std::vector<std::string>& assignments, const nb::list& own) {
-  return config::load_scenario({.name_or_path = name,
-                                .seed = config::parse_seed(nb::str(seed).c_str()),
-                                .assignments = assignments,
-                                .own_tasks = own_tasks(own)});
+                      const std::vector<std::string>& assignments, const nb::list& own,
+                      const nb::dict& gaits) {
+  const auto robot = std::make_shared<std::shared_ptr<Robot>>();
+  config::Scenario scenario =
+      config::load_scenario({.name_or_path = name,
+                             .seed = config::parse_seed(nb::str(seed).c_str()),
+                             .assignments = assignments,
+                             .own_tasks = own_tasks(own),
+                             .own_gaits = own_gaits(gaits, robot)});
+  if (gaits.size() > 0) *robot = std::make_shared<Robot>(scenario.robot);
+  return scenario;
 }
 
 nb::typed<nb::dict, std::string, std::string> scenarios() {
@@ -111,8 +117,10 @@ void bind_scenario(nb::module_& module) {
   module.def(
       "read_scenario", &load, nb::arg("name"), nb::arg("seed") = 0,
       nb::arg("set") = std::vector<std::string>(), nb::arg("own") = nb::list(),
+      nb::arg("gaits") = nb::dict(),
       nb::sig("def read_scenario(name: str, seed: int = 0, set: typing.Sequence[str] = (), own: "
-              "list[typing.Any] = []) -> Scenario"),
+              "list[typing.Any] = [], gaits: dict[str, typing.Callable[[], Gait]] = {}) -> "
+              "Scenario"),
       "Reads a scenario, by its name or as a path that ends in .yaml.\n\n"
       "seed: 0 is the nominal run; any other draws what `randomise:` lists.\n"
       "set: \"path.to.key=value\", laid over the file.\n"

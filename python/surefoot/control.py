@@ -6,11 +6,11 @@ import json
 import os
 import pathlib
 import tempfile
-from collections.abc import Sequence
+from collections.abc import Callable, Mapping, Sequence
 
 from surefoot import _core
-from surefoot._arguments import checked
-from surefoot._core import Error, Estimator, Planner, Plant, Robot, Scenario
+from surefoot._arguments import ArgumentError, checked
+from surefoot._core import Error, Estimator, Gait, Planner, Plant, Robot, Scenario
 from surefoot.stack import OwnTask, Stack, registered_tasks
 
 PLAIN = "walk_flat"  # whose options a controller of a robot alone has
@@ -24,37 +24,41 @@ def load_scenario(
     *,
     robot: Robot | str | None = None,
     stack: Stack | str | None = None,
+    gaits: Mapping[str, Callable[[], Gait]] | None = None,
 ) -> Scenario:
     """Reads a scenario, by its name or as a path that ends in .yaml.
 
     seed: 0 is the nominal run; any other draws what `randomise:` lists.
     set: "path.to.key=value", laid over the file; `surefoot list options` has all keys.
     robot, stack: others than the file's.
+    gaits: your own, {"sway": Sway}, which `gait:` and commands may then name; each controller makes one.
     Raises Error, naming file, line and key, on everything that is unknown or out of range."""
-    words = list(set)
+    words, own_gaits = list(set), dict(gaits or {})
     if robot is not None:
         robot = Robot(robot) if isinstance(robot, str) else robot
         words.append(f"robot={robot.file}")
     if not isinstance(stack, Stack):
-        return read_scenario(name, seed, words + [f"stack={stack}"] * (stack is not None), registered_tasks())
+        return read_scenario(name, seed, words + [f"stack={stack}"] * (stack is not None), registered_tasks(), own_gaits)
     with tempfile.TemporaryDirectory(prefix="surefoot_") as folder:
         file = pathlib.Path(folder) / f"{stack.name}.yaml"
-        file.write_text(stack.text(robot or robot_of(name, seed, words)))
+        file.write_text(stack.text(robot or robot_of(name, seed, words, own_gaits)))
         try:
-            return read_scenario(name, seed, [*words, f"stack={file}"], stack.own_tasks)
+            return read_scenario(name, seed, [*words, f"stack={file}"], stack.own_tasks, own_gaits)
         except Error as error:
             raise type(error)(str(error).replace(str(file), f"stack {stack.name}")) from None
 
 
-def robot_of(name: str | os.PathLike[str], seed: int, words: list[str]) -> Robot:
+def robot_of(name: str | os.PathLike[str], seed: int, words: list[str], gaits: dict[str, Callable[[], Gait]]) -> Robot:
     """By the scenario, which must be whole without the stack."""
-    return read_scenario(name, seed, words, registered_tasks()).robot_model
+    return read_scenario(name, seed, words, registered_tasks(), gaits).robot_model
 
 
-def read_scenario(name: str | os.PathLike[str], seed: int, words: list[str], own: list[OwnTask]) -> Scenario:
+def read_scenario(
+    name: str | os.PathLike[str], seed: int, words: list[str], own: list[OwnTask], gaits: dict[str, Callable[[], Gait]]
+) -> Scenario:
     """What the program says of its option --set is told of the argument that the word came from."""
     try:
-        return _core.read_scenario(os.fspath(name), seed, words, own)
+        return _core.read_scenario(os.fspath(name), seed, words, own, gaits)
     except Error as error:
         text = str(error)
         for word in words:
@@ -91,9 +95,11 @@ class Controller(_core.ControllerBase):
         super().__init__(scenario, plant, estimator, planner)
         self.scenario = scenario
 
-    def set_stack(self, stack: Stack | str, duration: float = 0.3) -> bool:
-        """Between two ticks: another stack with the same levels, in any order and with any gains. The torques fade to the new ones over
-        `duration` [s]. False, and without effect, during another change. The scenario's `tasks:` hold for it, but for what you give yourself."""
-        made = stack if isinstance(stack, Stack) else Stack(stack)
-        changed = json.loads(self.scenario.options_json).get("tasks") or {}
-        return self.set_stack_text(made.text(self.scenario.robot_model, changed), made.name, duration, made.own_tasks)
+
+def change_stack(controller: _core.ControllerBase, stack: Stack | str, duration: float, robot: Robot, options: str) -> bool:
+    """`ControllerBase.set_stack()`; `options`: the scenario's, as JSON."""
+    if not isinstance(stack, Stack | str):
+        raise ArgumentError(f"stack is {stack!r}; a Stack, or the name of one, would be valid")
+    made = stack if isinstance(stack, Stack) else Stack(stack)
+    changed = json.loads(options).get("tasks") or {}
+    return controller.set_stack_text(made.text(robot, changed), made.name, duration, made.own_tasks)

@@ -15,7 +15,7 @@ from types import SimpleNamespace
 from typing import TYPE_CHECKING, Any
 
 from surefoot import _core
-from surefoot._core import Error, Estimator, Planner, Result, Robot, Scenario, Tick
+from surefoot._core import Error, Estimator, Gait, Planner, Result, Robot, Scenario, Tick
 from surefoot._arguments import checked
 from surefoot._errors import told_as_error
 from surefoot.control import load_scenario
@@ -33,6 +33,7 @@ def run(
     set: Sequence[str] = (),
     robot: Robot | str | None = None,
     stack: Stack | str | None = None,
+    gaits: Mapping[str, Callable[[], Gait]] | None = None,
     record: str | os.PathLike[str] | None = None,
     every_tick: Callable[[Tick], None] | None = None,
     estimator: Estimator | None = None,
@@ -46,12 +47,12 @@ def run(
     >>> run("walk_flat", every_tick=lambda tick: tick.plant.push([0, 60, 0]) if tick.time == 12 else None)
 
     estimator, planner: your own, in place of the library's.
-    seed, set, robot, stack: as for load_scenario(), where the scenario is a name. Other threads go on meanwhile; Ctrl-C ends it."""
-    if isinstance(scenario, Scenario) and (seed, [*set], robot, stack) != (0, [], None, None):
-        raise Error("seed, set, robot and stack are for a scenario's name: give them to load_scenario()")
+    seed, set, robot, stack, gaits: as for load_scenario(), where the scenario is a name. Other threads go on meanwhile; Ctrl-C ends it."""
+    if isinstance(scenario, Scenario) and (seed, [*set], robot, stack, gaits) != (0, [], None, None, None):
+        raise Error("seed, set, robot, stack and gaits are for a scenario's name: give them to load_scenario()")
     if every_tick is not None:
         check_takes_a_tick(every_tick)
-    given = scenario if isinstance(scenario, Scenario) else load_scenario(scenario, seed, set, robot=robot, stack=stack)
+    given = scenario if isinstance(scenario, Scenario) else load_scenario(scenario, seed, set, robot=robot, stack=stack, gaits=gaits)
     return _core.run_scenario(given, None if record is None else os.fspath(record), every_tick, estimator, planner)
 
 

@@ -10,6 +10,7 @@
 
 #include <cmath>
 #include <memory>
+#include <stdexcept>
 
 namespace surefoot::gaits {
 namespace {
@@ -99,6 +100,26 @@ TEST(OwnGait, IsMadeOfItsOptionsAndRestartedWithThePlanner) {
   planner.begin_anew(fresh);
   EXPECT_EQ(mallocs.count(), 0u);
   EXPECT_EQ(bench.restarts, 1);
+}
+
+class Failing final : public Gait {
+ public:
+  void begin(Situation&, Body&, const std::optional<Action>&) override {}
+  [[nodiscard]] bool waits(const Body&) const override { return true; }
+
+ private:
+  void plan_com(const Situation&, Body&) override {}
+  GaitOutcome go_on(Situation&, Body&) override { throw std::runtime_error("no idea"); }
+};
+
+TEST(OwnGait, IsNamedWhereItThrows) {
+  const auto make = [](const PlannerOptions&, double, const Scale&) {
+    return std::make_unique<Failing>();
+  };
+  test::Puppet puppet(test::kTrot, test::level_ground(), Vec2::Zero(), 0.0,
+                      {{"failing", test::kTrot, make}}, 0);
+  puppet.user = {.walk = true, .gait = 0};
+  EXPECT_EQ(test::message_of([&] { puppet.run(1.0); }), "gait \"failing\": no idea");
 }
 
 TEST(OwnGaits, RefuseWhatCanBeNoGait) {

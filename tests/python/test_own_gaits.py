@@ -1,0 +1,183 @@
+"""Gaits written in Python within the library's planner; and what a log says of parts that are the user's own."""
+
+import json
+
+import numpy as np
+import pytest
+from program import surefoot as program
+
+import surefoot
+from surefoot import Gait, Stack
+
+SUPPORT, SWING, CYCLE = 0.8, 0.6, 5.6  # s
+
+
+class Crawl(Gait):
+    """A leg after the other, as slowly as it takes."""
+
+    def begin(self, now):
+        self.turn, self.lift_off = 0, None
+
+    def stride_duration(self):
+        return CYCLE
+
+    def go_on(self, now):
+        leg = ("RH", "RF", "LH", "LF")[self.turn % 4]
+        if self.lift_off is None and now.all_down:
+            if not now.user.walk or now.yields:
+                return True
+            self.lift_off, self.to = now.time + SUPPORT, now.foothold(leg, CYCLE)
+            now.plan_com([(leg, SUPPORT, SWING, self.to)])
+            now.unload(leg, self.lift_off)
+        elif self.lift_off is not None and now.time >= self.lift_off and now.is_unloaded(leg):
+            now.lift(leg, self.to, SWING)
+            self.lift_off, self.turn = None, self.turn + 1
+        return False
+
+
+def walking(gait, duration=6.0, **options):
+    user = "user=[{time: 0.2, walk: true, velocity: [0.1, 0], gait: mine}]"
+    words = [f"duration={duration}", "planner.calibration.duration=0", "criteria=none", user]
+    return surefoot.load_scenario("walk_flat_ideal", gaits={"mine": gait}, set=words, **options)
+
+
+def test_a_gait_of_ones_own_lifts_legs_and_sets_them_down():
+    result = surefoot.run(walking(Crawl, duration=20.0))
+    assert result["steps_taken"] >= 8 and not result["fell"] and result.fault == ""
+    assert result["distance_m"] > 0.3
+
+
+def test_as_it_is_it_stands_and_each_controller_makes_one():
+    made = []
+
+    class Still(Gait):
+        def __init__(self):
+            super().__init__()
+            made.append(self)
+
+        def restart(self):
+            made.append("restart")
+
+    scenario = walking(Still, duration=1.0)
+    assert scenario.gaits == ["mine"] and made == []
+    assert surefoot.run(scenario)["steps_taken"] == 0
+    surefoot.run(scenario)
+    gaits = [each for each in made if each != "restart"]
+    assert len(gaits) == 2 and gaits[0] is not gaits[1]
+
+
+def kept(gait, now):
+    if getattr(gait, "kept", None) is not None:
+        return gait.kept.time
+    gait.kept = now
+    return now.com
+
+
+WRONG = {
+    "raises": ({"go_on": lambda gait, now: 1 / 0}, 'gait "mine": ZeroDivisionError: '),
+    "no truth": ({"go_on": lambda gait, now: "yes"}, "go_on returned 'yes'; True or False would be valid"),
+    "no plan": ({"com": lambda gait, now: [0, 0]}, "com returned [0, 0]; a ComPlan would be valid"),
+    "moves in com": ({"com": lambda gait, now: now.unload("LF", 1.0)}, "the legs are moved in begin() and go_on() only"),
+    "keeps": ({"com": kept}, "this tick is over"),
+    "leg": ({"begin": lambda gait, now: now.unload("XF", 1.0)}, 'no leg "XF"; before.feet has their names'),
+    "nan": ({"begin": lambda gait, now: now.lift("LF", [0, 0, np.nan], 0.5)}, "to[2] is nan; a finite number would be valid"),
+    "in the air": ({"begin": lambda gait, now: now.lift("LF", now.foothold("LF", 1.0), 0.5), "go_on": lambda gait, now: True}, "with a foot in the air"),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize(("methods", "said"), WRONG.values(), ids=WRONG)
+def test_a_gait_that_goes_wrong_is_named_and_the_robot_sits_down(methods, said):
+    with pytest.warns(RuntimeWarning, match="gait"):
+        result = surefoot.run(walking(type("Mine", (Gait,), methods), duration=4.0))
+    assert said in result.fault and 'gait "mine": ' in result.fault
+    if "begin" not in methods:  # that is called once
+        assert not result.succeeded and "own" in result.reason
+
+
+def test_nan_in_its_plan_is_told():
+    def com(gait, now):
+        plan = now.com
+        plan.p[0] = np.nan
+        return plan
+
+    with pytest.warns(RuntimeWarning, match='gait "mine": com\\(\\) gave NaN or infinity'):
+        surefoot.run(walking(type("Mine", (Gait,), {"com": com}), duration=1.0))
+
+
+@pytest.mark.parametrize(("make", "said"), [(dict, "gait \"mine\" is made as {}; an object of a class derived from surefoot.Gait would be valid"),
+                                            (lambda: 1 / 0, "ZeroDivisionError")])  # fmt: skip
+def test_what_makes_no_gait_is_refused(make, said):
+    with pytest.raises(surefoot.Error, match="(?s).*" + said.replace("(", r"\(").replace("{}", r"\{\}")):
+        surefoot.run(walking(make))
+
+
+def verified(log):
+    done = program("replay", log, "--verify", "--json")
+    assert done.returncode == 0, done.stdout + done.stderr
+    return json.loads(done.stdout)
+
+
+class Nodding(surefoot.Planner):
+    def update(self, user, state, dynamics, last):
+        plan = super().update(user, state, dynamics, last)
+        plan.torso.height += 0.01 * np.sin(3 * state.time)
+        return plan
+
+
+class Believing(surefoot.Estimator):
+    def update(self, reading, context):
+        return super().update(reading, context)
+
+
+def test_a_log_says_which_parts_were_the_users_own_and_replays_what_they_gave(tmp_path):
+    scenario = surefoot.load_scenario("walk_flat", set=["duration=3", "planner.calibration.duration=0"])
+    parts = {"planner": Nodding(scenario), "estimator": Believing(scenario)}
+    assert surefoot.run(scenario, record=tmp_path / "run.mcap", **parts)["steps_taken"] > 0
+    assert surefoot.read(tmp_path / "run.mcap").header["own_parts"] == ["estimator", "planner"]
+    found = verified(tmp_path / "run.mcap")
+    assert found["same"] and found["ticks"] == 1200 and not found["estimated"]
+    assert found["played_back"] == ["planner", "estimator"]
+    text = program("replay", tmp_path / "run.mcap", "--verify").stdout
+    assert "Not run again, as they are of the program that recorded the log: planner, estimator." in text
+    assert "own parts    estimator, planner: the command above alone gives another run" in program("info", tmp_path / "run.mcap").stdout
+
+
+def test_a_calibration_under_ones_own_planner_replays(tmp_path):
+    scenario = surefoot.load_scenario("walk_flat_mismatch", seed=2, set=["duration=13"])
+    surefoot.run(scenario, record=tmp_path / "run.mcap", planner=Nodding(scenario))
+    assert verified(tmp_path / "run.mcap")["same"]
+
+
+def test_a_log_of_ones_own_gait_replays_with_its_faults(tmp_path):
+    class Stumbling(Crawl):
+        def go_on(self, now):
+            if abs(now.time - 4.0) < 0.01:
+                raise ValueError("no idea")
+            return super().go_on(now)
+
+    with pytest.warns(RuntimeWarning, match="no idea"):
+        surefoot.run(walking(Stumbling), record=tmp_path / "run.mcap")
+    assert verified(tmp_path / "run.mcap")["played_back"] == ["gait mine"]
+
+
+def test_a_log_of_ones_own_task_is_refused_with_its_name(tmp_path):
+    class Still(surefoot.OwnTask):
+        max_rows = 3
+
+        def rows(self, tick):
+            return tick.dynamics.base.J, -20 * tick.dynamics.base.v - tick.dynamics.base.Jdot_u
+
+    stack = Stack("terrain_adaptation").replace("torso_height", Still("still"))
+    surefoot.run("walk_flat_ideal", stack=stack, set=["duration=0.5"], record=tmp_path / "run.mcap")
+    done = program("replay", tmp_path / "run.mcap", "--verify")
+    assert done.returncode == 2
+    assert "the run's task still is the user's own, and this program does not have it" in done.stderr
+
+
+def test_a_run_between_its_ticks_can_take_another_stack():
+    def every_tick(tick):
+        if tick.time == 1.0:
+            assert tick.controller.set_stack(Stack("terrain_adaptation").tune("com_xy", kp=300), duration=0.2)
+
+    result = surefoot.run("walk_flat_ideal", stack="terrain_adaptation", set=["duration=2"], every_tick=every_tick)
+    assert not result["fell"] and result.fault == ""
