@@ -46,6 +46,9 @@ foreach(source IN LISTS sources)
   add_executable(example_${name} ${source})
   target_link_libraries(example_${name} PRIVATE surefoot_compiler ${SUREFOOT_LIBRARIES})
   add_test(NAME examples/${name} COMMAND example_${name} WORKING_DIRECTORY ${PROJECT_BINARY_DIR})
+  set_tests_properties(examples/${name} PROPERTIES
+    ENVIRONMENT "SUREFOOT_PYTHON=${SUREFOOT_PYTHON};PYTHONPATH=${PROJECT_BINARY_DIR}/python"
+    ENVIRONMENT_MODIFICATION "PATH=path_list_prepend:${PROJECT_BINARY_DIR}/bin")
 endforeach()
 
 include(benchmarks)

@@ -17,17 +17,15 @@ using surefoot::config::Scenario, surefoot::SensorReading;
 int run_robot(const Scenario& scenario, int udp) {
   surefoot::simulation::Plant plant(scenario.robot, scenario.plant);
   surefoot::JointVector q_before = plant.read().q;
-  bool is_driven = true;
-  for (auto next = std::chrono::steady_clock::now(); plant.time() < 5.0;) {
+  bool is_driven = false;  // until the controller is ready
+  int ticks_driven = 0;
+  for (auto next = std::chrono::steady_clock::now(); plant.time() < 4.25;) {
     const SensorReading& reading = plant.read();
-    const Sensors sent = packed(reading);
-    send(udp, sent.data(), sizeof sent, 0);
-    Command got = Command::Constant(-1.0);
-    bool is_there = true;  // the command of this reading; recv() waits for it for up to 50 ms
-    while (is_there && got[0] != reading.time) is_there = recv(udp, got.data(), sizeof got, 0) > 0;
+    Command got;
+    const bool is_there = exchange(udp, reading, got);  // waits for it for up to 50 ms
     if (is_there != is_driven)
       std::printf("%.3f s: %s\n", reading.time, is_there ? "driven" : "damped");
-    is_driven = is_there;
+    ticks_driven += (is_driven = is_there) ? 1 : 0;
     surefoot::JointCommand command;
     const surefoot::JointVector qd = (reading.q - q_before) / scenario.controller.period;
     command.torque = -scenario.robot.damping_kd * qd;
@@ -36,7 +34,7 @@ int run_robot(const Scenario& scenario, int udp) {
     plant.write(command);
     std::this_thread::sleep_until(next += std::chrono::microseconds(2500));
   }
-  return is_driven ? 1 : 0;
+  return is_driven || ticks_driven < 800 ? 1 : 0;
 }
 
 void run_controller(const Scenario& scenario, int udp) {

@@ -13,7 +13,8 @@ if len(sys.argv) > 1:
     log = pathlib.Path(sys.argv[1])
 else:
     log = folder / "run.mcap"
-    surefoot.run("walk_flat_ideal", stack="terrain_adaptation", set=["duration=4"], record=log)
+    down = ["duration=9", "planner.calibration.duration=0", "criteria=none"]
+    surefoot.run("step_down", set=down, record=log)
 
 run = surefoot.read(log)
 run.plot("com_tracking", path=folder / "fig4.pdf")

@@ -26,7 +26,8 @@ def test_the_package_with_its_stub_is_typed_strictly(tmp_path):
 
 
 def test_so_are_the_examples(tmp_path):
-    assert checked(*sorted((ROOT / "examples").glob("[0-9]*.py")), folder=tmp_path).startswith("Success")
+    examples = ROOT / "examples"
+    assert checked(*sorted([*examples.glob("[0-9]*.py"), examples / "wire.py"]), folder=tmp_path).startswith("Success")
 
 
 def test_a_wrong_type_is_found(tmp_path):
