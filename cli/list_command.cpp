@@ -146,7 +146,8 @@ int list_options_command(const ListFilter& filter) {
 
 int list_tasks_command(const ListFilter& filter) {
   const model::RobotDescription robot = config::load_robot(filter.robot);
-  std::cout << printable(whose_defaults(robot) + aligned(tasks(robot.scale)), "\n");
+  std::cout << printable(whose_defaults(robot) + aligned(tasks(robot.scale)), "\n")
+            << "Tasks of your own are known to the program alone that registers them.\n";
   return kPassed;
 }
 

@@ -172,7 +172,7 @@ def make_demo(program, arguments, out):
     print_rows(rows)
     (out / "results.json").write_text(json.dumps(sum(rows_of.values(), []), indent=1, ensure_ascii=False) + "\n")
     cut = "" if len(whole) == len(of) else "interrupted; "
-    page = demo_page(rows, f"{cut}Bellicoso et al., Humanoids 2016, in simulation; surefoot {about[whole[0].name]['version']}")
+    page = demo_page(rows, f"{cut}Bellicoso et al., Humanoids 2016, in simulation; surefoot {about[whole[0].name]['version']}", FIRST)
     (out / "index.html").write_text(page)
     print(f"\nreport: {out / 'index.html'}", flush=True)
     if cut:

@@ -1,5 +1,6 @@
 """The demo's overview as one HTML page without network: of each experiment a picture, its figure against the paper's, and good or bad."""
 
+from surefoot_campaign.metrics import about, arrow
 from surefoot_campaign.text import escape
 
 HEAD = """<!DOCTYPE html>
@@ -20,8 +21,8 @@ article { border: 1px solid var(--line); border-top: .45rem solid var(--tone); b
 article img { width: 100%; aspect-ratio: 2; object-fit: cover; object-position: right; border-radius: .2rem; background: #fff; }
 .top { display: flex; justify-content: space-between; gap: 1rem; align-items: baseline; }
 .verdict { color: var(--tone); font-weight: 700; white-space: nowrap; }
-.figure { font-size: 1.9rem; font-weight: 650; margin: .4rem 0 0; }
-.figure small { font-size: .85rem; font-weight: 400; }
+.figure { font-size: 1.9rem; font-weight: 650; line-height: 1.2; margin: .4rem 0 .2rem; }
+.figure small { display: block; font-size: .9rem; font-weight: 400; line-height: 1.35; }
 .paper { margin: 0; font-size: 1rem; }
 .soft, .rest { color: var(--found); font-size: .88rem; margin: .3rem 0 0; }
 .ok { --tone: var(--ok); } .bad { --tone: var(--bad); } .found { --tone: var(--found); }
@@ -29,6 +30,8 @@ article img { width: 100%; aspect-ratio: 2; object-fit: cover; object-position: 
 </head>
 <body>
 <h1>The paper's experiments</h1>
+<p>A four-legged robot that does not see the ground walks, steps down and up, and is pushed: simulated just now, with the paper's figure below each
+of ours. Green came out as it must; a picture leads to the run's report.</p>
 """
 STYLES = {"✓": ("ok", "✓ as it must be"), "✗": ("bad", "✗ not as it must be")}
 AS_FOUND = ("found", "as found")  # any result is one
@@ -38,12 +41,17 @@ def card(row):
     style, verdict = STYLES.get(row.verdict, AS_FOUND)
     name = escape(row.name)
     linked = f'<a href="{escape(row.report)}">{name}</a>' if row.report else name
+    told = f"{about(row.headline_metric).get('help', '')} {arrow(row.headline_metric)}".strip() or row.headline_metric
     picture = f'<a href="{escape(row.report)}"><img loading="lazy" alt="{name}" src="{escape(row.picture)}"></a>\n' if row.picture else ""
     paper = f'<p class="paper">paper: {escape(row.headline_paper)}</p>\n' if row.headline_paper else ""
     seeds = f'<p class="rest">random seeds: {escape(row.seeds)}</p>\n' if row.seeds else ""
     return (f'<article class="{style}">\n{picture}<div class="top"><h2>{linked}</h2><span class="verdict">{verdict}</span></div>\n'
-            f'<p class="figure">{escape(row.headline)} <small>{escape(row.headline_metric)}</small></p>\n{paper}'
+            f'<p class="figure">{escape(row.headline)} <small title="{escape(row.headline_metric)}">{escape(told)}</small></p>\n{paper}'
             f'<p class="rest">{escape(row.measured)}</p>\n{seeds}<p class="soft">{escape(row.description)}</p>\n</article>\n')  # fmt: skip
+
+
+def in_order(rows, first):
+    return sorted(rows, key=lambda row: row.name != first)
 
 
 def counted(rows):
@@ -51,5 +59,6 @@ def counted(rows):
     return f"{good} as they must be" + (f", {bad} not" if bad else "") + f"; {len(rows) - good - bad} show what happens, as found"
 
 
-def demo_page(rows, summary):
-    return f'{HEAD}<p class="sum">{counted(rows)}</p>\n<div class="cards">\n{"".join(map(card, rows))}</div>\n<p class="soft">{escape(summary)}</p>\n</body>\n</html>\n'
+def demo_page(rows, summary, first=""):
+    """`first`: the name of the one that stands before the others."""
+    return f'{HEAD}<p class="sum">{counted(rows)}</p>\n<div class="cards">\n{"".join(map(card, in_order(rows, first)))}</div>\n<p class="soft">{escape(summary)}</p>\n</body>\n</html>\n'

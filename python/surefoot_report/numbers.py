@@ -48,5 +48,6 @@ def numbers(outcome):
     others = [metric for metric in names(outcome) if metric not in compared + first]
     out = table(HEAD, [row(outcome, metric) for metric in compared + first], len(compared)) + f'<p class="soft">{LEGEND}.</p>\n'
     if others:
-        out += f"<details><summary>The other {len(others)} metrics</summary>\n{table(HEAD, [row(outcome, metric) for metric in others])}</details>\n"
+        count = len({metric.split(".")[0] for metric in others})  # a distribution is one, as in the terminal
+        out += f"<details><summary>The other {count} metrics</summary>\n{table(HEAD, [row(outcome, metric) for metric in others])}</details>\n"
     return out

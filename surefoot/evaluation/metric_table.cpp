@@ -111,7 +111,7 @@ std::vector<Metric> all_metrics() {
       {"edge_landings", &M::edge_landings, kNone, smaller, grows, "touchdowns on an edge"},
       {"no_ground_events", &M::no_ground_events, kNone, smaller, grows,
        "feet that returned without ground in reach"},
-      {"search_max_s", &M::search_max_s, kSeconds, smaller, grows,
+      {"search_max_s", &M::search_max_s, kMilliseconds, smaller, grows,
        "longest search of a foot for ground"},
       {"foot_slip_max_m", &M::foot_slip_max_m, kMillimetres, smaller, grows,
        "longest tangential path of a foot's contact point in one stance", kFirst},

@@ -47,11 +47,18 @@ def of_page(**more):
 def test_the_page_shows_picture_headline_and_paper_and_escapes():
     page = of_page()
     for part in ('<a href="step/index.html">step &lt;1&gt;</a>', "a &amp; b", "3 of 4", "✓ as it must be", '<p class="soft">all of it</p>',
-                 'src="step/strip.jpg"', "0.4 mm <small>com_error_max_m</small>", "paper: ≤ 3.4 mm", "1 as they must be; 0 show"):  # fmt: skip
+                 'src="step/strip.jpg"', '0.4 mm <small title="com_error_max_m">', "paper: ≤ 3.4 mm", "1 as they must be; 0 show"):  # fmt: skip
         assert part in page
     assert "http" not in page and "<img" not in of_page(picture="")
     assert '<article class="bad">' in of_page(verdict="✗") and "0 as they must be, 1 not" in of_page(verdict="✗")
     assert '<article class="found">' in of_page(verdict="as found")
+
+
+def test_its_figures_are_told_in_words_and_the_papers_experiment_stands_first():
+    assert "↓</small>" in of_page() and "com_error_max_m</small>" not in of_page()
+    rows = [Row(name, "", "", "", "", "", "", "", "✓", "") for name in ("walk_flat", "step_down")]
+    page = demo_page(rows, "", first="step_down")
+    assert page.index("<h2>step_down") < page.index("<h2>walk_flat")
 
 
 def test_it_says_how_long_it_will_take_before_anything_has_run(tmp_path):
