@@ -5,6 +5,7 @@
 #include "surefoot/model/urdf.hpp"
 
 #include <array>
+#include <cmath>
 #include <map>
 #include <optional>
 #include <string>
@@ -32,6 +33,11 @@ struct Foot {
   /// What the radius was guessed from: "a mesh", kNoShape …; empty: the URDF has the sphere.
   std::string guessed_from;
 };
+
+/// The same radius, at the same place in its link's frame?
+[[nodiscard]] inline bool is_same_sphere(const Foot& a, const Foot& b) {
+  return std::abs(a.radius - b.radius) <= 1e-6 && (a.center - b.center).norm() <= 1e-6;
+}
 
 /// A leg and its measures.
 struct FoundLeg {

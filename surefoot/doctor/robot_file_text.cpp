@@ -214,13 +214,21 @@ std::string arm_lines(const Diagnosis& robot, Guesses guesses) {
   return text;
 }
 
+/// A sphere that is not as that of all.
+std::string foot_lines_of(const Foot& foot, const Foot& of_all) {
+  if (!foot.guessed_from.empty() || is_same_sphere(foot, of_all)) return "";
+  return formatted("    foot_radius: %.6g   # m\n    foot_center: [%.6g, %.6g, %.6g]\n",
+                   foot.radius, foot.center.x(), foot.center.y(), foot.center.z());
+}
+
 /// The link alone on one line; what this leg has by itself, below it.
 std::string leg_lines(const Diagnosis& robot, Guesses guesses) {
   const PerLeg<FoundLeg>& legs = *robot.anatomy.legs;
   std::string text = "legs:\n";
   for (const Leg leg : legs.legs()) {
     const Foot& foot = legs[index(leg)].foot;
-    const std::string own = limit_lines_of(leg, robot, guesses);
+    const std::string own =
+        foot_lines_of(foot, foot_of_all(legs)) + limit_lines_of(leg, robot, guesses);
     text += "  " + std::string(leg_name(leg, static_cast<int>(legs.size()))) + ":" +
             (own.empty() ? " {foot: " + quoted(foot.link) + "}\n"
                          : "\n    foot: " + quoted(foot.link) + "\n" + own);

@@ -123,15 +123,12 @@ void tell_stubs(const PerLeg<FoundLeg>& legs, const std::vector<Leg>& stubs, Fin
 }
 
 void tell_other_sphere(const Foot& foot, std::string_view leg, Findings& findings) {
-  findings.push_back({Severity::error, Confidence::certain, "link \"" + foot.link + "\"", foot.line,
-                      "the sphere of " + std::string(leg) +
-                          " differs from that of LF in radius or in its place in the foot's frame; "
-                          "a robot file has one for all",
-                      "give all feet the same sphere in their frames"});
-}
-
-bool is_same_sphere(const Foot& a, const Foot& b) {
-  return std::abs(a.radius - b.radius) <= 1e-6 && (a.center - b.center).norm() <= 1e-6;
+  const std::string name(leg);
+  findings.push_back(
+      {Severity::note, Confidence::certain, "link \"" + foot.link + "\"", foot.line,
+       "the sphere of " + name +
+           " differs from that of LF in radius or in its place in the foot's frame",
+       "fine if the robot is built so: legs." + name + ".foot_radius and foot_center tell it"});
 }
 
 /// Spheres that are no feet, all in one finding.

@@ -80,6 +80,15 @@ TEST_F(RobotFileText, fills_in_only_the_joints_that_lack_a_limit) {
   EXPECT_EQ(read.torque_limit[4], 80.0);
 }
 
+TEST_F(RobotFileText, tells_a_foot_that_differs) {
+  change("<link name=\"RH_FOOT\"", "<sphere radius=\"0.031\"/>", "<sphere radius=\"0.035\"/>");
+  const Diagnosis robot = diagnosis();
+  EXPECT_TRUE(test::has(robot, Severity::note, "the sphere of RH differs from that of LF"));
+  EXPECT_FALSE(has_error(robot.findings)) << robot.findings.front().what;
+  EXPECT_TRUE(holds(robot_file_text(robot, folder_.path(), Guesses::as_comments),
+                    "RH:\n    foot: RH_FOOT\n    foot_radius: 0.035 "));
+}
+
 TEST_F(RobotFileText, gives_joints_without_stops_a_range) {
   replace_all("(name=\"(LF|RF|LH|RH)_(HAA|HFE|KFE)\" type=)\"revolute\"", "$1\"continuous\"");
   replace_all("(lower|upper)=\"-?9.42\"", "");
