@@ -39,8 +39,8 @@ std::string robot_guesses(const Scenario& scenario) {
   if (robot.can_walk() && !has_all(file, {"posture.nominal"}) && !each_has_posture(file, "legs"))
     add("posture with knees bent by 0.8 rad");
   if (!has_all(file, {"gains.hold", "gains.damping"}))
-    add(formatted("gains of ANYmal B, to size: hold %.3g N·m/rad, damping %.3g N·m·s/rad",
-                  robot.hold_kp, robot.damping_kd));
+    add(formatted("gains of ANYmal B, to size: hold %.3g N·m/rad, damping %.3g N·m·s/rad at KFE",
+                  robot.hold_kp[2], robot.damping_kd[2]));
   return taken.empty() ? "" : "not in the file of " + robot.name + ", so that is taken: " + taken;
 }
 
