@@ -246,7 +246,7 @@ def test_a_good_robot_is_not_refused(good, tmp_path):
 
 
 def test_legs_may_have_feet_and_gains_of_their_own(good, tmp_path):
-    edits = [(r'(<link name="RF_foot">\n.*\n.*\n.*)0.024', r"\g<1>0.03"), ("yaml RF_foot", "RF_foot, foot_radius: 0.03, gains: {hold: {kp: {KFE: 60}}}")]
+    edits = [(r'(<link name="RF_foot">\n.*\n.*\n.*\n.*)0.024', r"\g<1>0.03"), ("yaml RF_foot", "RF_foot, foot_radius: 0.03, gains: {hold: {kp: {KFE: 60}}}")]
     robot = written(tmp_path, good, edits)
     assert surefoot("run", "walk_flat", "--check", "--set", f"robot={robot}").stderr == ""
 
