@@ -19,7 +19,6 @@ constexpr double kMostGyration = 5.0;  // [m]
 
 constexpr double kMuchTorque = 20.0;   // times what standing needs
 constexpr double kLargeEffort = 1000;  // where that is not known [N·m]
-constexpr double kFastest = 100.0;     // [rad/s]
 constexpr double kWholeTurn = 2.0 * kPi - 1e-3;
 
 void check_leg(const ConfigNode& legs, const std::string& name, const model::LegChain& chain,
@@ -98,7 +97,7 @@ bool is_effort_placeholder(double effort, double most_standing_torque) {
                                           : effort > kMuchTorque * most_standing_torque;
 }
 
-bool is_velocity_placeholder(double velocity) { return velocity > kFastest; }
+bool is_velocity_placeholder(double velocity) { return velocity > kFastestJoint; }
 
 bool is_position_placeholder(double lower, double upper) {
   return lower <= -kWholeTurn || upper >= kWholeTurn || lower >= upper;
@@ -126,7 +125,7 @@ std::vector<std::string> placeholder_notes(const model::RobotDescription& robot,
     notes.push_back(formatted("limits.velocity of %s is up to %g rad/s, above %g: a placeholder?",
                               listed(velocities, num_joints).c_str(),
                               robot.velocity_limit.head(robot.num_leg_joints()).maxCoeff(),
-                              kFastest));
+                              kFastestJoint));
   }
   return notes;
 }

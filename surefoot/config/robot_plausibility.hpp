@@ -18,6 +18,7 @@ void check_plausible(const ConfigNode& legs, const model::Urdf& urdf,
 
 /// Above what standing needs at any joint [N·m], by a factor that no drive has.
 [[nodiscard]] bool is_effort_placeholder(double effort, double most_standing_torque);
+inline constexpr double kFastestJoint = 100.0;  ///< [rad/s]
 [[nodiscard]] bool is_velocity_placeholder(double velocity);
 /// A whole turn or more, or none.
 [[nodiscard]] bool is_position_placeholder(double lower, double upper);

@@ -5,30 +5,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
+#include <vector>
 
 namespace surefoot::doctor {
 namespace {
 
 constexpr double kMostOfLimit = 0.6;  // of the limit, to stand: little is left to walk
-
-bool is_missing(double number) { return std::isnan(number) || number <= 0.0; }
-
-double most_standing_torque(const Diagnosis& robot) {
-  return robot.standing_torque.cwiseAbs().maxCoeff();
-}
-
-bool is_effort_placeholder(const Diagnosis& robot, double effort) {
-  return config::is_effort_placeholder(effort, most_standing_torque(robot));
-}
-
-bool is_position_placeholder(const model::UrdfJoint& joint) {
-  return config::is_position_placeholder(joint.lower, joint.upper);
-}
-
-bool has_no_position(const model::UrdfJoint& joint) {
-  return std::isnan(joint.lower) || std::isnan(joint.upper);
-}
 
 /// The joints of all legs with the same fault, in one finding, by value.
 class JointList {
@@ -70,12 +52,6 @@ std::string number(double value, const char* unit) { return formatted("%.4g %s",
 
 bool is_mjcf(const Diagnosis& robot) { return !robot.urdf.text.empty(); }
 
-/// What stands in for a limit, as text.
-std::string taken(const Diagnosis& robot, std::size_t guess) {
-  const LimitGuess& one = limit_guesses(robot)[guess];
-  return formatted("; %.3g %s, ANYmal B's to size, is taken for it", one.numbers[0], one.unit);
-}
-
 /// The limits of all joints of the legs of one kind.
 class LimitCheck {
  public:
@@ -106,26 +82,28 @@ class LimitCheck {
 };
 
 void check_effort(Diagnosis& robot) {
+  const double most = most_standing_torque(robot);
   LimitCheck check(robot);
   check.run([](const auto& joint) { return is_missing(joint.effort); },
-            [&](const auto& joint) { return is_effort_placeholder(robot, joint.effort); },
+            [&](const auto& joint) { return config::is_effort_placeholder(joint.effort, most); },
             [](const auto& joint) { return number(joint.effort, "N·m"); });
   check.tell(Severity::error, " has no effort limit",
              "the effort limit looks like a placeholder, far above what standing needs" +
-                 (std::isnan(most_standing_torque(robot))
-                      ? std::string()
-                      : formatted(" (at most %.3g N·m)", most_standing_torque(robot))),
+                 (std::isnan(most) ? std::string() : formatted(" (at most %.3g N·m)", most)),
              "fill in limits.torque of the robot file", " with the drive's torque");
 }
 
 void check_velocity(Diagnosis& robot) {
+  const LimitGuess guess = limit_guesses(robot)[kVelocity];
   LimitCheck check(robot);
   check.run([](const auto& joint) { return is_missing(joint.velocity); },
             [](const auto& joint) { return config::is_velocity_placeholder(joint.velocity); },
             [](const auto& joint) { return number(joint.velocity, "rad/s"); });
   check.tell(is_mjcf(robot) ? Severity::warning : Severity::error,
-             " has no velocity limit" + taken(robot, 1),
-             "the velocity limit looks like a placeholder, above 100 rad/s",
+             " has no velocity limit" + formatted("; %.3g %s, ANYmal B's to size, is taken for it",
+                                                  guess.numbers[0], guess.unit),
+             formatted("the velocity limit looks like a placeholder, above %g rad/s",
+                       config::kFastestJoint),
              "fill in limits.velocity of the robot file", " with the drive's no-load speed");
 }
 
@@ -140,12 +118,13 @@ void check_position(Diagnosis& robot) {
   const auto value = [](const auto& joint) {
     return formatted("%.4g to %.4g rad", joint.lower, joint.upper);
   };
-  const auto no_stops = [&](const auto& joint) { return gaps_of(robot, joint).turns; };
+  const auto turns = [&](const auto& joint) { return gaps_of(robot, joint).turns; };
+  const auto is_placeholder = [](const auto& joint) {
+    return config::is_position_placeholder(joint.lower, joint.upper) && !is_in_degrees(joint);
+  };
   const std::string keys = "limits.position_min and position_max of the robot file";
-  check.run(
-      [&](const auto& joint) { return has_no_position(joint) && !no_stops(joint); },
-      [](const auto& joint) { return is_position_placeholder(joint) && !is_in_degrees(joint); },
-      value);
+  check.run([&](const auto& joint) { return has_no_stops(joint) && !turns(joint); }, is_placeholder,
+            value);
   check.tell(Severity::error, " has no position limits",
              "the position limits look like placeholders, a whole turn or more, or empty",
              "fill in " + keys, " with what the legs can do");
@@ -155,46 +134,50 @@ void check_position(Diagnosis& robot) {
   JointList turning(robot);
   for (const FoundLeg& leg : *robot.anatomy.legs) {
     for (const model::UrdfJoint& joint : leg.joints) {
-      if (no_stops(joint)) turning.add(joint, "");
+      if (turns(joint)) turning.add(joint, "");
     }
   }
+  const auto [haa, hfe, kfe] = limit_guesses(robot)[kPositionMax].numbers;
   turning.tell(Severity::warning, Confidence::certain,
-               "these joints have no stops, so the legs' usual range is taken for them, HAA ±1.2, "
-               "HFE ±2.6, KFE ±2.9 rad",
+               formatted("these joints have no stops, so the legs' usual range is taken for them, "
+                         "HAA ±%g, HFE ±%g, KFE ±%g rad",
+                         haa, hfe, kfe),
                "narrow " + keys + " where something is in the way", robot.findings);
 }
 
-/// What arms lack, for which guesses stand in.
-void check_arms(Diagnosis& robot) {
-  for (const auto& [guess, what] : {std::pair{0u, " has no effort limit"},
-                                    {1u, " has no velocity limit"},
-                                    {2u, " has no position limits"}}) {
-    std::string names;
-    int line = 0;
-    bool is_known = guess == 1 && is_mjcf(robot);
-    const LimitGuess taken = limit_guesses(robot)[guess];
-    for (const Limb& limb : robot.anatomy.others) {
-      for (const model::UrdfJoint& joint : limb.joints) {
-        const LimitGaps gaps = gaps_of(robot, joint);
-        const bool lacks = guess == 0   ? is_missing(joint.effort)
-                           : guess == 1 ? is_missing(joint.velocity)
-                                        : has_no_position(joint);
-        if (!limb.is_arm || !lacks) continue;
-        is_known = guess == 2 ? (names.empty() || is_known) && gaps.turns : is_known;
-        if (line == 0) line = joint.line;
-        names += " " + joint.name;
-      }
+/// A limit that joints of arms lack, so that a guess stands in for it. `keys`: of it.
+void check_arms(Diagnosis& robot, const LimitGuess& guess, const char* missing, const char* keys) {
+  const bool is_position = guess.gap == &LimitGaps::position;
+  std::string names;
+  int line = 0;
+  bool all_turn = true;
+  for (const Limb& limb : robot.anatomy.others) {
+    for (const model::UrdfJoint& joint : limb.joints) {
+      const bool lacks = is_position ? has_no_stops(joint) : is_missing(joint.*guess.given);
+      if (!limb.is_arm || !lacks) continue;
+      all_turn = all_turn && gaps_of(robot, joint).turns;
+      if (line == 0) line = joint.line;
+      names += " " + joint.name;
     }
-    if (names.empty()) continue;
-    const std::string keys = guess == 2 ? "position_min and position_max" : taken.key;
-    robot.findings.push_back({is_known ? Severity::warning : Severity::error, Confidence::certain,
-                              "arms", line,
-                              "the " + std::string(robot.urdf.format()) + what +
-                                  formatted("; %s%.3g %s is taken:", guess == 2 ? "±" : "",
-                                            std::abs(taken.of_arm), taken.unit) +
-                                  names,
-                              "fill in " + keys + " of the arm in the robot file"});
   }
+  if (names.empty()) return;
+  // An MJCF has no velocity limits at all.
+  const bool is_usual =
+      is_position ? all_turn : guess.gap == &LimitGaps::velocity && is_mjcf(robot);
+  robot.findings.push_back({is_usual ? Severity::warning : Severity::error, Confidence::certain,
+                            "arms", line,
+                            "the " + std::string(robot.urdf.format()) + " has no " + missing +
+                                formatted("; %s%.3g %s is taken:", is_position ? "±" : "",
+                                          std::abs(guess.of_arm), guess.unit) +
+                                names,
+                            std::string("fill in ") + keys + " of the arm in the robot file"});
+}
+
+void check_arms(Diagnosis& robot) {
+  const std::vector<LimitGuess> guesses = limit_guesses(robot);
+  check_arms(robot, guesses[kTorque], "effort limit", "torque");
+  check_arms(robot, guesses[kVelocity], "velocity limit", "velocity");
+  check_arms(robot, guesses[kPositionMin], "position limits", "position_min and position_max");
 }
 
 void check_strength(Diagnosis& robot) {

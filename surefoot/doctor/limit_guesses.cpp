@@ -7,17 +7,24 @@
 
 namespace surefoot::doctor {
 
+bool is_missing(double limit) { return std::isnan(limit) || limit <= 0.0; }
+
+bool has_no_stops(const model::UrdfJoint& joint) {
+  return std::isnan(joint.lower) || std::isnan(joint.upper);
+}
+
+double most_standing_torque(const Diagnosis& robot) {
+  return robot.standing_torque.cwiseAbs().maxCoeff();
+}
+
 LimitGaps gaps_of(const Diagnosis& robot, const model::UrdfJoint& joint) {
-  const auto is_missing = [](double number) { return std::isnan(number) || number <= 0.0; };
-  const double standing = robot.standing_torque.cwiseAbs().maxCoeff();
-  const bool has_no_stops = std::isnan(joint.lower) || std::isnan(joint.upper);
-  const bool turns = has_no_stops && joint.type == "continuous";
-  return {
-      .effort = is_missing(joint.effort) || config::is_effort_placeholder(joint.effort, standing),
-      .velocity = is_missing(joint.velocity) || config::is_velocity_placeholder(joint.velocity),
-      .position =
-          !turns && (has_no_stops || config::is_position_placeholder(joint.lower, joint.upper)),
-      .turns = turns};
+  const bool turns = has_no_stops(joint) && joint.type == "continuous";
+  return {.effort = is_missing(joint.effort) ||
+                    config::is_effort_placeholder(joint.effort, most_standing_torque(robot)),
+          .velocity = is_missing(joint.velocity) || config::is_velocity_placeholder(joint.velocity),
+          .position = !turns && (has_no_stops(joint) ||
+                                 config::is_position_placeholder(joint.lower, joint.upper)),
+          .turns = turns};
 }
 
 bool has_gaps(const Diagnosis& robot) {
@@ -34,10 +41,17 @@ std::vector<LimitGuess> limit_guesses(const Diagnosis& robot) {
   const Scale scale = robot.proportions ? model::scale_of(*robot.proportions) : Scale();
   const double torque = 40.0 * scale.torque(), velocity = 15.0 * scale.rate();
   const double of_arm = 6.0 * scale.rate();
-  return {{"torque", &LimitGaps::effort, {torque, torque, torque}, torque, "N·m"},
-          {"velocity", &LimitGaps::velocity, {velocity, velocity, velocity}, of_arm, "rad/s"},
-          {"position_min", &LimitGaps::position, {-1.2, -2.6, -2.9}, -kPi, "rad"},
-          {"position_max", &LimitGaps::position, {1.2, 2.6, 2.9}, kPi, "rad"}};
+  using Gaps = LimitGaps;
+  using Joint = model::UrdfJoint;
+  return {{"torque", &Gaps::effort, &Joint::effort, {torque, torque, torque}, torque, "N·m"},
+          {"velocity",
+           &Gaps::velocity,
+           &Joint::velocity,
+           {velocity, velocity, velocity},
+           of_arm,
+           "rad/s"},
+          {"position_min", &Gaps::position, &Joint::lower, {-1.2, -2.6, -2.9}, -kPi, "rad"},
+          {"position_max", &Gaps::position, &Joint::upper, {1.2, 2.6, 2.9}, kPi, "rad"}};
 }
 
 }  // namespace surefoot::doctor

@@ -3,6 +3,7 @@
 #include "surefoot/doctor/diagnosis.hpp"
 
 #include <array>
+#include <cstddef>
 #include <vector>
 
 namespace surefoot::doctor {
@@ -13,6 +14,13 @@ struct LimitGaps {
   bool turns = false;  ///< it has no stops, so that any are true of it
 };
 
+/// Of an effort or a velocity: not given, or not above 0.
+[[nodiscard]] bool is_missing(double limit);
+/// Is one of its position limits not given?
+[[nodiscard]] bool has_no_stops(const model::UrdfJoint& joint);
+/// Of all joints, in the nominal posture; NaN: not known [N·m].
+[[nodiscard]] double most_standing_torque(const Diagnosis& robot);
+
 /// Without the standing torque an effort counts as a placeholder from 1000 N·m on.
 [[nodiscard]] LimitGaps gaps_of(const Diagnosis& robot, const model::UrdfJoint& joint);
 /// Does any joint of the legs lack a limit? Of two legs with flat feet: false.
@@ -22,12 +30,15 @@ struct LimitGaps {
 struct LimitGuess {
   const char* key;
   bool LimitGaps::* gap;
+  double model::UrdfJoint::* given;           ///< by the description
   std::array<double, kJointsPerLeg> numbers;  ///< of HAA, HFE and KFE
   double of_arm;
   const char* unit;
 };
 
-/// Torque, velocity, lowest and highest position.
+inline constexpr std::size_t kTorque = 0, kVelocity = 1, kPositionMin = 2, kPositionMax = 3;
+
+/// In this order.
 [[nodiscard]] std::vector<LimitGuess> limit_guesses(const Diagnosis& robot);
 
 }  // namespace surefoot::doctor

@@ -173,12 +173,6 @@ std::string sole_lines(const Sole& sole) {
                    sole.size.y(), sole.center.x(), sole.center.y(), sole.center.z());
 }
 
-double given_limit(const model::UrdfJoint& joint, const std::string& key) {
-  if (key == "torque") return joint.effort;
-  if (key == "velocity") return joint.velocity;
-  return key == "position_min" ? joint.lower : joint.upper;
-}
-
 /// A limit of an arm's joints where one lacks it: the known ones, and guesses.
 std::string arm_limit_lines(const Diagnosis& robot, const Limb& limb, Guesses guesses) {
   std::string text;
@@ -187,11 +181,11 @@ std::string arm_limit_lines(const Diagnosis& robot, const Limb& limb, Guesses gu
     std::vector<double> numbers;
     bool lacks = false, is_unknown = false;
     for (const model::UrdfJoint& joint : limb.joints) {
-      const double given = given_limit(joint, guess.key);
-      const bool is_missing = std::isnan(given) || (!is_position && given <= 0.0);
-      lacks |= is_missing;
-      is_unknown |= is_missing && !(is_position && gaps_of(robot, joint).turns);
-      numbers.push_back(is_missing ? guess.of_arm : given);
+      const double given = joint.*guess.given;
+      const bool is_guess = is_position ? std::isnan(given) : is_missing(given);
+      lacks |= is_guess;
+      is_unknown |= is_guess && !(is_position && gaps_of(robot, joint).turns);
+      numbers.push_back(is_guess ? guess.of_arm : given);
     }
     if (!lacks) continue;
     const bool is_comment = is_unknown && guesses == Guesses::as_comments;
