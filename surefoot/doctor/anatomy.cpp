@@ -105,6 +105,23 @@ std::string remedy_of(const Limb& limb, const model::Urdf& urdf) {
   return fixed;
 }
 
+/// Parts a limb that branches into chains of hinges, each from the base or a chain before it. Empty
+/// if a joint of it is no hinge.
+std::vector<Limb> chains_of(const Limb& limb, const std::map<std::string, model::Weld>& welds) {
+  std::vector<Limb> chains;
+  const auto parent = [&](const model::UrdfJoint& joint) { return welds.at(joint.parent).body; };
+  for (const model::UrdfJoint& joint : limb.joints) {
+    if (!is_hinge(joint)) return {};
+    const auto siblings = std::ranges::count_if(
+        limb.joints, [&](const auto& other) { return parent(other) == parent(joint); });
+    const bool goes_on =
+        siblings == 1 && !chains.empty() && chains.back().joints.back().child == parent(joint);
+    if (!goes_on) chains.push_back({.joints = {}, .no_leg = limb.no_leg, .is_chain = true});
+    chains.back().joints.push_back(joint);
+  }
+  return chains;
+}
+
 /// Where the legs are known, other chains are arms; where not, only those too long for a leg, and
 /// fewer than a robot has legs.
 void name_arms(Anatomy& anatomy) {
@@ -184,8 +201,10 @@ Anatomy find_anatomy(const model::Urdf& urdf, Findings& findings) {
   Findings of_legs;
   if (legs.size() < kNumLegs) find_flat_legs(urdf, anatomy);
   if (anatomy.flat_legs) {
-    for (const FoundLeg& leg : legs)
-      anatomy.others.push_back({{leg.joints.begin(), leg.joints.end()}, "", true, false});
+    for (const FoundLeg& leg : legs) {
+      anatomy.others.push_back(
+          {.joints = {leg.joints.begin(), leg.joints.end()}, .no_leg = "", .is_chain = true});
+    }
   } else {
     name_legs(legs, anatomy, of_legs);
   }

@@ -69,7 +69,7 @@ struct Sole {
 struct FlatLegs {
   std::array<FlatLeg, 2> legs;
   Sole sole{};
-  double length = 0.0;  ///< of a leg [m]
+  double length = 0.0;  ///< of the right one [m]
 };
 
 /// The parts of a robot as its URDF connects them.
@@ -80,7 +80,7 @@ struct Anatomy {
   std::vector<Limb> others;     ///< limbs that are no legs
   std::vector<FoundLeg> loose;  ///< legs that could not be told apart; else empty
   std::optional<PerLeg<FoundLeg>> legs;
-  std::optional<FlatLegs> flat_legs;         ///< where there are no others
+  std::optional<FlatLegs> flat_legs;         ///< else none
   std::map<std::string, model::Weld> welds;  ///< of all links
 };
 

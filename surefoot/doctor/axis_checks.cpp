@@ -1,5 +1,6 @@
 #include "surefoot/base/formatted.hpp"
 #include "surefoot/doctor/checks.hpp"
+#include "surefoot/doctor/part_list.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,9 +9,9 @@
 namespace surefoot::doctor {
 namespace {
 
-constexpr double kMostSkew = 0.1;  // of a knee against its hip [rad]
-constexpr double kAside = 0.2;     // of a hip's axis against the base's: it is told [rad]
-constexpr double kAcross = 0.7;    // and that is wrong [rad]
+constexpr double kMostSkew = 0.1;  // of a knee's axis against its hip's [rad]
+// Of a hip's axis against the base's: a warning, an error [rad].
+constexpr double kOddAngle = 0.2, kWrongAngle = 0.7;
 
 /// The axis of HAA or HFE in B at q = 0.
 Vec3 axis_in_base(const FoundLeg& leg, std::size_t joint) {
@@ -21,35 +22,27 @@ Vec3 axis_in_base(const FoundLeg& leg, std::size_t joint) {
 
 /// The hips' joints of one kind that turn about another axis than the base's, in one finding.
 void check_hips(Diagnosis& robot, std::size_t joint) {
-  const PerLeg<FoundLeg>& legs = *robot.anatomy.legs;
-  const Vec3 wanted = joint == 0 ? Vec3::UnitX() : Vec3::UnitY();
-  std::string others;
-  const model::UrdfJoint* first = nullptr;
-  double angle_of_first = 0.0, most = 0.0;
-  for (const FoundLeg& leg : legs) {
+  const bool is_haa = joint == 0;
+  const Vec3 wanted = is_haa ? Vec3::UnitX() : Vec3::UnitY();
+  PartList odd;
+  double most = 0.0;
+  for (const FoundLeg& leg : *robot.anatomy.legs) {
     const double share = std::abs(axis_in_base(leg, joint).dot(wanted));
     const double angle = std::acos(std::min(1.0, share));
-    if (angle < kAside) continue;
+    if (angle < kOddAngle) continue;
     most = std::max(most, angle);
-    if (first == nullptr) {
-      first = &leg.joints[joint];
-      angle_of_first = angle;
-    } else {
-      others += " " + leg.joints[joint].name;
-    }
+    odd.add(
+        leg.joints[joint],
+        formatted("the axis of %s is turned by %.3g rad against %s of the base; %s",
+                  kJointNames[joint].data(), angle, is_haa ? "x" : "y",
+                  is_haa ? "HAA must swing the leg sideways" : "HFE must swing the leg forward"));
   }
-  if (first == nullptr) return;
-  const bool is_wrong = most > kAcross;
-  robot.findings.push_back(
-      {is_wrong ? Severity::error : Severity::warning, Confidence::likely,
-       "joint \"" + first->name + "\"", first->line,
-       formatted("the axis of %s is turned by %.3g rad against %s of the base",
-                 kJointNames[joint].data(), angle_of_first, joint == 0 ? "x" : "y") +
-           (joint == 0 ? "; HAA must swing the leg sideways" : "; HFE must swing the leg forward") +
-           (others.empty() ? "" : "; so it is with" + others),
-       formatted("correct its <axis>, %s in the base's frame is valid, or the rpy of its <origin>",
-                 joint == 0 ? "1 0 0" : "0 1 0"),
-       is_wrong});
+  const bool is_wrong = most > kWrongAngle;
+  odd.tell(is_wrong ? Severity::error : Severity::warning, Confidence::likely,
+           formatted("correct its <axis>, %s in the base's frame is valid, or the rpy of its "
+                     "<origin>",
+                     is_haa ? "1 0 0" : "0 1 0"),
+           robot.findings, is_wrong);
 }
 
 void check_knees(Diagnosis& robot) {

@@ -1,8 +1,6 @@
 #include "surefoot/doctor/found_feet.hpp"
 
-#include "surefoot/config/data_directory.hpp"
-#include "surefoot/model/mesh_files.hpp"
-#include "surefoot/model/mesh_points.hpp"
+#include "surefoot/doctor/mesh_vertices.hpp"
 
 #include <algorithm>
 #include <cctype>
@@ -59,11 +57,9 @@ Foot FootFinder::foot_behind(const model::UrdfJoint& knee) const {
 
 double FootFinder::radius_beyond(const model::CollisionShape& shape, const Vec3& down) const {
   if (shape.mesh.empty()) return shape.radius;
-  const model::MeshFolders folders{.packages = config::package_directories(),
-                                   .urdf = std::filesystem::absolute(urdf_.path).parent_path()};
   double radius = 0.0;
-  for (const Vec3& vertex : model::mesh_points(model::find_mesh(shape.mesh, folders))) {
-    const Vec3 point = shape.center + shape.R * vertex.cwiseProduct(shape.scale);
+  for (const Vec3& vertex : mesh_vertices(shape, urdf_)) {
+    const Vec3 point = shape.center + shape.R * vertex;
     if (point.dot(down) > 0.0) radius = std::max(radius, point.norm());
   }
   return radius;

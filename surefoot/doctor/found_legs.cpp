@@ -12,7 +12,7 @@ namespace surefoot::doctor {
 namespace {
 
 Limb limb_of(const FoundLeg& leg, const char* why) {
-  return {{leg.joints.begin(), leg.joints.end()}, why, true, false};
+  return {.joints = {leg.joints.begin(), leg.joints.end()}, .no_leg = why, .is_chain = true};
 }
 
 /// Limbs of as many hinges each, but not of three: legs of another build.

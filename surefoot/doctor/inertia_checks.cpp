@@ -1,5 +1,6 @@
 #include "surefoot/base/formatted.hpp"
 #include "surefoot/doctor/checks.hpp"
+#include "surefoot/doctor/part_list.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -21,37 +22,12 @@ Finding of_link(const model::UrdfLink& link, Severity severity, Confidence confi
           link.line, std::move(what), std::move(remedy)};
 }
 
-/// A fault of many bodies is one finding, at the first.
-class BodyList {
- public:
-  void add(const model::UrdfLink& link, const std::string& what) {
-    if (first_ == nullptr) {
-      first_ = &link;
-      what_ = what;
-    } else {
-      others_ += " " + link.name;
-    }
-  }
-  void tell(Severity severity, Confidence confidence, const char* remedy, Findings& findings,
-            bool is_cause = false) const {
-    if (first_ == nullptr) return;
-    findings.push_back(of_link(*first_, severity, confidence,
-                               what_ + (others_.empty() ? "" : "; so it is with" + others_),
-                               remedy));
-    findings.back().is_cause = is_cause;
-  }
-
- private:
-  const model::UrdfLink* first_ = nullptr;
-  std::string what_, others_;
-};
-
 bool has_negative_moment(const model::Inertia& inertia) {
   const Vec3 moments = principal_moments(inertia);
   return moments[0] < -model::kInertiaRounding * moments.cwiseAbs().maxCoeff();
 }
 
-void check_link(const model::UrdfLink& link, bool is_root, BodyList& impossible,
+void check_link(const model::UrdfLink& link, bool is_root, PartList& impossible,
                 Findings& findings) {
   const Vec3 moments = principal_moments(link.inertia);
   if (link.inertia.mass < 0.0) {
@@ -125,13 +101,13 @@ class UnitCheck {
     const std::string seen =
         formatted("its radius of gyration, √(I/m), is %.3g m,", gyration) + within;
     if (gyration > kMostGyration * body.reach) {
-      BodyList& list = gyration > kOtherUnit * kMostGyration * body.reach ? huge_ : large_;
+      PartList& list = gyration > kOtherUnit * kMostGyration * body.reach ? huge_ : large_;
       list.add(*body.link, seen + ": the inertia is too large for the mass");
     }
     if (gyration < kLeastGyration * body.reach)
       small_.add(*body.link, seen + ": the inertia is too small for the mass");
     if (body.inertia.com.norm() > std::max(kFarAway, kFarCom * body.reach)) {
-      BodyList& list = body.inertia.com.norm() > kOtherUnit * body.reach ? farther_ : far_;
+      PartList& list = body.inertia.com.norm() > kOtherUnit * body.reach ? farther_ : far_;
       list.add(*body.link,
                formatted("its centre of mass is %.3g m from its joint,", body.inertia.com.norm()) +
                    within);
@@ -158,7 +134,7 @@ class UnitCheck {
   }
 
  private:
-  BodyList huge_, large_, small_, far_, farther_;
+  PartList huge_, large_, small_, far_, farther_;
 };
 
 /// The torso of a robot is often fixed to a base without mass; a leg's link has its own.
@@ -176,7 +152,7 @@ void check_own_mass(const Diagnosis& robot, const Body& body, Findings& findings
 
 void check_inertias(Diagnosis& robot) {
   UnitCheck units;
-  BodyList massless, impossible;
+  PartList massless, impossible;
   for (const model::UrdfLink& link : robot.urdf.links)
     check_link(link, link.name == robot.urdf.root, impossible, robot.findings);
   for (const model::UrdfLink& link : robot.urdf.links) {

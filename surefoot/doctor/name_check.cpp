@@ -1,9 +1,10 @@
 #include "surefoot/doctor/checks.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cctype>
+#include <initializer_list>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -24,7 +25,8 @@ std::vector<std::string> words_of(const std::string& name) {
   return words;
 }
 
-bool has_any(const std::vector<std::string>& words, const auto& wanted) {
+bool has_any(const std::vector<std::string>& words,
+             std::initializer_list<std::string_view> wanted) {
   return std::ranges::any_of(words, [&](const std::string& word) {
     return std::ranges::find(wanted, word) != wanted.end();
   });
@@ -46,12 +48,11 @@ std::optional<Leg> leg_called(const std::string& joint, int num_legs) {
     if (has('m') && is_left != is_right && hind == 2) return place(1, is_left);
     if (is_hind && (is_left || is_right)) return place(hind, is_left);
   }
-  const bool left = has_any(words, std::array<std::string, 1>{"left"});
-  if (left == has_any(words, std::array<std::string, 1>{"right"})) return std::nullopt;
-  if (has_any(words, std::array<std::string, 2>{"front", "fore"})) return place(0, left);
-  if (has_any(words, std::array<std::string, 3>{"hind", "rear", "back"})) return place(hind, left);
-  if (hind == 2 && has_any(words, std::array<std::string, 2>{"middle", "mid"}))
-    return place(1, left);
+  const bool left = has_any(words, {"left"});
+  if (left == has_any(words, {"right"})) return std::nullopt;
+  if (has_any(words, {"front", "fore"})) return place(0, left);
+  if (has_any(words, {"hind", "rear", "back"})) return place(hind, left);
+  if (hind == 2 && has_any(words, {"middle", "mid"})) return place(1, left);
   return std::nullopt;
 }
 

@@ -11,15 +11,14 @@ namespace surefoot::doctor {
 /// the guesses that they are.
 enum class Guesses { as_comments, as_numbers };
 
-/// The robot file of a robot with four legs. `folder`: where it will lie; its `urdf:` is the path
-/// seen from there, or the package:// name that was given.
+/// The robot file of a robot whose legs were found. `folder`: where it will lie; its `urdf:` is the
+/// path seen from there, or the package:// name that was given.
 [[nodiscard]] std::string robot_file_text(const Diagnosis& robot,
                                           const std::filesystem::path& folder, Guesses guesses);
 
-/// Writes that file whole, with guesses as comments. Throws Error if there is one already, also
-/// the one that was examined, if its
-/// name does not end in .yaml or .yml, if the robot's legs were not found, or if it can't be
-/// written.
+/// Writes that file whole, with guesses as comments. Throws Error if there is one already, also the
+/// one that was examined, if its name does not end in .yaml or .yml, if the robot's legs were not
+/// found, or if it can't be written.
 void write_robot_file(const Diagnosis& robot, const std::filesystem::path& file);
 
 }  // namespace surefoot::doctor

@@ -1,12 +1,8 @@
 #include "surefoot/base/formatted.hpp"
-#include "surefoot/config/data_directory.hpp"
 #include "surefoot/doctor/checks.hpp"
-#include "surefoot/model/collision_shapes.hpp"
-#include "surefoot/model/mesh_files.hpp"
-#include "surefoot/model/mesh_points.hpp"
+#include "surefoot/doctor/mesh_vertices.hpp"
 
 #include <algorithm>
-#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -18,11 +14,8 @@ constexpr double kMostShape = 10.0;  // of a collision shape, in legs: it is in 
 /// Of a shape about its link's origin; 0: not known [m].
 double size_of(const model::CollisionShape& shape, const model::Urdf& urdf) {
   if (shape.mesh.empty()) return std::max({shape.radius, shape.size.maxCoeff(), shape.length});
-  const model::MeshFolders folders{.packages = config::package_directories(),
-                                   .urdf = std::filesystem::absolute(urdf.path).parent_path()};
   double size = 0.0;
-  for (const Vec3& vertex : model::mesh_points(model::find_mesh(shape.mesh, folders)))
-    size = std::max(size, vertex.cwiseProduct(shape.scale).norm());
+  for (const Vec3& vertex : mesh_vertices(shape, urdf)) size = std::max(size, vertex.norm());
   return size;
 }
 

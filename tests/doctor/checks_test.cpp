@@ -246,7 +246,7 @@ TEST_F(Checks, joints_without_stops) {
   EXPECT_FALSE(has_error(robot.findings)) << robot.findings.front().what;
 }
 
-TEST_F(Checks, stance_that_stretches_the_legs) {
+TEST_F(Checks, reach_of_the_stance) {
   const Diagnosis sound = diagnosis();
   ASSERT_TRUE(sound.reach);
   EXPECT_NEAR(sound.reach->longest, 0.5643, 1e-3);
