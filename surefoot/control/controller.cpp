@@ -227,8 +227,7 @@ bool Controller::Implementation::plan_motion(const model::Dynamics& dynamics) no
 
 /// Holds the posture.
 const JointCommand& Controller::Implementation::command_without_plan() noexcept {
-  level_times.fill(0.0);
-  describe_unsolved(record);
+  describe_unsolved(record, level_times);
   record.plan.events = {};
   return finish(nullptr, {});
 }
@@ -246,8 +245,7 @@ const JointCommand& Controller::Implementation::command(const solver::Solution& 
 
 /// Uses the joint angles alone, if known.
 const JointCommand& Controller::Implementation::command_without_state() noexcept {
-  level_times.fill(0.0);
-  describe_unsolved(record);
+  describe_unsolved(record, level_times);
   record.plan.events = {};
   if (!memory.footing.stands() && !safety.has_stopped()) keep_posture();
   const bool waits = !safety.has_begun() && !safety.has_stopped();
@@ -259,8 +257,7 @@ const JointCommand& Controller::Implementation::command_without_state() noexcept
 const JointCommand& Controller::Implementation::command_off_its_feet() noexcept {
   record.plan.arm = {};
   record.plan.frames = {};
-  level_times.fill(0.0);
-  describe_unsolved(record);
+  describe_unsolved(record, level_times);
   record.plan.time = record.state.time;
   record.plan.calibration = CalibrationStage::none;
   const LegPosture posture = memory.footing.posture(memory.estimation.lift());

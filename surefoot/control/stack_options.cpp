@@ -77,6 +77,16 @@ ArmTasks arm_tasks(const StackOptions& stack, const model::RobotDescription& rob
   return found;
 }
 
+/// Does a thigh of the standing robot nearly meet its stop?
+bool has_thighs_at_stops(const model::RobotDescription& robot) {
+  constexpr double kNear = 0.9;  // about twice what half a stride turns it [rad]
+  return robot.can_walk() && std::ranges::any_of(robot.legs.legs(), [&](Leg leg) {
+           const Eigen::Index hfe = first_joint(leg) + 1;
+           const double q = robot.q_nominal[hfe];
+           return std::min(q - robot.q_min[hfe], robot.q_max[hfe] - q) < kNear;
+         });
+}
+
 }  // namespace
 
 bool keeps_physics(const LevelSpec& level) { return std::ranges::any_of(level.tasks, is_physical); }
@@ -145,20 +155,6 @@ StackOptions with_arms(StackOptions stack, const model::RobotDescription& robot)
   stack.levels.insert(last.base(), idle);
   return stack;
 }
-
-namespace {
-
-/// Does a thigh of the standing robot nearly meet its stop?
-bool has_thighs_at_stops(const model::RobotDescription& robot) {
-  constexpr double kNear = 0.9;  // about twice what half a stride turns it [rad]
-  return robot.can_walk() && std::ranges::any_of(robot.legs.legs(), [&](Leg leg) {
-           const Eigen::Index hfe = first_joint(leg) + 1;
-           const double q = robot.q_nominal[hfe];
-           return std::min(q - robot.q_min[hfe], robot.q_max[hfe] - q) < kNear;
-         });
-}
-
-}  // namespace
 
 StackOptions with_stops(StackOptions stack, const model::RobotDescription& robot) {
   if (!has_thighs_at_stops(robot)) return stack;

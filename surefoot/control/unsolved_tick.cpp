@@ -19,7 +19,8 @@ ModelRecord unknown_model(int num_legs) {
 
 }  // namespace
 
-void describe_unsolved(TickRecord& record) {
+void describe_unsolved(TickRecord& record, std::array<double, kMaxLevels>& level_times) {
+  level_times.fill(0.0);
   record.model = unknown_model(static_cast<int>(record.plan.feet.size()));
   const std::int32_t num_levels = record.hierarchy.num_levels;
   record.hierarchy = HierarchyReport{};
