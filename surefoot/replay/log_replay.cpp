@@ -25,19 +25,8 @@ void check_attachments(const std::string& path, const logging::LogReader& log) {
   }
 }
 
-/// The own parts of the run that gave a state, or a plan.
-std::vector<std::string> own_estimator(const logging::LogHeader& header) {
-  std::vector<std::string> found;
-  std::ranges::copy_if(header.own_parts, std::back_inserter(found),
-                       [](const std::string& part) { return part == "estimator"; });
-  return found;
-}
-std::vector<std::string> own_planner(const logging::LogHeader& header) {
-  std::vector<std::string> found;
-  std::ranges::copy_if(header.own_parts, std::back_inserter(found), [](const std::string& part) {
-    return part == "planner" || part.starts_with("gait ");
-  });
-  return found;
+bool gave_plans(const std::string& own_part) {
+  return own_part == "planner" || own_part.starts_with("gait ");
 }
 
 /// States and plans are in the log; what a task asked for is not.
@@ -72,9 +61,10 @@ LogReplay::LogReplay(const std::string& path, const ReplayOptions& options)
   check_tasks(path, log_.header(), own_tasks_);
   const logging::ScratchFolder folder;
   config::Scenario scenario = logged_scenario(log_.header(), folder, own_tasks_);
+  const std::vector<std::string>& own_parts = log_.header().own_parts;
+  const bool had_own_estimator = std::ranges::count(own_parts, "estimator") > 0;
   estimates_ = options.state == ReplayedState::estimated &&
-               scenario.estimation == estimation::Estimation::sensors &&
-               own_estimator(log_.header()).empty();
+               scenario.estimation == estimation::Estimation::sensors && !had_own_estimator;
   std::unique_ptr<estimation::StateEstimator> estimator;
   if (estimates_) {
     estimator = std::make_unique<estimation::LegInertialEstimator>(
@@ -85,12 +75,11 @@ LogReplay::LogReplay(const std::string& path, const ReplayOptions& options)
   std::unique_ptr<gaits::MotionPlanner> planner;
   if (options.make_planner) {
     planner = options.make_planner();
-  } else if (std::vector<std::string> own = own_planner(log_.header()); !own.empty()) {
-    planner = std::make_unique<PlaybackPlanner>(tick_);
-    played_back_ = std::move(own);
+  } else {
+    std::ranges::copy_if(own_parts, std::back_inserter(played_back_), gave_plans);
+    if (!played_back_.empty()) planner = std::make_unique<PlaybackPlanner>(tick_);
   }
-  if (!estimates_)
-    std::ranges::copy(own_estimator(log_.header()), std::back_inserter(played_back_));
+  if (had_own_estimator && !estimates_) played_back_.emplace_back("estimator");
   controller_ = std::make_unique<control::Controller>(scenario.robot, scenario.controller,
                                                       std::move(estimator), std::move(planner));
   explain_levels(true);
