@@ -159,14 +159,14 @@ int list_schema_command(const std::string& kind) {
   return kPassed;
 }
 
+}  // namespace
+
 const std::vector<std::string>& listable() {
   static const std::vector<std::string> kListable{"robots",         "stacks",  "gaits",
                                                   "scenarios",      "tasks",   "metrics",
                                                   "randomisations", "options", "schema"};
   return kListable;
 }
-
-}  // namespace
 
 int list_command(const std::string& what, const ListFilter& filter) {
   const std::vector<std::string>& all = listable();

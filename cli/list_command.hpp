@@ -12,8 +12,11 @@ struct ListFilter {
   std::string robot = "anymal_b";  ///< whose defaults options and tasks are listed with
 };
 
-/// Prints all things of a kind. Returns an ExitCode. Throws Error on an unknown kind, or a filter
-/// that makes no sense.
+/// What `list_command` lists: "robots", "stacks", …
+[[nodiscard]] const std::vector<std::string>& listable();
+
+/// Prints all things of a kind of these. Returns an ExitCode. Throws Error on an unknown kind, or a
+/// filter that makes no sense.
 int list_command(const std::string& what, const ListFilter& filter = {});
 
 }  // namespace surefoot::cli

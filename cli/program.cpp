@@ -220,16 +220,13 @@ void add_run(CLI::App& app, Command& chosen) {
 }
 
 void add_list(CLI::App& app, Command& chosen) {
-  CLI::App* list = app.add_subcommand("list",
-                                      "Show what there is: robots, stacks, gaits, scenarios, "
-                                      "randomisations, tasks, options, or the schema "
-                                      "of a kind of file");
+  std::string all;
+  for (const std::string& kind : listable()) all += (all.empty() ? "" : ", ") + kind;
+  CLI::App* list = app.add_subcommand("list", "Show what there is: " + all);
   list->footer(kListFooter);
   const auto what = std::make_shared<std::string>();
   const auto filter = std::make_shared<ListFilter>();
-  list->add_option(
-      "what", *what,
-      "robots, stacks, gaits, scenarios, randomisations, tasks, metrics, options or schema");
+  list->add_option("what", *what, all);
   list->add_option("about", filter->about,
                    "How keys of options begin; or the kind of file that a schema is of");
   list->add_flag("--json", filter->json, "Print options or metrics as JSON");
