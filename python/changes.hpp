@@ -15,13 +15,13 @@ class Changes {
   void set_recorded(bool recorded) { is_recorded_ = recorded; }
   [[nodiscard]] bool is_recorded() const { return is_recorded_; }
 
-  /// `tick`: of those that were over then. A time that is NaN becomes that of the next tick.
+  /// A change after `tick` ticks. Without a time (NaN) it gets that of the next one.
   void add(logged::Change change, long tick) { waiting_.emplace_back(std::move(change), tick); }
   void end_tick() {
     if (!is_recorded_) waiting_.clear();
   }
 
-  /// Calls with those that hold for a tick at this time, before which so many were over.
+  /// Calls with those that hold from a tick at `time` on, after so many ticks: they wait no more.
   template <typename Record>
   void take(double time, long ticks, const Record& record) {
     std::erase_if(waiting_, [&](auto& waiting) {

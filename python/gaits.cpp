@@ -85,22 +85,18 @@ class PythonGait final : public gaits::Gait {
   }
 
  private:
-  [[nodiscard]] std::string wrong(const char* method, nb::handle given, const char* valid) const {
-    return text_of((*object_).type().attr("__name__")) + "." + method + " returned " +
-           text_of(nb::repr(given)) + "; " + valid + " would be valid";
-  }
   [[nodiscard]] double number_of(const char* method, const char* valid) const {
     return in_python([&] {
       const nb::object given = (*object_).attr(method)();
       double number = kNaN;
       if (nb::try_cast<double>(given, number) && std::isfinite(number)) return number;
-      throw Error(wrong(method, given, valid));
+      throw Error(wrong_result(*object_, method, given, valid));
     });
   }
   [[nodiscard]] bool truth_of(const char* method, nb::handle given) const {
     bool is_true = false;
     if (nb::try_cast<bool>(given, is_true)) return is_true;
-    throw Error(wrong(method, given, "True or False"));
+    throw Error(wrong_result(*object_, method, given, "True or False"));
   }
 
   void forget_steps() {
@@ -217,10 +213,8 @@ GaitOutcome PythonGait::go_on(Situation& now, Body& body) {
 
 ComPlan PythonGait::com(const Situation& now, const Body& body) const {
   return with_tick(object_, "com", {{&now, &body}, robot_}, [&](const nb::object& given) {
-    const ComPlan* plan = nullptr;
-    if (!nb::try_cast<const ComPlan*>(given, plan) || plan == nullptr)
-      throw Error(wrong("com", given, "a ComPlan"));
-    if (plan->p.allFinite() && plan->v.allFinite() && plan->a.allFinite()) return *plan;
+    const ComPlan& plan = result_of<ComPlan>(*object_, "com", "ComPlan", given);
+    if (plan.p.allFinite() && plan.v.allFinite() && plan.a.allFinite()) return plan;
     throw Error("com() gave NaN or infinity");
   });
 }

@@ -38,15 +38,13 @@ std::string one_line(const nb::python_error& error) {
          text_of(last.attr("lineno")) + ")";
 }
 
-namespace {
-
-template <typename T>
-const T& result_of(nb::handle object, const char* method, const char* type, nb::handle result) {
-  const T* found = nullptr;
-  if (nb::try_cast<const T*>(result, found) && found != nullptr) return *found;
-  throw Error(text_of(object.type().attr("__name__")) + "." + method + " returned " +
-              text_of(nb::repr(result)) + "; a " + type + " would be valid");
+std::string wrong_result(nb::handle object, const char* method, nb::handle result,
+                         const std::string& valid) {
+  return text_of(object.type().attr("__name__")) + "." + method + " returned " +
+         text_of(nb::repr(result)) + "; " + valid + " would be valid";
 }
+
+namespace {
 
 // Estimator.
 
