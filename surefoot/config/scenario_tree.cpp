@@ -125,8 +125,8 @@ void drop_paper_of_another(ConfigNode& tree, const std::vector<std::string>& ass
     std::erase_if(tree.members, [](const auto& member) { return member.first == "paper"; });
 }
 
-/// Criteria of a file are about a run as long as the files have it, also where assignments make
-/// it shorter.
+/// The files' criteria are about a run of the files' duration, also where assignments make it
+/// shorter.
 void keep_judged_duration(ConfigNode& tree, const std::vector<std::string>& assignments) {
   const ConfigNode* duration = tree.find("duration");
   if (duration == nullptr || tree.find("judged_after") != nullptr) return;
