@@ -14,7 +14,10 @@ namespace {
 
 constexpr double kBlendDuration = 0.2;    // of references, from gait to gait, at least [s]
 constexpr double kMaxChangeSpeed = 0.65;  // at which gaits change: the feet stand for longer [m/s]
-constexpr double kChangeMargin = 1.1;     // of the speed in a change of gait, over the gait's
+// Where other legs step together, the first ones of the new gait don't begin at the end of their
+// stance, so the others carry the robot for long.
+constexpr double kMaxSwitchSpeed = 0.3;
+constexpr double kChangeMargin = 1.1;  // of the speed in a change of gait, over the gait's
 
 /// Those of the gait of legs that step in turn, or the own ones.
 const PlannerOptions& of_crawl(const PlannerOptions& own, const std::vector<NamedGait>& gaits) {
@@ -22,6 +25,10 @@ const PlannerOptions& of_crawl(const PlannerOptions& own, const std::vector<Name
   const auto crawl = std::ranges::find_if(
       gaits, [&](const NamedGait& gait) { return steps(gait.options) && !gait.make; });
   return steps(own) || crawl == gaits.end() ? own : crawl->options;
+}
+
+bool steps_alike(const RhythmOptions& a, const RhythmOptions& b) {
+  return a.enabled && b.enabled && std::ranges::equal(a.offset, b.offset);
 }
 
 std::shared_ptr<Gait> made(const NamedGait& gait, double period, const Scale& scale) {
@@ -152,10 +159,10 @@ CommandContext Planner::command_context() const {
 // The heading waits for the feet: otherwise late steps would leave them twisted under the torso.
 UserCommand Planner::limit(const UserCommand& command) {
   const CommandContext now = command_context();
-  const bool walks =
-      command.walk && !calibration_.is_due() && !choice_.options(wanted_).rhythm.stands;
+  const bool stands = choice_.options(wanted_).rhythm.stands;
+  const bool walks = command.walk && !calibration_.is_due() && !stands;
   UserCommand asked = command;
-  if (!walks && !walk().is_static()) {  // it stops step by step
+  if (stands || (!walks && !walk().is_static())) {  // it stops step by step
     asked.velocity.setZero();
     asked.yaw_rate = 0.0;
   }
@@ -180,7 +187,8 @@ double Planner::speed_max() const {
   const RhythmOptions &wanted = choice_.options(wanted_).rhythm,
                       &present = choice_.options(present_).rhythm;
   if (!walks_ || wanted_ == present_) return wanted.enabled ? wanted.speed_max : kInfinity;
-  return std::min({wanted.speed_max, present.speed_max, body_.scale.speed() * kMaxChangeSpeed});
+  const double change = steps_alike(wanted, present) ? kMaxChangeSpeed : kMaxSwitchSpeed;
+  return std::min({wanted.speed_max, present.speed_max, body_.scale.speed() * change});
 }
 
 void Planner::change_gait(double time) {
@@ -193,6 +201,7 @@ void Planner::change_gait(double time) {
 void Planner::move_legs(Situation& now) {
   if (!walks_ && wanted_ != present_ && body_.legs.all_down()) change_gait(now.time);
   now.yields = walks_ && now.user.walk && may_change();
+  now.next_stance = &choice_.options(now.user.walk ? wanted_ : UserCommand::kOwnGait).stance;
   gait().observe(now, body_);
   if (learns_ground_ && !calibration_.is_going_on()) relearn_ground();
   const GaitOutcome outcome = gait().advance(now, body_);
@@ -236,7 +245,10 @@ void Planner::write_plan(const Situation& now) {
   plan_.torso.height += bounce.p;
   plan_.torso.height_rate += bounce.v;
   plan_.torso.height_acceleration += bounce.a;
-  if (has_new_gait_) blend_.begin(now.time, com, torso, plan_, body_.scale.time() * kBlendDuration);
+  // A planned COM begins where it is, again with each plan: an offset would drive it away.
+  const ComPlan& from = gait().is_static() ? plan_.com : com;
+  if (has_new_gait_)
+    blend_.begin(now.time, from, torso, plan_, body_.scale.time() * kBlendDuration);
   blend_.apply(now.time, plan_);
   friction_frame_.update(body_.plane.normal);
   plan_.R_WC = estimation::control_frame(friction_frame_.normal(), yaw_);

@@ -117,5 +117,52 @@ TEST(GaitChange, to_one_that_stands_comes_to_rest_on_all_feet) {
   EXPECT_NEAR(puppet.plan().com.v.x(), 0.5, 0.01);
 }
 
+/// Speed of the COM's reference when the gait changes.
+double speed_of_change(int from, int to) {
+  test::Puppet puppet = walker(from, 1.0);
+  puppet.run(5.0);
+  puppet.user.gait = to;
+  double speed = 0.0;
+  puppet.run(4.0, [&] {
+    if (puppet.plan().gait == to && speed == 0.0) speed = puppet.plan().com.v.x();
+  });
+  return speed;
+}
+
+TEST(GaitChange, is_slow_where_other_legs_step_together) {
+  EXPECT_GT(speed_of_change(kTrot, kFlight), 0.5);
+  EXPECT_GT(speed_of_change(kTrot, kPace), 0.2);
+  EXPECT_LT(speed_of_change(kTrot, kPace), 0.4);
+}
+
+/// Half the mean distance between left and right feet.
+double half_width(const test::Puppet& puppet) {
+  double sum = 0.0;
+  for (const Leg k : puppet.plan().feet.legs())
+    sum += std::abs(puppet.foot(k).y() - puppet.com().y());
+  return sum / kNumLegs;
+}
+
+TEST(GaitChange, of_a_narrow_gait_widens_the_stance_and_leaves_no_leg_unloaded) {
+  std::vector<NamedGait> gaits = test::some_gaits();
+  gaits[kPace].options.stance.half_width = 0.1;
+  test::Puppet puppet(test::kTrot, test::level_ground(), Vec2::Zero(), 0.0, gaits, kTrot);
+  puppet.user = {.walk = true, .velocity = {0.2, 0.0}, .gait = kPace};
+  puppet.run(5.0);
+  ASSERT_LT(half_width(puppet), 0.13);
+  puppet.user.gait = kCrawl;
+  puppet.run(4.0, [&] {
+    if (puppet.happenings(PlanEvent::gait_changed).size() == 1) return;
+    ASSERT_GT(half_width(puppet), 0.19) << "it crawls";
+  });
+  EXPECT_EQ(puppet.plan().gait, kCrawl);
+  puppet.user.gait = kPace;
+  puppet.run(4.0);
+  puppet.user.walk = false;
+  puppet.run(3.0);
+  EXPECT_GT(half_width(puppet), 0.19) << "it stands";
+  for (const FootPlan& foot : puppet.plan().feet) EXPECT_GT(foot.force_max, 100.0);
+}
+
 }  // namespace
 }  // namespace surefoot::gaits

@@ -31,6 +31,7 @@ struct Situation {
   const Body& body;
   GaitStatus gait{};
   bool yields = false;  ///< another gait waits for all feet down
+  const StanceOptions* next_stance = &body.options.stance;  ///< after this gait
 
   [[nodiscard]] int num_legs() const { return body.options.gait.num_legs(); }
   [[nodiscard]] const Vec3& foot(Leg leg) const { return dynamics.foot[index(leg)].p; }

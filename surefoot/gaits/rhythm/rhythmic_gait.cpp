@@ -12,13 +12,26 @@ namespace {
 constexpr double kJustLifted = 0.04;  // a swing that can end where it began [s]
 constexpr double kMaxSpread = 0.03;   // of the feet over their stance, mean over the legs [m]
 constexpr double kSameTime = 0.02;    // between touchdowns of feet that step together [s]
+constexpr double kMaxOff = 0.06;      // of the capture point where a gait ends [m]
+constexpr double kLongCycle = 0.8;    // in which two feet can't carry the robot in turn [s]
+
+/// Is the next stance so much wider or longer that a gait for wide feet should not begin in this?
+bool is_wider(const StanceOptions& next, const StanceOptions& stance, const Scale& scale) {
+  return std::max(next.half_width - stance.half_width, next.half_length - stance.half_length) >
+         scale.length * kMaxSpread;
+}
+
+double pendulum_rate(const Situation& now) {
+  return std::sqrt(kGravity / now.body.com_height(now.dynamics));
+}
 
 }  // namespace
 
 void RhythmicGait::begin(Situation& now, Body& body, const std::optional<Action>& first) {
   integral_ = {};
   com_.start(now.before.com.p, now.before.com.v);
-  gathers_ = is_spread(now);
+  stance_ = body.options.stance;
+  gathers_ = options_.period < body.scale.time() * kLongCycle && is_spread(now);
   start_clock(now, body);
   waited_ = 0.0;
   stops_ = false;
@@ -118,19 +131,51 @@ void RhythmicGait::follow(const Action& action, const Situation&, Body& body) {
 
 GaitOutcome RhythmicGait::go_on(Situation& now, Body& body) {
   drive_com(now);
-  const bool is_gathered = gathers_ && now.time > begin_ + gathering_.period;
-  stops_ = is_gathered || now.yields || (!now.user.walk && (stops_ || is_slow(now)));
-  if (stops_ && body.legs.all_down()) {
-    if (!is_gathered || now.yields || !now.user.walk) return {.hands_over = true};
-    gathers_ = stops_ = false;
-    start_clock(now, body);
-    return {.has_new_reference = true};
-  }
+  stops_ = stops(now);
+  if (stops_ && body.legs.all_down()) return go_on_from_stop(now, body);
   advance_clock(body);
   sway(now.time);
   for (const Leg k : body.legs.all()) move_leg(k, now, body);
   return {.begins_step =
               std::ranges::any_of(body.legs.all(), [&](Leg k) { return clock_.lifts(k); })};
+}
+
+bool RhythmicGait::stops(const Situation& now) const {
+  if (gathers_) return now.time > begin_ + gathering_.period;
+  if (!now.yields && (now.user.walk || !(stops_ || is_slow(now)))) return false;
+  if (stops_ || is_wider(*now.next_stance, stance_, now.body.scale)) return true;
+  return (now.body.legs.all_down() || is_about_to_lift(now.body)) && is_poised(now);
+}
+
+GaitOutcome RhythmicGait::go_on_from_stop(const Situation& now, Body& body) {
+  const bool ends = now.yields || !now.user.walk;
+  const StanceOptions& next = ends ? *now.next_stance : body.options.stance;
+  const bool fits = !is_wider(next, stance_, body.scale);
+  for (const Leg k : body.legs.all()) {
+    if (body.legs[k].phase() == LegPhase::unloading) body.legs[k].reload(now.time);
+  }
+  if (ends && fits && (!gathers_ || is_poised(now))) return {.hands_over = true};
+  gathers_ = ends || is_wider(stance_, next, body.scale);
+  stance_ = next;
+  stops_ = false;
+  start_clock(now, body);
+  return {.has_new_reference = true};
+}
+
+bool RhythmicGait::is_poised(const Situation& now) const {
+  Vec2 middle = Vec2::Zero();
+  for (const Vec2& foot : now.feet()) middle += foot / now.num_legs();
+  const Vec2 steady = now.user.walk ? com_.plan().v : Vec2(0.0, 0.0);
+  const Vec2 excess = now.dynamics.com.v.head<2>() - steady;
+  const Vec2 off = now.dynamics.com.p.head<2>() + excess / pendulum_rate(now) - middle;
+  return off.norm() < now.body.scale.length * kMaxOff;
+}
+
+bool RhythmicGait::is_about_to_lift(const Body& body) const {
+  return std::ranges::any_of(body.legs.all(), [&](Leg k) {
+    return body.legs[k].down() && !clock_.swings(k) &&
+           clock_.until_lift_off(k) < body.options.force.ramp_down;
+  });
 }
 
 // Its own part of the reference is no error.
@@ -229,7 +274,7 @@ void RhythmicGait::lift(Leg k, const Situation& now, Body& body) {
 // less its sway at the landing, and v less that of now.
 Vec3 RhythmicGait::foothold(Leg k, double until_landing, const Situation& now) const {
   const Body& body = now.body;
-  const double w = std::sqrt(kGravity / body.com_height(now.dynamics));
+  const double w = pendulum_rate(now);
   const double half = 0.5 * clock_.stance_duration(k);
   const double t = std::clamp(until_landing, 0.0, 2.0 * half);
   const double pace = w * half / std::sinh(w * half) * std::cosh(w * (half - t));
@@ -239,7 +284,7 @@ Vec3 RhythmicGait::foothold(Leg k, double until_landing, const Situation& now) c
   const Vec2 centripetal = yaw_rate * Vec2(-wanted.y(), wanted.x());
   const Vec3 sway = gathers_ ? Vec3::Zero() : cycle_.at(clock_.phase() + t / options_.period).p;
   const Vec2 excess = v - pace * wanted - R * sway_.v.head<2>();
-  const Vec2 offset = nominal_offset(body.options.stance, k, now.num_legs()) - sway.head<2>();
+  const Vec2 offset = nominal_offset(stance_, k, now.num_legs()) - sway.head<2>();
   const Vec2 place = now.dynamics.com.p.head<2>() + t * v + half * wanted + R * offset +
                      options_.capture / w * excess - centripetal / (w * w);
   Vec3 result;

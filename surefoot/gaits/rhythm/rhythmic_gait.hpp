@@ -11,7 +11,8 @@ namespace surefoot::gaits {
 /// A gait by a clock, such as a trot: legs lift off at their times, whatever the others do, and
 /// step to where they catch the robot. The clock waits for late feet before a leg is unloaded, and
 /// goes back to the landing of a foot that flies off again. Where the gait is slow its feet rise
-/// higher, and the torso is lower, for legs that reach further down.
+/// higher, and the torso is lower, for legs that reach further down. It ends with all feet down,
+/// the capture point between them, and as wide apart as what comes next needs.
 class RhythmicGait final : public Gait {
  public:
   RhythmicGait(const PlannerOptions& options, const Scale& scale)
@@ -45,6 +46,14 @@ class RhythmicGait final : public Gait {
   /// The rhythm in which feet that stand wide come closer: pairs take turns.
   [[nodiscard]] static RhythmOptions gathering(const PlannerOptions& options);
   [[nodiscard]] bool is_spread(const Situation& now) const;
+  /// Does no leg lift off any more?
+  [[nodiscard]] bool stops(const Situation& now) const;
+  /// All feet are down: ends the gait, or goes on with steps into another stance, or in its own.
+  GaitOutcome go_on_from_stop(const Situation& now, Body& body);
+  /// Could the robot stop where it is? Its capture point, without the steady motion, is then near
+  /// the middle of the feet.
+  [[nodiscard]] bool is_poised(const Situation& now) const;
+  [[nodiscard]] bool is_about_to_lift(const Body& body) const;
   /// Do all legs lift off at once, which needs a whole stance before?
   [[nodiscard]] bool jumps() const;
   void start_clock(const Situation& now, const Body& body);
@@ -69,7 +78,8 @@ class RhythmicGait final : public Gait {
   DrivenCom com_;
   VelocityIntegral integral_;
   double waited_ = 0.0;   // of the clock, for late feet [s]
-  bool gathers_ = false;  // the first steps, of feet that stand wide
+  StanceOptions stance_;  // into which the feet step
+  bool gathers_ = false;  // the steps into this stance
   bool stops_ = false;    // no leg lifts off any more
 };
 
