@@ -17,7 +17,7 @@ void erase(ConfigNode& map, const char* key) {
   std::erase_if(map.members, [&](const ConfigNode::Member& member) { return member.first == key; });
 }
 
-/// A rhythm must be given for each leg of the robot.
+/// A rhythm must be given for each leg of the robot, and for no other.
 void check_legs(const ConfigNode& gait, const model::RobotDescription& robot) {
   if (!robot.can_walk())
     fail_at(gait, "gait", robot.name + " has flat feet and only stands; it has no gait");
@@ -28,10 +28,11 @@ void check_legs(const ConfigNode& gait, const model::RobotDescription& robot) {
   for (const auto& [leg, share] : offset->members) given += " " + leg;
   for (const std::string_view leg : leg_names(robot.num_legs())) legs += " " + std::string(leg);
   const auto lacks = [&](std::string_view leg) { return offset->find(leg) == nullptr; };
-  if (std::ranges::any_of(leg_names(robot.num_legs()), lacks))
+  const auto names = leg_names(robot.num_legs());
+  if (offset->members.size() != names.size() || std::ranges::any_of(names, lacks))
     fail_at(*offset, "rhythm.offset",
-            "is given for the legs" + given + ", but the robot has" + legs +
-                "; valid is a gait that has an offset for each of them");
+            "is given for the legs" + given + ", but " + robot.name + " has" + legs +
+                "; valid is a gait that has an offset for each of them, and for no other");
 }
 
 /// The file's options as a scenario has them, below `planner:`.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <iterator>
 #include <string_view>
 
@@ -59,6 +60,33 @@ void note_unused_actuator(const std::vector<std::string>& assigned,
   }
 }
 
+/// The clock's gait of a command; null where it is the crawl's, or the speed chooses.
+const gaits::RhythmOptions* rhythm_of(const UserCommand& user, const Scenario& scenario) {
+  if (user.gait == UserCommand::kAutoGait) return nullptr;
+  const control::ControllerOptions& controller = scenario.controller;
+  const auto gait = static_cast<std::size_t>(user.gait);
+  const gaits::RhythmOptions& rhythm = user.gait == UserCommand::kOwnGait
+                                           ? controller.planner.rhythm
+                                           : controller.gaits[gait].options.rhythm;
+  return rhythm.enabled ? &rhythm : nullptr;
+}
+
+/// Notes the first command that is faster than its gait can go.
+void note_too_fast(const Scenario& scenario, std::vector<std::string>& notes) {
+  for (const TimedCommand& command : scenario.commands) {
+    const gaits::RhythmOptions* rhythm = rhythm_of(command.user, scenario);
+    const double speed =
+        command.user.velocity.norm() +
+        std::abs(command.user.yaw_rate) * scenario.controller.planner.stance.half_length;
+    if (rhythm == nullptr || !command.user.walk || speed <= rhythm->speed_max) continue;
+    notes.push_back(
+        formatted("user commands feet of %g m/s at %g s; the gait's speed_max is %g "
+                  "m/s, so it walks slower",
+                  speed, command.time, rhythm->speed_max));
+    return;
+  }
+}
+
 }  // namespace
 
 std::vector<std::string> scenario_notes(const ConfigNode& tree, const Scenario& scenario) {
@@ -73,6 +101,7 @@ std::vector<std::string> scenario_notes(const ConfigNode& tree, const Scenario& 
   note_late(tree, "sensors", "faults", plant.sensors.faults, scenario, notes);
   note_undrawn(assigned, notes);
   note_unused_actuator(assigned, plant.actuators, notes);
+  note_too_fast(scenario, notes);
   std::ranges::copy(control::missing_physics(scenario.controller.stack), std::back_inserter(notes));
   return notes;
 }

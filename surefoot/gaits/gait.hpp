@@ -43,6 +43,8 @@ class Gait {
   }
   /// How the torso goes up and down in a cycle [m].
   [[nodiscard]] virtual Motion<double> bounce() const { return {0.0, 0.0, 0.0}; }
+  /// How the torso pitches in a cycle [rad].
+  [[nodiscard]] virtual Motion<double> pitch() const { return {0.0, 0.0, 0.0}; }
   /// Of the reference, without its sway [m/s].
   [[nodiscard]] virtual double speed() const { return 0.0; }
 

@@ -239,7 +239,7 @@ void Planner::write_plan(const Situation& now) {
   plan_.com = gait().com(now, body_);
   plan_.com_zmp_slack = body_.com.zmp_slack();
   const double height = body_.options.stance.height + (now.user.height + gait().height());
-  torso_.update(body_.plane, yaw_, yaw_rate_, plan_.com, height, calibration_.motion());
+  torso_.update(body_.plane, yaw_, yaw_rate_, plan_.com, height, turn(now.time));
   plan_.torso = torso_.plan();
   const Motion<double> bounce = gait().bounce();
   plan_.torso.height += bounce.p;
@@ -256,6 +256,18 @@ void Planner::write_plan(const Situation& now) {
   plan_.calibration = calibration_.stage();
   plan_.gait = present_;
   plan_.events = body_.events;
+}
+
+Motion<Vec3> Planner::turn(double time) {
+  const Motion<double> pitch = gait().pitch();
+  if (has_new_gait_) blend_.begin_pitch(time, pitch_, pitch, body_.scale.time() * kBlendDuration);
+  const Motion<double> left = blend_.pitch(time);
+  pitch_ = {pitch.p + left.p, pitch.v + left.v, pitch.a + left.a};
+  Motion<Vec3> result = calibration_.motion();
+  result.p.y() += pitch_.p;
+  result.v.y() += pitch_.v;
+  result.a.y() += pitch_.a;
+  return result;
 }
 
 bool Planner::is_undisturbed(const RobotState& state) const {

@@ -84,6 +84,8 @@ class Planner {
   void change_gait(double time);
   void move_legs(Situation& now);
   void finish_calibration(const RobotState& state);
+  /// What the calibration and the gait add to the torso's angles.
+  [[nodiscard]] Motion<Vec3> turn(double time);
   void write_plan(const Situation& now);
 
   Body body_;
@@ -99,6 +101,7 @@ class Planner {
   bool walks_ = false;         // the stand is not active
   bool has_new_gait_ = false;  // at this tick: walks by a clock, or did
   ReferenceBlend blend_;
+  Motion<double> pitch_{0.0, 0.0, 0.0};  // of the gait, with what is left of the one before [rad]
   CommandLimits limits_;
   TorsoReference torso_;
   FrictionFrame friction_frame_;

@@ -56,7 +56,10 @@ Group fields(GaitOptions& o) {
 }
 
 /// Of a foot that rises and comes down again: more is no leg's [m/s²].
-constexpr double kMostLift = 200.0;
+constexpr double kMostLift = 50.0;
+
+/// A robot of the reference's size on the other legs tips over in less [s].
+constexpr double kLongestSwing = 1.0;
 
 /// Each leg must have time to swing, and a stance that its force ramps fit in.
 void check_rhythm(const PlannerOptions& o, const Given& given) {
@@ -77,6 +80,12 @@ void check_rhythm(const PlannerOptions& o, const Given& given) {
                            rhythm.period, duty, name.c_str(), stance, ramps));
     }
     const double swing = rhythm.period - stance, least = std::sqrt(8.0 * o.swing.apex / kMostLift);
+    if (swing > kLongestSwing) {
+      given.fail("rhythm.period",
+                 formatted("%g s, and a duty of %g, let %s swing for %g s; valid is a swing of at "
+                           "most %g s",
+                           rhythm.period, duty, name.c_str(), swing, kLongestSwing));
+    }
     if (swing >= least) continue;
     given.fail("rhythm.duty",
                formatted("of %s is %g, which leaves it %g s to swing; to rise by swing.apex, %g m, "
@@ -103,12 +112,13 @@ void check_flight(const PlannerOptions& o, const Given& given) {
         std::ranges::any_of(legs, [&](Leg leg) { return stands(rhythm, leg, phase); });
     flies = bears ? 0 : flies + 1;
     if (flies < kInstant) continue;
-    given.fail(
-        "rhythm.offset",
-        formatted("with rhythm.duty from %g to %g it leaves no foot on the ground at %.2f of "
-                  "the cycle; a gait with rhythm.flies may do so",
-                  std::ranges::min(rhythm.duty), std::ranges::max(rhythm.duty),
-                  phase - std::floor(phase)));
+    const auto [least, most] = std::ranges::minmax(rhythm.duty);
+    const std::string duty =
+        least == most ? formatted("of %g", least) : formatted("from %g to %g", least, most);
+    given.fail("rhythm.offset",
+               formatted("with a rhythm.duty %s it leaves no foot on the ground at %.2f of the "
+                         "cycle; a gait with rhythm.flies may do so",
+                         duty.c_str(), phase - std::floor(phase)));
   }
 }
 
@@ -126,6 +136,7 @@ Group fields(RhythmOptions& o) {
       {"duty", Numbers{o.duty.data(), legs, true}, kDuty, "", "share in which a leg stands"},
       {"offset", Numbers{o.offset.data(), legs}, kShare, "", "when a leg lifts off"},
       {"sway", &o.sway, kShare, "", "of the way from the feet's middle to those that stand"},
+      {"pitch", &o.pitch, kShare, "", "of the sway forth and back that pitches the torso instead"},
       {"capture", &o.capture, kNotNegative, "", "of √(h/g), per velocity error: footholds"},
       {"leash", &o.leash, kPositive, "m", "from the COM to its reference, at most"},
       {"acceleration", &o.acceleration, kPositive, "m/s²", "of the reference, at most"},

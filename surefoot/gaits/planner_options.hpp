@@ -47,7 +47,7 @@ struct RhythmOptions {
   double period = 0.5;
   PerLeg<double> duty{0.55, 0.55, 0.55, 0.55};
   PerLeg<double> offset{0.0, 0.5, 0.5, 0.0};
-  double sway = 1.0, capture = 1.0, leash = 0.05, acceleration = 1.0;
+  double sway = 1.0, pitch = 0.0, capture = 1.0, leash = 0.05, acceleration = 1.0;
   double wait = 0.15, stop_speed = 0.1;
   double integral_rate = 0.0, integral_max = 0.15;
   double rise = 0.0, crouch = 0.0, fast = 1.0;

@@ -60,10 +60,12 @@ TEST(GaitFile, that_makes_no_sense_is_told_with_what_would) {
   EXPECT_TRUE(holds(told("planner.rhythm.period=0.05"), "force.ramp_up"));
   EXPECT_TRUE(holds(told("planner.rhythm.offset.MF=0.3"), "LF"));
   EXPECT_TRUE(holds(told("planner.rhythm.offset.LF=1.3"), "0 to 1"));
-  EXPECT_TRUE(holds(told("planner.rhythm.duty=0.4"), "with rhythm.duty from 0.4 to 0.4 it leaves"));
+  EXPECT_TRUE(holds(told("planner.rhythm.duty=0.4"), "with a rhythm.duty of 0.4 it leaves"));
   EXPECT_TRUE(holds(told("planner.rhythm.duty=0.4"), "a gait with rhythm.flies may do so"));
   EXPECT_TRUE(holds(told("planner.rhythm.duty=0.98"), "leaves it 0.01 s to swing"));
-  EXPECT_TRUE(holds(told("planner.rhythm.duty=0.98"), "takes at least 0.042 s"));
+  EXPECT_TRUE(holds(told("planner.rhythm.duty=0.98"), "takes at least 0.085 s"));
+  EXPECT_TRUE(holds(told("planner.rhythm.period=0.1"), "leaves it 0.05 s to swing"));
+  EXPECT_TRUE(holds(told("planner.rhythm.period=100"), "let LF swing for 50 s; valid is a swing"));
   EXPECT_TRUE(holds(told("planner.rhythm.speed_max=0"), "above 0"));
 }
 
@@ -72,7 +74,10 @@ TEST(GaitFile, of_other_legs_is_refused_with_their_names) {
       message_of([] { (void)load("walk_flat", {"robot=hexapod", "gait=trot"}); });
   EXPECT_TRUE(holds(message, "gaits/trot.yaml"));
   EXPECT_TRUE(
-      holds(message, "is given for the legs LF RH RF LH, but the robot has LF RF LM RM LH RH"));
+      holds(message, "is given for the legs LF RH RF LH, but hexapod has LF RF LM RM LH RH"));
+  const std::string six = message_of([] { (void)load("trot", {"gait=tripod"}); });
+  EXPECT_TRUE(holds(six, "gaits/tripod.yaml"));
+  EXPECT_TRUE(holds(six, "but anymal_b has LF RF LH RH; valid is a gait that has an offset"));
 }
 
 TEST(GaitFile, of_a_robot_that_only_stands_is_refused) {

@@ -50,6 +50,25 @@ TEST(CycleMotion, goes_as_its_velocity_says_and_without_a_jump) {
   }
 }
 
+TEST(CycleMotion, pitches_the_torso_by_the_share_of_the_moment_that_the_com_does_not_take) {
+  PlannerOptions bound = test::kBound;
+  const CycleMotion sways(bound, Scale{});
+  bound.rhythm.pitch = 0.6;
+  const CycleMotion pitches(bound, Scale{});
+  EXPECT_EQ(sways.pitch_at(0.3).p, 0.0);
+  EXPECT_LT(sways.at(0.25).p.x(), -0.005) << "front legs swing";
+  EXPECT_NEAR(pitches.at(0.25).p.x(), 0.4 * sways.at(0.25).p.x(), 1e-9);
+  EXPECT_GT(pitches.pitch_at(0.25).a, 10.0) << "hind legs push the nose down";
+  EXPECT_LT(pitches.pitch_at(0.25).p, -0.05) << "before it is highest";
+  EXPECT_NEAR(pitches.pitch_at(0.75).p, -pitches.pitch_at(0.25).p, 1e-6);
+  const double dt = bound.rhythm.period / kSteps;
+  for (int i = 0; i < kSteps; ++i) {
+    const Motion<double> now = pitches.pitch_at(i / double{kSteps}),
+                         next = pitches.pitch_at((i + 1) / double{kSteps});
+    EXPECT_NEAR(next.p - now.p, dt * now.v, 5e-4) << i;
+  }
+}
+
 TEST(CycleMotion, leans_to_the_legs_that_stand_in_a_pace_and_a_crawl) {
   const CycleMotion pace(test::kPace, Scale{});
   EXPECT_LT(pace.at(0.25).p.y(), -0.005) << "left legs swing";

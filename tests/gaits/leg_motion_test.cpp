@@ -164,6 +164,20 @@ TEST(LegMotion, AFootHasBouncedBeyondTheEndOfItsReachToo) {
   EXPECT_EQ(bench.follow(2 * kPeriod, 1.3 * options.bounce_force), LegEvent::touchdown);
 }
 
+TEST(LegMotion, ComesBackIntoReachWithoutAJumpOfItsVelocity) {
+  Bench bench = swinging();
+  bench.hip = bench.p + Vec3(0.48, 0.0, 0.33);
+  ASSERT_GT((bench.p - *bench.hip).norm(), SwingOptions{}.reach_max + 0.02);
+  Vec3 before = bench.leg.plan(bench.time).v_WF;
+  while (bench.time < 10.0 + 0.8 * kDuration) {
+    ASSERT_EQ(bench.follow(kPeriod, 0.0), LegEvent::none);
+    const Vec3 now = bench.leg.plan(bench.time).v_WF;
+    ASSERT_LT((now - before).norm(), 0.06) << bench.time;
+    before = now;
+  }
+  EXPECT_LT((bench.p - *bench.hip).norm(), SwingOptions{}.reach_max - 0.05);
+}
+
 TEST(LegMotion, TouchesDownWhereItStallsUnderASmallForce) {
   const TouchdownOptions options;
   Bench bench = searching();

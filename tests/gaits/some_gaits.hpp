@@ -30,6 +30,7 @@ inline gaits::PlannerOptions flying(double period, double duty, const PerLeg<dou
 inline const gaits::PlannerOptions kTrot = by_clock(0.5, 0.5, {0.0, 0.5, 0.5, 0.0});
 inline const gaits::PlannerOptions kFlight = flying(0.4, 0.4, {0.0, 0.5, 0.5, 0.0});
 inline const gaits::PlannerOptions kPace = by_clock(0.4, 0.5, {0.0, 0.5, 0.0, 0.5});
+inline const gaits::PlannerOptions kBound = by_clock(0.4, 0.5, {0.0, 0.0, 0.5, 0.5});
 inline const gaits::PlannerOptions kPronk = flying(0.5, 0.6, {0.0, 0.0, 0.0, 0.0});
 
 inline gaits::PlannerOptions slow_crawl() {

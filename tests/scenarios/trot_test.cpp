@@ -43,6 +43,38 @@ TEST(Trot, ChangesToOtherGaitsAndBackWithoutAFallOrAnAllocation) {
   EXPECT_EQ(loop.record().plan.num_contacts(), 4);
 }
 
+TEST(Trot, AndTheOtherGaitsOfFourLegsGoFromSensorsAlone) {
+  for (const std::string gait : {"crawl", "flying_trot", "pace", "pronk", "bound"}) {
+    const evaluation::Metrics metrics =
+        closed_loop::run_closed_loop(
+            scenario("trot",
+                     {kUncalibrated, "duration=6", "gait=" + gait,
+                      "user=[{time: 0.5, walk: true, velocity: [0.2, 0]}]"},
+                     1),
+            {})
+            .metrics;
+    EXPECT_FALSE(metrics.fell) << gait;
+    EXPECT_EQ(metrics.fallback_ticks, 0) << gait;
+    EXPECT_GT(metrics.speed_mps, 0.1) << gait;
+  }
+}
+
+TEST(Trot, BeginsAndEndsGaitsThatFlyOnTheWay) {
+  for (const std::string gait : {"pronk", "bound"}) {
+    Loop loop(scenario("trot",
+                       {kUncalibrated, "gaits=[stand, crawl, trot, pronk, bound]",
+                        "user=[{time: 0.5, walk: true, velocity: [0.2, 0.0], gait: crawl},"
+                        " {time: 3, walk: true, velocity: [0.2, 0.0], gait: " +
+                            gait +
+                            "},"
+                            " {time: 6, walk: true, velocity: [0.2, 0.0], gait: crawl}]"},
+                       1));
+    loop.run_until(9.0);
+    EXPECT_EQ(loop.count(PlanEvent::gait_changed), 3) << gait;
+    EXPECT_EQ(loop.record().command.mode, CommandMode::optimal) << gait;
+  }
+}
+
 TEST(Trot, AllocatesNothingAfterTheFirstTick) {
   Loop loop(scenario("trot", {kUncalibrated}));
   loop.tick();

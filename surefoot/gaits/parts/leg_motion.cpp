@@ -258,7 +258,8 @@ FootPlan LegMotion::plan(double time) const {
 
 // Beyond the leg's reach ρ the reference is projected onto the sphere of radius ρ around the hip:
 // d/dt (ρ e) = ρ/r (1 − e eᵀ) ṙ, with r from hip to foot and e its direction. Close to the straight
-// leg the knee's speed would diverge, and the torques would not show the force along the leg.
+// leg the knee's speed would diverge, and the torques would not show the force along the leg. What
+// moves back into reach keeps its radial part, or its velocity would jump where it arrives.
 Motion<Vec3> LegMotion::reference(double time) const {
   Motion<Vec3> result = curve_.at(since(time));
   result.v *= search_.pace;
@@ -267,10 +268,12 @@ Motion<Vec3> LegMotion::reference(double time) const {
   const double length = r.norm(), reach = swing_.reach_max;
   if (length <= reach) return result;
   const Vec3 e = r / length;
-  const Mat3 on_sphere = reach / length * (Mat3::Identity() - e * e.transpose());
+  const Vec3 relative = result.v - hip_velocity_;
+  Mat3 kept = reach / length * (Mat3::Identity() - e * e.transpose());
+  if (e.dot(relative) < 0.0) kept += e * e.transpose();
   result.p = hip_ + reach * e;
-  result.v = hip_velocity_ + on_sphere * (result.v - hip_velocity_);
-  result.a = on_sphere * result.a;
+  result.v = hip_velocity_ + kept * relative;
+  result.a = kept * result.a;
   return result;
 }
 

@@ -14,7 +14,8 @@ namespace surefoot::gaits {
 namespace {
 
 constexpr int kSamples = 100;
-constexpr double kWeight = 300.0;  // of a robot of scale 1 [N]
+constexpr double kWeight = 300.0;   // of a robot of scale 1 [N]
+constexpr double kGyration = 0.25;  // its radius of gyration about the pitch axis [m]
 
 /// What bears the robot at an instant of the cycle.
 struct Support {
@@ -65,10 +66,21 @@ Eigen::MatrixXd pendulum(const Eigen::VectorXd& k, double dt) {
   return A;
 }
 
+template <typename T>
+Motion<T> between(const std::vector<Motion<T>>& samples, double phase) {
+  const double place = fraction(phase - 0.5 / kSamples) * kSamples;
+  const auto i = std::min<std::size_t>(static_cast<std::size_t>(place), kSamples - 1);
+  const Motion<T>&from = samples[i], &to = samples[(i + 1) % kSamples];
+  const double share = place - static_cast<double>(i);
+  return {from.p + share * (to.p - from.p), from.v + share * (to.v - from.v),
+          from.a + share * (to.a - from.a)};
+}
+
 }  // namespace
 
 CycleMotion::CycleMotion(const PlannerOptions& options, const Scale& scale)
-    : samples_(kSamples, {Vec3::Zero(), Vec3::Zero(), Vec3::Zero()}) {
+    : samples_(kSamples, {Vec3::Zero(), Vec3::Zero(), Vec3::Zero()}),
+      pitch_(kSamples, {0.0, 0.0, 0.0}) {
   if (!options.rhythm.enabled) return;
   const double dt = options.rhythm.period / kSamples;
   Eigen::VectorXd load(kSamples);
@@ -83,26 +95,28 @@ CycleMotion::CycleMotion(const PlannerOptions& options, const Scale& scale)
   if (!flies) load.setOnes();
   const Eigen::VectorXd up = kGravity * (load.array() / load.mean() - 1.0);
   const Eigen::VectorXd k = (up.array() + kGravity) / options.stance.height;
+  const double gyration = scale.length * kGyration;
+  const Eigen::VectorXd turn = -options.rhythm.pitch / (gyration * gyration) *
+                               (up.array() + kGravity) * center.col(0).array();
+  center.col(0) *= 1.0 - options.rhythm.pitch;
   const Eigen::MatrixXd pulled = -(k.asDiagonal() * center);
   Eigen::MatrixX3d p(kSamples, 3);
   p.leftCols(2) = pendulum(k, dt).partialPivLu().solve(pulled);
   p.col(2) = integrated(up, dt);
+  const Eigen::VectorXd angle = integrated(turn, dt);
   for (int i = 0; i < kSamples; ++i) {
+    const int before = (i + kSamples - 1) % kSamples, after = (i + 1) % kSamples;
     Motion<Vec3>& sample = samples_[static_cast<std::size_t>(i)];
-    const auto before = p.row((i + kSamples - 1) % kSamples), after = p.row((i + 1) % kSamples);
     sample.p = p.row(i);
-    sample.v = (after - before) / (2.0 * dt);
+    sample.v = (p.row(after) - p.row(before)) / (2.0 * dt);
     sample.a << k[i] * (p.row(i).head<2>() - center.row(i)).transpose(), up[i];
+    pitch_[static_cast<std::size_t>(i)] = {angle[i], (angle[after] - angle[before]) / (2.0 * dt),
+                                           turn[i]};
   }
 }
 
-Motion<Vec3> CycleMotion::at(double phase) const {
-  const double place = fraction(phase - 0.5 / kSamples) * kSamples;
-  const auto i = std::min<std::size_t>(static_cast<std::size_t>(place), kSamples - 1);
-  const Motion<Vec3>&from = samples_[i], &to = samples_[(i + 1) % kSamples];
-  const double share = place - static_cast<double>(i);
-  return {from.p + share * (to.p - from.p), from.v + share * (to.v - from.v),
-          from.a + share * (to.a - from.a)};
-}
+Motion<Vec3> CycleMotion::at(double phase) const { return between(samples_, phase); }
+
+Motion<double> CycleMotion::pitch_at(double phase) const { return between(pitch_, phase); }
 
 }  // namespace surefoot::gaits

@@ -51,15 +51,18 @@ void RhythmicGait::start_clock(const Situation& now, const Body& body) {
   clock_ = PhaseClock(gathers_ ? gathering_ : options_);
   const Leg first = first_leg(now, body);
   const double ramp = body.options.force.ramp_down;
-  clock_.start(jumps() ? std::max(ramp, clock_.stance_duration(first)) : ramp, first);
+  const double stance = std::max(ramp, clock_.stance_duration(first));
+  clock_.start(pushes_off() ? stance : ramp, first);
   begin_ = now.time;
+  grows_for_ = pushes_off() ? stance : options_.period;
   sway(now.time);
 }
 
 // Of feet that take turns some would stand for a whole cycle.
-bool RhythmicGait::jumps() const {
+bool RhythmicGait::pushes_off() const {
   const auto differs = [&](double offset) { return offset != options_.offset[0]; };
-  return options_.flies && !gathers_ && std::ranges::none_of(options_.offset, differs);
+  const bool jumps = options_.flies && std::ranges::none_of(options_.offset, differs);
+  return !gathers_ && (jumps || options_.pitch > 0.0);
 }
 
 // A body over one foot far from its middle, as in a pace with the feet of a trot, would tip.
@@ -191,12 +194,17 @@ void RhythmicGait::drive_com(const Situation& now) {
 }
 
 void RhythmicGait::sway(double time) {
-  if (gathers_) return void(sway_ = {Vec3::Zero(), Vec3::Zero(), Vec3::Zero()});
-  const double s = jumps() ? 1.0 : std::min(1.0, (time - begin_) / options_.period);
-  const double share = smoothstep(s), rate = 6.0 * s * (1.0 - s) / options_.period;
-  const Motion<Vec3> whole = cycle_.at(clock_.phase());
-  sway_ = {share * whole.p, share * whole.v + rate * whole.p,
-           share * whole.a + 2.0 * rate * whole.v};
+  sway_ = {Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
+  pitch_ = {0.0, 0.0, 0.0};
+  if (gathers_) return;
+  const double s = std::min(1.0, (time - begin_) / grows_for_);
+  const double share = smoothstep(s), rate = 6.0 * s * (1.0 - s) / grows_for_;
+  const auto grown = [&](const auto& whole) -> std::decay_t<decltype(whole)> {
+    return {share * whole.p, share * whole.v + rate * whole.p,
+            share * whole.a + 2.0 * rate * whole.v};
+  };
+  sway_ = grown(cycle_.at(clock_.phase()));
+  pitch_ = grown(cycle_.pitch_at(clock_.phase()));
 }
 
 ComPlan RhythmicGait::com(const Situation& now, const Body&) const {

@@ -29,6 +29,7 @@ class RhythmicGait final : public Gait {
   [[nodiscard]] Motion<double> bounce() const override {
     return {sway_.p.z(), sway_.v.z(), sway_.a.z()};
   }
+  [[nodiscard]] Motion<double> pitch() const override { return pitch_; }
   [[nodiscard]] double speed() const override { return com_.plan().v.norm(); }
   [[nodiscard]] double height() const override { return -slowness() * options_.crouch; }
 
@@ -54,12 +55,13 @@ class RhythmicGait final : public Gait {
   /// the middle of the feet.
   [[nodiscard]] bool is_poised(const Situation& now) const;
   [[nodiscard]] bool is_about_to_lift(const Body& body) const;
-  /// Do all legs lift off at once, which needs a whole stance before?
-  [[nodiscard]] bool jumps() const;
+  /// Must the first legs push off, as all lift off at once or the torso pitches? They stand for a
+  /// whole stance before.
+  [[nodiscard]] bool pushes_off() const;
   void start_clock(const Situation& now, const Body& body);
   [[nodiscard]] Leg first_leg(const Situation& now, const Body& body) const;
   void drive_com(const Situation& now);
-  /// Sways, ever more in the first cycle; a jump has its whole height at once.
+  /// Sways, ever more in the first cycle, or until the first lift-off where legs push off for it.
   void sway(double time);
   void advance_clock(const Body& body);
   void move_leg(Leg leg, const Situation& now, Body& body);
@@ -74,7 +76,8 @@ class RhythmicGait final : public Gait {
   PhaseClock clock_;
   CycleMotion cycle_;
   Motion<Vec3> sway_{Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};  // in heading axes
-  double begin_ = 0.0;                                           // [s]
+  Motion<double> pitch_{0.0, 0.0, 0.0};
+  double begin_ = 0.0, grows_for_ = 0.0;  // of the sway [s]
   DrivenCom com_;
   VelocityIntegral integral_;
   double waited_ = 0.0;   // of the clock, for late feet [s]
