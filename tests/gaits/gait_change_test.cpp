@@ -117,6 +117,26 @@ TEST(GaitChange, to_one_that_stands_comes_to_rest_on_all_feet) {
   EXPECT_NEAR(puppet.plan().com.v.x(), 0.5, 0.01);
 }
 
+TEST(GaitChange, begins_with_the_legs_that_have_stood_longest) {
+  for (const int from : {kCrawl, kTrot}) {
+    for (const double when : {5.0, 5.25, 5.4, 5.8, 6.2}) {
+      test::Puppet puppet = walker(from, 0.2);
+      puppet.run(when);
+      ASSERT_EQ(puppet.plan().gait, from);
+      puppet.user.gait = kFlight;
+      puppet.run(2.0);
+      const double change = puppet.happenings(PlanEvent::gait_changed).back().time;
+      Leg landed = Leg::LF;
+      for (const test::Happening& touchdown : puppet.happenings(PlanEvent::touchdown)) {
+        if (touchdown.time <= change) landed = touchdown.leg;
+      }
+      const Leg first = puppet.first_after(change, PlanEvent::lift_off).leg;
+      const auto is_of_first_pair = [](Leg k) { return k == Leg::LF || k == Leg::RH; };
+      EXPECT_NE(is_of_first_pair(first), is_of_first_pair(landed)) << from << ", " << when << " s";
+    }
+  }
+}
+
 /// Speed of the COM's reference when the gait changes.
 double speed_of_change(int from, int to) {
   test::Puppet puppet = walker(from, 1.0);

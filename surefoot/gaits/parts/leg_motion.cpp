@@ -32,7 +32,7 @@ constexpr double kMinSearchTransition = 0.04;  // duration of this change of vel
 
 void LegMotion::plant(double time, const Vec3& p_WF, bool loaded) {
   phase_ = LegPhase::stance;
-  begin_ = loaded ? time - kLongAgo : time;
+  begin_ = touchdown_time_ = loaded ? time - kLongAgo : time;
   lift_off_time_ = kNever;
   previous_foothold_ = foothold_;
   foothold_ = touchdown_point_ = p_WF;
@@ -60,7 +60,9 @@ void LegMotion::use(const PlannerOptions& options, double time) {
 void LegMotion::load_from(double force_max, double time) {
   const double share = std::min(1.0, force_max / force_.max);
   const double along_ramp = 0.5 - std::sin(std::asin(1.0 - 2.0 * share) / 3.0);  // of smoothstep
+  const double touchdown_time = touchdown_time_;
   plant(time - along_ramp * force_.ramp_up, foothold_);
+  touchdown_time_ = touchdown_time;
 }
 
 void LegMotion::lift(double time, const SwingTarget& target) {

@@ -85,6 +85,8 @@ class LegMotion {
   [[nodiscard]] const Vec3& foothold() const { return foothold_; }
   /// Time since the touchdown (or lift-off) that began the phase [s].
   [[nodiscard]] double since(double time) const { return time - begin_; }
+  /// Time since the touchdown, of a foot that is down, however its force was limited since [s].
+  [[nodiscard]] double stood(double time) const { return time - touchdown_time_; }
   [[nodiscard]] const SwingTarget& target() const { return curve_.target(); }
   /// Is the foot's estimated normal force small enough to lift it?
   [[nodiscard]] bool unloaded() const { return normal_force_ < touchdown_.lift_off_force; }
@@ -123,7 +125,7 @@ class LegMotion {
   double period_;
   Scale scale_;
   LegPhase phase_ = LegPhase::stance;
-  double begin_ = 0.0, lift_off_time_ = kNever;  // [s]
+  double begin_ = 0.0, touchdown_time_ = 0.0, lift_off_time_ = kNever;  // [s]
   Vec3 foothold_ = Vec3::Zero();
   Vec3 previous_foothold_ = Vec3::Zero();  // in W [m]
   Vec3 touchdown_point_ = Vec3::Zero();    // where the stance began or was loaded again, in W [m]

@@ -79,15 +79,21 @@ bool RhythmicGait::is_spread(const Situation& now) const {
   return extent.maxCoeff() > now.body.scale.length * kMaxSpread;
 }
 
-// The one that has stood longest, of those that lift off first where all have stood for long.
+// Of the legs that have stood longest, each with those that lift off with it, the first in a cycle.
 Leg RhythmicGait::first_leg(const Situation& now, const Body& body) const {
+  const PerLeg<double>& offset = (gathers_ ? gathering_ : options_).offset;
   const auto stood = [&](Leg k) {
-    return std::min(body.legs[k].since(now.time), clock_.stance_duration(k));
+    double result = clock_.stance_duration(k);
+    for (const Leg other : body.legs.all()) {
+      if (offset[index(other)] == offset[index(k)])
+        result = std::min(result, body.legs[other].stood(now.time));
+    }
+    return result;
   };
   return *std::ranges::max_element(body.legs.all(), [&](Leg a, Leg b) {
     const double difference = stood(a) - stood(b);
     if (std::abs(difference) > body.scale.time() * kSameTime) return difference < 0.0;
-    return options_.offset[index(a)] > options_.offset[index(b)];
+    return offset[index(a)] > offset[index(b)];
   });
 }
 
@@ -165,12 +171,16 @@ GaitOutcome RhythmicGait::go_on_from_stop(const Situation& now, Body& body) {
   return {.has_new_reference = true};
 }
 
+// The sway of a short cycle turns back in time, and is no error.
 bool RhythmicGait::is_poised(const Situation& now) const {
   Vec2 middle = Vec2::Zero();
   for (const Vec2& foot : now.feet()) middle += foot / now.num_legs();
+  const Mat2 R = rotation_about_z(now.yaw).topLeftCorner<2, 2>();
+  const double share = options_.period < now.body.scale.time() * kLongCycle ? 1.0 : 0.0;
   const Vec2 steady = now.user.walk ? com_.plan().v : Vec2(0.0, 0.0);
-  const Vec2 excess = now.dynamics.com.v.head<2>() - steady;
-  const Vec2 off = now.dynamics.com.p.head<2>() + excess / pendulum_rate(now) - middle;
+  const Vec2 excess = now.dynamics.com.v.head<2>() - steady - share * R * sway_.v.head<2>();
+  const Vec2 place = now.dynamics.com.p.head<2>() - share * R * sway_.p.head<2>();
+  const Vec2 off = place + excess / pendulum_rate(now) - middle;
   return off.norm() < now.body.scale.length * kMaxOff;
 }
 
