@@ -1,6 +1,7 @@
 #include "surefoot/simulation/mjcf_robot.hpp"
 
 #include "surefoot/base/error.hpp"
+#include "surefoot/base/nearest_name.hpp"
 #include "surefoot/model/urdf_reader.hpp"
 #include "surefoot/simulation/mjcf_effort.hpp"
 #include "surefoot/simulation/text.hpp"
@@ -91,7 +92,25 @@ class MjcfReader {
     message.resize(std::min(place, message.size()));
     if (message.starts_with("XML Error: ")) message.erase(0, 11);
     if (message.starts_with("Error: ")) message.erase(0, 7);
-    fail(std::max(1, line), message);
+    fail(std::max(1, line), in_our_words(std::move(message)));
+  }
+
+  /// What MuJoCo says of a body's mass and inertia, and the end of any message of an element.
+  static std::string in_our_words(std::string message) {
+    constexpr std::string_view kElement = ", Element name '";
+    const std::size_t end = message.find(kElement);
+    if (end == std::string::npos) return message;
+    std::string name = message.substr(end + kElement.size());
+    name.resize(std::min(name.find('\''), name.size()));
+    message.resize(end);
+    if (message.find("mjMINVAL") != std::string::npos)
+      return "body \"" + name +
+             "\" moves, but has no mass or no inertia about some axis; all must be above 0";
+    if (message.find("A + B >= C") != std::string::npos)
+      return "body \"" + name +
+             "\": of its principal moments of inertia one is larger than the sum of the two "
+             "others, as in no body";
+    return name.empty() ? message : message + ": \"" + name + "\"";
   }
 
   void find_base() {
@@ -129,11 +148,25 @@ class MjcfReader {
     }
     for (mjsElement* element : elements(*robot_.spec, mjOBJ_ACTUATOR)) {
       const mjsActuator& actuator = *mjs_asActuator(element);
+      check_joint_of(actuator);
       if (actuator.trntype != mjTRN_TENDON && actuator.trntype != mjTRN_SLIDERCRANK) continue;
       fail(line_of(actuator.info),
            "actuator \"" + name_of(element) +
                "\" pulls a tendon or a crank; each joint of a leg needs a drive of its own");
     }
+  }
+
+  /// A drive that has no joint would leave the joint that is meant without an effort.
+  void check_joint_of(const mjsActuator& actuator) const {
+    if (actuator.trntype != mjTRN_JOINT && actuator.trntype != mjTRN_JOINTINPARENT) return;
+    const std::string joint = string_of(actuator.target);
+    std::vector<std::string> known;
+    for (mjsElement* element : elements(*robot_.spec, mjOBJ_JOINT))
+      if (mjs_asJoint(element)->type != mjJNT_FREE) known.push_back(name_of(element));
+    if (std::ranges::find(known, joint) != known.end()) return;
+    fail(line_of(actuator.info),
+         text("actuator \"", name_of(actuator.element), "\" drives an unknown joint, \"", joint,
+              "\"; ", valid_names(joint, known)));
   }
 
   [[nodiscard]] bool acts(const mjsTendon& tendon) const {
@@ -145,8 +178,8 @@ class MjcfReader {
     const std::string name = "body \"" + name_of(body.element) + "\"";
     if (body.gravcomp != 0.0)
       fail(line_of(body.info), name + " has gravcomp; the model has no gravity compensation");
-    if (body.explicitinertial != 0 && !std::isfinite(body.mass))
-      fail(line_of(body.info), name + ": the mass of its <inertial> is not a finite number");
+    if (!Vec3(body.pos).allFinite()) fail(line_of(body.info), name + ": its pos is not finite");
+    if (body.explicitinertial != 0) check_inertial(body, name);
     const std::vector<mjsElement*> joints = children(body, mjOBJ_JOINT);
     if (joints.size() > 1) {
       fail(line_of(body.info), text(name, " has ", joints.size(),
@@ -154,6 +187,7 @@ class MjcfReader {
     }
     if (joints.empty()) return;
     const mjsJoint& joint = *mjs_asJoint(joints.front());
+    check_joint(joint);
     if (joint.stiffness[0] != 0.0) {
       fail(line_of(joint.info), "joint \"" + name_of(joint.element) +
                                     "\" has stiffness; the model has no springs at joints");
@@ -161,6 +195,34 @@ class MjcfReader {
     if (joint.type == mjJNT_FREE) return;
     num_losses_ +=
         int{joint.damping[0] != 0.0 || joint.frictionloss != 0.0 || joint.armature != 0.0};
+  }
+
+  void check_inertial(const mjsBody& body, const std::string& name) const {
+    const auto refuse = [&](const std::string& what) { fail(line_of(body.info), name + what); };
+    if (!std::isfinite(body.mass)) refuse(": the mass of its <inertial> is not a finite number");
+    if (body.mass < 0.0)
+      refuse(text(": the mass of its <inertial> is ", body.mass, " kg; it must be 0 or more"));
+    const Vec3 moments(body.inertia);
+    if (std::isfinite(body.fullinertia[0])) return;
+    if (!moments.allFinite()) refuse(": the diaginertia of its <inertial> is not finite");
+    if (moments.minCoeff() < 0.0)
+      refuse(text(": its inertia has a negative principal moment, ", moments.minCoeff(),
+                  " kg·m²; all must be above 0"));
+  }
+
+  /// A range that is not in order is none for MuJoCo.
+  void check_joint(const mjsJoint& joint) const {
+    const std::string name = "joint \"" + name_of(joint.element) + "\"";
+    const bool turns = joint.type == mjJNT_HINGE || joint.type == mjJNT_SLIDE;
+    constexpr double kLeast = 1e-10;  // of an axis's length
+    if (turns && !(Vec3(joint.axis).norm() > kLeast)) {
+      fail(line_of(joint.info), text(name, ": its axis, ", Vec3(joint.axis).transpose(),
+                                     ", has no direction; valid is axis=\"0 1 0\", for instance"));
+    }
+    const bool is_given = joint.range[0] != 0.0 || joint.range[1] != 0.0;
+    if (!turns || !is_given || joint.range[0] < joint.range[1]) return;
+    fail(line_of(joint.info), text(name, " has a range from ", joint.range[0], " to ",
+                                   joint.range[1], "; the first must be the lower one"));
   }
 
   void remove(mjsElement* element) { (void)mjs_delete(robot_.spec.get(), element); }
@@ -203,12 +265,17 @@ class MjcfReader {
     if (material != nullptr && look.rgba == kUnset)
       std::copy_n(mjs_asMaterial(const_cast<mjsElement*>(material))->rgba, 4, look.rgba.begin());
     look.is_mesh = geom.type == mjGEOM_MESH;
-    const mjsMesh* mesh = find_mesh(string_of(geom.meshname));
+    const std::string name = string_of(geom.meshname);
+    const mjsMesh* mesh = find_mesh(name);
+    if (mesh == nullptr && !name.empty()) {
+      fail(line_of(geom.info),
+           "unknown mesh \"" + name + "\"; valid is the name of a <mesh>, or of its file");
+    }
     if (mesh == nullptr || !look.is_mesh) return look;
     const bool is_moved = !Vec3(mesh->refpos).isZero(0.0) || mesh->refquat[1] != 0.0 ||
                           mesh->refquat[2] != 0.0 || mesh->refquat[3] != 0.0;
     if (is_moved) {
-      fail(line_of(mesh->info), "mesh \"" + string_of(geom.meshname) +
+      fail(line_of(mesh->info), "mesh \"" + name +
                                     "\" has refpos or refquat, which are not read; give the geom "
                                     "pos and quat");
     }
