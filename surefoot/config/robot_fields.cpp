@@ -103,7 +103,7 @@ Group leg_fields(model::LegDescription& leg, LegInFile& o) {
       {"thigh", &leg.thigh_link, "link; without it the one that HFE moves"},
       {"shank", &leg.shank_link, "link with the foot sphere; without it the one that KFE moves"},
       text("foot", leg.foot_frame, "frame that the sphere's centre is given in"),
-      {"foot_radius", &o.foot_radius, kPositive, "m",
+      {"foot_radius", &o.foot_radius, kNotNegative, "m",
        "of this leg's sphere; without it foot.radius"},
       {"foot_center", Numbers{o.foot_center.data(), simulation::axis_elements()}, kAnyNumber, "m",
        "of this leg's sphere in the foot frame; without it foot.center"},
@@ -155,7 +155,9 @@ Group foot(RobotInFile& o) {
   const Field center{"center", Numbers{o.foot_center.data(), simulation::axis_elements()},
                      kAnyNumber, "m", "of the sphere or the sole in the foot frame"};
   if (robot.can_walk())
-    return {Field{"radius", &o.foot_radius, kPositive, "m", "of the sphere"}.required(), center};
+    return {
+        Field{"radius", &o.foot_radius, kNotNegative, "m", "of the sphere; 0: a point"}.required(),
+        center};
   return {Field{"size", Numbers{robot.sole.data(), {"x", "y"}}, kPositive, "m",
                 "length and width of the sole"}
               .required(),

@@ -31,6 +31,7 @@ constexpr int kFullPrecision = 17;
 constexpr std::size_t kNearLinks = 4;   // joints between links of a leg whose shapes overlap
 constexpr double kSameSphere = 1e-4;    // sphere of the URDF and of the description agree [m]
 constexpr double kNearbySphere = 5e-3;  // sphere of the URDF counts as the foot's [m]
+constexpr double kPoint = 1e-4;         // radius of a foot that is a point: MuJoCo needs one [m]
 
 void set_physics(mjSpec& spec, const PlantOptions& options) {
   spec.option.timestep = options.timestep;
@@ -82,7 +83,7 @@ void check_sphere(const mjsGeom& geom, const Vec3& center,
 mjsGeom& new_sphere(mjsBody& foot, const model::LegDescription& names) {
   mjsGeom* sphere = mjs_addGeom(&foot, nullptr);
   sphere->type = mjGEOM_SPHERE;
-  sphere->size[0] = names.foot_radius;
+  sphere->size[0] = std::max(names.foot_radius, kPoint);
   for (int i = 0; i < 3; ++i) sphere->pos[i] = names.foot_center[i];
   sphere->density = 0.0;
   return *sphere;
@@ -109,7 +110,8 @@ mjsGeom& foot_sphere(mjSpec& spec, const model::RobotDescription& description, L
       return geom;
     }
   }
-  notes.push_back(text("a massless foot sphere was added to \"", frame, "\""));
+  if (names.foot_radius > 0.0)
+    notes.push_back(text("a massless foot sphere was added to \"", frame, "\""));
   return new_sphere(foot, names);
 }
 

@@ -118,8 +118,8 @@ REFUSED = {
     "foot inside the shank": ([(r'(name="LF_to_foot"(?:.*\n){3}.*)-0.26"', r'\1-0.05"')], 'legs.LF: its foot, "LF_foot", is 0.05 m from the knee\'s axis'),
     "no radius": ([("yaml   radius: 0.024", "  center: [0, 0, 0]")], "foot.radius: this key is missing"),
     "radius against the URDF's": ([("yaml 0.024", "0.03")], "the foot sphere of LF has radius 0.024 m", "in marten.urdf, but foot.radius and foot.center of the robot file say 0.03 m", "they must agree"),
-    "radius of text": ([("yaml 0.024", "small")], 'marten.yaml:9: foot.radius: "small" is not a number above 0'),
-    "radius NaN": ([("yaml 0.024", ".nan")], 'foot.radius: ".nan" is not a number above 0'),
+    "radius of text": ([("yaml 0.024", "small")], 'marten.yaml:9: foot.radius: "small" is not a number of at least 0'),
+    "radius NaN": ([("yaml 0.024", ".nan")], 'foot.radius: ".nan" is not a number of at least 0'),
     "torque 0": ([("yaml torque: 25.0", "torque: 0")], 'marten.yaml:11: limits.torque: "0" is not a number above 0'),
     "torque with unit": ([("yaml torque: 25.0", "torque: 25 Nm")], 'limits.torque: "25 Nm" is not a number above 0'),
     "two torques": ([("yaml torque: 25.0", "torque: [25, 25]")], "limits.torque: a list of 2 is not a list of 3 numbers, nor a map from HAA … KFE"),
@@ -134,7 +134,7 @@ REFUSED = {
     "two gains": ([("yaml limits:", "gains: {hold: {kd: [5, 5]}}\nlimits:")], "gains.hold.kd: a list of 2 is not a list of 3 numbers, nor a map from HAA"),
     "gain of one joint of all": ([("yaml limits:", "gains: {damping: {KFE: 5}}\nlimits:")], "gains.damping: does not tell all of HAA, HFE and KFE"),
     "gain of a leg of text": ([("yaml LF_foot", "LF_foot, gains: {hold: {kp: {KFE: much}}}")], 'legs.LF.gains.hold.kp.KFE: "much" is not a number of at least 0'),
-    "radius of a leg": ([("yaml LF_foot", "LF_foot, foot_radius: 0")], 'yaml:4: legs.LF.foot_radius: "0" is not a number above 0'),
+    "radius of a leg": ([("yaml LF_foot", "LF_foot, foot_radius: -1")], 'yaml:4: legs.LF.foot_radius: "-1" is not a number of at least 0'),
     "radius of a leg against the URDF's": ([("yaml RF_foot", "RF_foot, foot_radius: 0.03")], "the foot sphere of RF has radius 0.024 m", "of the robot file say 0.03 m", "they must agree"),
     "centre of a leg": ([("yaml LF_foot", "LF_foot, foot_center: [0, 0]")], "legs.LF.foot_center: a list of 2 is not"),
     "speed 0": ([("yaml no_load_speed: 22.0", "no_load_speed: 0")], 'drives.no_load_speed: "0" is not a number above 0'),
@@ -249,6 +249,13 @@ def test_legs_may_have_feet_and_gains_of_their_own(good, tmp_path):
     edits = [(r'(<link name="RF_foot">\n.*\n.*\n.*\n.*)0.024', r"\g<1>0.03"), ("yaml RF_foot", "RF_foot, foot_radius: 0.03, gains: {hold: {kp: {KFE: 60}}}")]
     robot = written(tmp_path, good, edits)
     assert surefoot("run", "walk_flat", "--check", "--set", f"robot={robot}").stderr == ""
+
+
+def test_a_robot_walks_on_points(good, tmp_path):
+    robot = written(tmp_path, good, [(r"(?a)<collision>.*sphere.*</collision>", ""), ("yaml radius: 0.024", "radius: 0\n  center: [0, 0, -0.024]")])
+    result = surefoot("run", "walk_flat", "--set", f"robot={robot}")
+    assert result.returncode == 0, result
+    assert "sphere" not in result.stdout + result.stderr
 
 
 @pytest.mark.parametrize("edits, said", [
