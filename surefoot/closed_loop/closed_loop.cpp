@@ -251,7 +251,8 @@ class ClosedLoop {
   GoalWatch goal_;
   evaluation::Evaluator evaluator_;
   evaluation::EventCounter events_;
-  TroubleCounter troubles_{told_joints(scenario_.robot.joint_names(), scenario_.robot.num_legs())};
+  TroubleCounter troubles_{told_joints(scenario_.robot.joint_names(), scenario_.robot.num_legs()),
+                           scenario_.robot.scale};
   evaluation::TorqueHash torques_;
   runtime::StageTimer timer_;
   std::optional<logging::Recorder> recorder_;

@@ -24,10 +24,11 @@ std::string TroubleCounter::vain_reach(const TickRecord& record,
       command.in_world ? to_base * (command.position - record.state.p_WB) : command.position;
   const Vec3 planned = to_base * (record.plan.arm.p_WT - record.state.p_WB);
   const Vec3 tip = truth.q_SB.conjugate() * (truth.p_ST[arm] - truth.p_SB);
-  const bool is_off = (planned - target).norm() < kArrived && (tip - target).norm() > kOff;
+  const bool is_off = (planned - target).norm() < scale_.length * kArrived &&
+                      (tip - target).norm() > scale_.length * kOff;
   if (!is_off) tip_since_ = kNaN;
   if (is_off && std::isnan(tip_since_)) tip_since_ = truth.time;
-  return truth.time - tip_since_ > kPatience ? name + ": target out of reach" : "";
+  return truth.time - tip_since_ > scale_.time() * kPatience ? name + ": target out of reach" : "";
 }
 
 void TroubleCounter::add(double time, const TickRecord& record,

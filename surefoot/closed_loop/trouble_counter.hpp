@@ -1,5 +1,6 @@
 #pragma once
 
+#include "surefoot/base/scale.hpp"
 #include "surefoot/signals/tick_record.hpp"
 #include "surefoot/simulation/ground_truth.hpp"
 
@@ -18,11 +19,12 @@ struct TroubleCount {
 
 /// Counts, tick by tick, faults of sensors that had given a good sample before, and the modes of
 /// the safety ladder that end a walk; also commands that an arm can't follow: it is not there, or
-/// its reference has come to the target and after 1 s its tip is still 3 cm off.
+/// its reference has come to the target and after 1 s its tip is still 3 cm off, at scale 1.
 class TroubleCounter {
  public:
-  /// `joints`: names of all joints of the robot.
-  explicit TroubleCounter(std::vector<std::string> joints) : joints_(std::move(joints)) {}
+  /// `joints`: names of all joints of the robot; `scale` of it.
+  explicit TroubleCounter(std::vector<std::string> joints, const Scale& scale = {})
+      : joints_(std::move(joints)), scale_(scale) {}
 
   void add(double time, const TickRecord& record, const simulation::GroundTruth& truth);
 
@@ -34,6 +36,7 @@ class TroubleCounter {
                                        const simulation::GroundTruth& truth);
 
   std::vector<std::string> joints_;
+  Scale scale_;
   std::vector<std::string> before_;
   double tip_since_ = kNaN;  // how long the tip has been off a target that the plan came to [s]
   std::vector<TroubleCount> counts_;

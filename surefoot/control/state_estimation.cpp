@@ -74,7 +74,7 @@ StateEstimation::StateEstimation(const ControllerOptions& options,
       external_force_(options.external_force),
       consistency_(options.consistency, options.period,
                    {.min = model.description().q_min, .max = model.description().q_max},
-                   model.description().num_legs()),
+                   model.description().num_legs(), model.description().scale),
       lift_(options.period, model.description().scale),
       joint_velocity_(JointVector::Zero(model.description().num_joints())),
       kinematics_before_(no_errors(model.description().num_legs())) {

@@ -46,7 +46,7 @@ void SensorConsistency::update(const SensorReading& reading, const SensorReading
   // An impact of a single sample: its replacement was no motion.
   const bool is_over = jumped_ && is_well(health.imu) &&
                        (reading.accelerometer - held_force_).norm() < kSameForce &&
-                       (reading.gyro - held_turn_).norm() < kSameTurn;
+                       (reading.gyro - held_turn_).norm() < rate_ * kSameTurn;
   if (is_over) imu_.forget();
   jumped_ = jumps;
   held_force_ = reading.accelerometer;

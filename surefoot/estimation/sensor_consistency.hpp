@@ -1,5 +1,6 @@
 #pragma once
 
+#include "surefoot/base/scale.hpp"
 #include "surefoot/estimation/frozen_joints.hpp"
 #include "surefoot/estimation/imu_check.hpp"
 #include "surefoot/estimation/imu_step_check.hpp"
@@ -24,9 +25,11 @@ struct ConsistencyInputs {
 /// construction.
 class SensorConsistency {
  public:
+  /// `period` of the control loop [s]; `scale` and number of legs of the robot.
   SensorConsistency(const SensorConsistencyOptions& options, double period,
-                    const JointStops& stops = {}, int num_legs = kNumLegs)
+                    const JointStops& stops = {}, int num_legs = kNumLegs, const Scale& scale = {})
       : enabled_(options.enabled),
+        rate_(scale.rate()),
         imu_(options.imu, period, num_legs),
         imu_step_(period),
         frozen_(options.frozen, period, stops),
@@ -45,6 +48,7 @@ class SensorConsistency {
 
  private:
   bool enabled_;
+  double rate_;  // of the robot against that of scale 1
   ImuCheck imu_;
   ImuStepCheck imu_step_;
   FrozenJoints frozen_;

@@ -29,7 +29,8 @@ void ContactLossJudge::add(const simulation::GroundTruth& truth, const MotionPla
     }
     const bool stands = phase == LegPhase::stance;
     if (stands && (touches || !stood)) foot.touched_at = truth.time;
-    foot.is_lost = foot.is_lost || (stands && truth.time - foot.touched_at >= kMinLossTime);
+    const double away = truth.time - foot.touched_at;
+    foot.is_lost = foot.is_lost || (stands && away >= time_scale_ * kMinLossTime);
     foot.phase = phase;
   }
 }

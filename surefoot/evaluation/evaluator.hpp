@@ -45,6 +45,8 @@ class Evaluator {
  public:
   explicit Evaluator(EvaluatorOptions options)
       : options_(std::move(options)),
+        touchdowns_(options_.scale),
+        losses_(options_.scale),
         slips_(options_.control_period, options_.scale),
         path_(options_.control_period),
         command_(options_.control_period, options_.scale),

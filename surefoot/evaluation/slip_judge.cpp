@@ -24,7 +24,7 @@ void SlipJudge::add(const simulation::GroundTruth& truth, const TickRecord& tick
     const double load = contact.normal.dot(contact.force);
     follow(foot, truth.time, speed, load > scale_.force() * kMinLoad);
     notice(foot, truth.time, tick.state.slips[k]);
-    if (foot.is_slip && !(truth.time - foot.last_at <= kRestTime)) close(foot);
+    if (foot.is_slip && !(truth.time - foot.last_at <= scale_.time() * kRestTime)) close(foot);
   }
 }
 
@@ -38,13 +38,13 @@ void SlipJudge::follow(Foot& foot, double time, double speed, bool loaded) const
   foot.last_at = time;
   if (foot.is_slip) return;
   if (foot.slides_for <= period_ + kRounding) foot.began_at = time;
-  foot.is_slip = foot.slides_for >= kMinDuration - kRounding;
+  foot.is_slip = foot.slides_for >= scale_.time() * kMinDuration - kRounding;
 }
 
 void SlipJudge::notice(Foot& foot, double time, bool believed) {
   const bool is_new = believed && !foot.was_believed;
   foot.was_believed = believed;
-  if (is_new && !(time - foot.crept_at <= kRestTime)) ++false_;
+  if (is_new && !(time - foot.crept_at <= scale_.time() * kRestTime)) ++false_;
   if (!believed || !foot.is_slip || foot.is_noticed) return;
   foot.is_noticed = true;
   latencies_.push_back(time - foot.began_at);

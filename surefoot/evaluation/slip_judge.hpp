@@ -15,7 +15,7 @@ namespace surefoot::evaluation {
 /// than 0.05 m/s; for at least 10 ms this is a slip, until the foot has rested for 50 ms. A slip is
 /// detected if the estimate shows it until then, otherwise missed; its latency runs from its start.
 /// A detection is false if no foot slid within 50 ms before, not even more slowly or shortly.
-/// Force and speeds are the reference robot's: `Scale`.
+/// Force, speeds and times are the reference robot's: `Scale`.
 class SlipJudge {
  public:
   /// `period` of the control loop [s], `scale` of the robot.

@@ -19,7 +19,7 @@ void TouchdownJudge::add(const simulation::GroundTruth& truth, const MotionPlan&
     Foot& foot = feet_[index(leg)];
     const bool contact = plan.contact(leg);
     if (truth.feet[index(leg)].touched) {
-      const bool is_new = !(time - foot.touching_at <= kMaxBounce);
+      const bool is_new = !(time - foot.touching_at <= time_scale_ * kMaxBounce);
       if (is_new || foot.was_contact) foot.touched_at = time;
       foot.touching_at = time;
     }

@@ -48,8 +48,9 @@ TEST(TroubleCounter, ASensorThatNeverGaveAGoodSampleIsNone) {
 }
 
 /// Arm 0 is told to reach 1 m; its reference and its tip are there or not, for a second and a half.
-std::vector<TroubleCount> told_of_reach(double reference, double tip, int arm = 0) {
-  TroubleCounter troubles{std::vector<std::string>(kNumLegJoints)};
+std::vector<TroubleCount> told_of_reach(double reference, double tip, int arm = 0,
+                                        const Scale& scale = {}) {
+  TroubleCounter troubles(std::vector<std::string>(kNumLegJoints), scale);
   TickRecord record = tick();
   record.user.reach = {.arm = arm, .in_world = true, .position = Vec3(1.0, 0.0, 0.0)};
   record.plan.arm = {.arm = 0, .p_WT = Vec3(reference, 0.0, 0.0)};
@@ -71,6 +72,12 @@ TEST(TroubleCounter, TellsOnceOfATargetThatAnArmDoesNotComeTo) {
   EXPECT_EQ(troubles[0].what, "arm 0: target out of reach");
   EXPECT_EQ(troubles[0].count, 1);
   EXPECT_NEAR(troubles[0].first, 1.1, 0.15);
+}
+
+TEST(TroubleCounter, TellsMoreOfASmallerRobotsArm) {
+  const std::vector<TroubleCount> troubles = told_of_reach(1.0, 0.98, 0, Scale{.length = 0.25});
+  ASSERT_EQ(troubles.size(), 1U);
+  EXPECT_NEAR(troubles[0].first, 0.6, 0.15);
 }
 
 TEST(TroubleCounter, TellsOfAnArmThatThereIsNot) {

@@ -86,5 +86,13 @@ TEST(ContactLossJudge, WhatASwingOrASearchDoesInTheAirDoesNotCount) {
   expect_counts(feet.metrics(), 0, 0, 0);
 }
 
+TEST(ContactLossJudge, ALargerRobotsBouncesMayBeLonger) {
+  Feet feet;
+  feet.judge = ContactLossJudge(Scale{.length = 4.0});
+  feet.ticks(30, false, LegPhase::stance);
+  feet.ticks(40, true, LegPhase::stance);
+  expect_counts(feet.metrics(), 0, 0, 0);
+}
+
 }  // namespace
 }  // namespace surefoot::evaluation

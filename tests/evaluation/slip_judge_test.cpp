@@ -92,5 +92,16 @@ TEST(SlipJudge, SlowerSlidesOfLighterFeetCountForASmallRobot) {
   EXPECT_EQ(slide.metrics().slips_missed, 1);
 }
 
+TEST(SlipJudge, ALargerRobotsSlipsTakeLonger) {
+  Slide slide;
+  slide.judge = SlipJudge(kPeriod, Scale{.length = 4.0});
+  slide.ticks(6, 0.2, false);  // 15 ms
+  slide.ticks(100, 0.0, false);
+  EXPECT_EQ(slide.metrics().slips_missed, 0);
+  slide.ticks(10, 0.2, false);
+  slide.ticks(100, 0.0, false);
+  EXPECT_EQ(slide.metrics().slips_missed, 1);
+}
+
 }  // namespace
 }  // namespace surefoot::evaluation

@@ -110,5 +110,18 @@ TEST(TouchdownJudge, ATouchEarlierInTheSwingDoesNotCount) {
   EXPECT_NEAR(steps.metrics().touchdown_latency_p95_s, 0.0025, 1e-9);
 }
 
+TEST(TouchdownJudge, ALargerRobotsBouncesMayBeLonger) {
+  for (const double length : {1.0, 4.0}) {
+    Steps steps;
+    steps.judge = TouchdownJudge(Scale{.length = length});
+    steps.ticks(40, true, true);
+    steps.ticks(100, false, false);
+    steps.tick(true, false);
+    steps.ticks(29, false, false);  // 75 ms
+    steps.tick(true, true);
+    EXPECT_NEAR(steps.metrics().touchdown_latency_p95_s, length > 1.0 ? 30 * 0.0025 : 0.0, 1e-9);
+  }
+}
+
 }  // namespace
 }  // namespace surefoot::evaluation

@@ -137,5 +137,17 @@ TEST(CalibrationSchedule, ASwitchThatIsOnFromTheBeginningAsksForNothing) {
   EXPECT_FALSE(schedule.is_wanted());
 }
 
+TEST(CalibrationSchedule, ASmallerRobotIsWaitedForLessLong) {
+  Bench bench;
+  bench.schedule = CalibrationSchedule(kOptions, Scale{.length = 0.25});
+  bench.schedule.begin(0.0);
+  bench.run(kCalibration);
+  bench.asked = true;
+  bench.run(kCalibration + 4.9);
+  EXPECT_EQ(bench.schedule.take_waiting(), PlanEvent::none);
+  bench.run(kCalibration + 5.1);
+  EXPECT_EQ(bench.schedule.take_waiting(), PlanEvent::calibration_waits);
+}
+
 }  // namespace
 }  // namespace surefoot::gaits

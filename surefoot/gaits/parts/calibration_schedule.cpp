@@ -39,7 +39,7 @@ void CalibrationSchedule::update(double time, bool requested, bool is_undisturbe
 
 void CalibrationSchedule::want() {
   is_wanted_ = true;
-  wait_timeout_at_ = time_ + kWaitTimeout;
+  wait_timeout_at_ = time_ + time_scale_ * kWaitTimeout;
 }
 
 // Repeats are limited, so that a lasting push does not keep the robot from walking.
@@ -67,7 +67,7 @@ PlanEvent CalibrationSchedule::take_end() { return std::exchange(end_, PlanEvent
 
 PlanEvent CalibrationSchedule::take_waiting() {
   if (!is_wanted_ || is_going_on() || time_ < wait_timeout_at_) return PlanEvent::none;
-  wait_timeout_at_ = time_ + kWaitTimeout;
+  wait_timeout_at_ = time_ + time_scale_ * kWaitTimeout;
   return PlanEvent::calibration_waits;
 }
 

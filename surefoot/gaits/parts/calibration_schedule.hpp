@@ -13,7 +13,7 @@ class CalibrationSchedule {
  public:
   /// `scale` of the robot.
   explicit CalibrationSchedule(const CalibrationOptions& options, const Scale& scale = {})
-      : motion_(options, scale) {}
+      : motion_(options, scale), time_scale_(scale.time()) {}
 
   /// State of the user's switch before the first tick: not a request.
   void expect_switch(bool requested) { requested_before_ = requested; }
@@ -46,6 +46,7 @@ class CalibrationSchedule {
   void give_up();
 
   CalibrationMotion motion_;
+  double time_scale_;
   CalibrationStage stage_ = CalibrationStage::none;
   double time_ = 0.0, begun_at_ = 0.0;  // [s]
   bool requested_before_ = false;       // at the last tick

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "surefoot/base/scale.hpp"
 #include "surefoot/gaits/parts/leg_limits.hpp"
 #include "surefoot/math/recent.hpp"
 
@@ -9,9 +10,9 @@ namespace surefoot::gaits {
 /// errors change it slowly.
 class ImpactDetector {
  public:
-  /// `period` of the control loop [s].
-  ImpactDetector(const TouchdownOptions& options, double period)
-      : options_(options), period_(period) {}
+  /// `period` of the control loop [s], `scale` of the robot.
+  ImpactDetector(const TouchdownOptions& options, double period, const Scale& scale = {})
+      : options_(options), period_(period / scale.time()) {}
 
   /// A swing begins.
   void begin() {
@@ -44,7 +45,7 @@ class ImpactDetector {
 
  private:
   TouchdownOptions options_;
-  double period_;
+  double period_;            // at scale 1 [s]
   Recent<double, 8> lags_;   // velocities along the normal minus the reference's [m/s]
   double mean_force_ = 0.0;  // low-pass filtered normal force [N]
   double mean_brake_ = 0.0;  // [m/s]

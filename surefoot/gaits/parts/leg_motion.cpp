@@ -52,7 +52,7 @@ void LegMotion::use(const PlannerOptions& options, double time) {
   touchdown_ = options.contact;
   force_ = options.force;
   reflex_ = options.reflex;
-  impact_ = ImpactDetector(touchdown_, period_);
+  impact_ = ImpactDetector(touchdown_, period_, scale_);
   load_from(force, time);
 }
 

@@ -55,7 +55,7 @@ class LegMotion {
         period_(period),
         scale_(scale),
         search_{scale},
-        impact_(options.contact, period) {}
+        impact_(options.contact, period, scale) {}
 
   /// Begins a stance at p; `loaded`: without a force ramp.
   void plant(double time, const Vec3& p_WF, bool loaded = false);
