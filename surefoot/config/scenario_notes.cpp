@@ -62,12 +62,13 @@ void note_unused_actuator(const std::vector<std::string>& assigned,
 
 /// The clock's gait of a command; null where it is the crawl's, or the speed chooses.
 const gaits::RhythmOptions* rhythm_of(const UserCommand& user, const Scenario& scenario) {
-  if (user.gait == UserCommand::kAutoGait) return nullptr;
   const control::ControllerOptions& controller = scenario.controller;
-  const auto gait = static_cast<std::size_t>(user.gait);
-  const gaits::RhythmOptions& rhythm = user.gait == UserCommand::kOwnGait
-                                           ? controller.planner.rhythm
-                                           : controller.gaits[gait].options.rhythm;
+  const int gait = user.gait == UserCommand::kOwnGait ? controller.first_gait : user.gait;
+  if (gait == UserCommand::kAutoGait) return nullptr;
+  const gaits::RhythmOptions& rhythm =
+      gait == UserCommand::kOwnGait
+          ? controller.planner.rhythm
+          : controller.gaits[static_cast<std::size_t>(gait)].options.rhythm;
   return rhythm.enabled ? &rhythm : nullptr;
 }
 

@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace surefoot::config {
 namespace {
 
@@ -66,6 +68,16 @@ TEST(GaitFile, that_makes_no_sense_is_told_with_what_would) {
   EXPECT_TRUE(holds(told("planner.rhythm.duty=0.98"), "takes at least 0.085 s"));
   EXPECT_TRUE(holds(told("planner.rhythm.period=100"), "let LF swing for 50 s; valid is a swing"));
   EXPECT_TRUE(holds(told("planner.rhythm.speed_max=0"), "above 0"));
+}
+
+TEST(GaitFile, notes_a_command_that_its_gait_is_too_slow_for_but_not_where_the_speed_chooses) {
+  const std::string fast = "user=[{time: 0.5, walk: true, velocity: [1.4, 0]}]";
+  const std::vector<std::string> notes = load("trot", {fast}).notes;
+  EXPECT_TRUE(std::ranges::any_of(notes, [](const std::string& note) {
+    return holds(note, "feet of 1.4 m/s at 0.5 s; the gait's speed_max is 1.2 m/s");
+  }));
+  EXPECT_TRUE(load("trot").notes.empty());
+  EXPECT_TRUE(load("trot", {fast, "gait=auto", "gaits=[crawl, trot, flying_trot]"}).notes.empty());
 }
 
 TEST(GaitFile, of_other_legs_is_refused_with_their_names) {
