@@ -137,6 +137,15 @@ TEST(GaitChange, begins_with_the_legs_that_have_stood_longest) {
   }
 }
 
+TEST(GaitChange, to_a_slow_crawl_sways_before_the_first_leg_lifts_off) {
+  test::Puppet puppet = walker(kTrot, 0.2);
+  puppet.run(5.0);
+  puppet.user.gait = kCrawl;
+  puppet.run(4.0);
+  const double change = puppet.happenings(PlanEvent::gait_changed).back().time;
+  EXPECT_GT(puppet.first_after(change, PlanEvent::lift_off).time - change, 0.1 * kCycle);
+}
+
 /// Speed of the COM's reference when the gait changes.
 double speed_of_change(int from, int to) {
   test::Puppet puppet = walker(from, 1.0);

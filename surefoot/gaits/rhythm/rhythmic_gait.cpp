@@ -47,14 +47,17 @@ RhythmOptions RhythmicGait::gathering(const PlannerOptions& options) {
   return result;
 }
 
+// Where a leg lifts off from a COM that does not sway yet, three feet of a slow gait can't hold it.
 void RhythmicGait::start_clock(const Situation& now, const Body& body) {
   clock_ = PhaseClock(gathers_ ? gathering_ : options_);
   const Leg first = first_leg(now, body);
   const double ramp = body.options.force.ramp_down;
   const double stance = std::max(ramp, clock_.stance_duration(first));
-  clock_.start(pushes_off() ? stance : ramp, first);
+  const bool is_long = options_.period >= body.scale.time() * kLongCycle;
+  const double before = pushes_off() ? stance : is_long ? std::max(ramp, 0.5 * stance) : ramp;
+  clock_.start(before, first);
   begin_ = now.time;
-  grows_for_ = pushes_off() ? stance : options_.period;
+  grows_for_ = pushes_off() || is_long ? before : options_.period;
   sway(now.time);
 }
 
