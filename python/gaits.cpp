@@ -57,11 +57,17 @@ class PythonGait final : public gaits::Gait {
   double stride_duration(double) const override {
     return number_of("stride_duration", "a time [s]");
   }
+  bool is_static() const override {
+    return in_python([&] { return truth_of("is_static", (*object_).attr("is_static")()); });
+  }
+  double speed() const override { return number_of("speed", "a speed [m/s]"); }
+  Motion<double> bounce() const override;
   ComPlan com(const Situation& now, const Body& body) const override;
 
   // For GaitTick.
   void lift(Leg leg, const Vec3& to, double duration, double apex, Situation& now, Body& body) {
     swings_ = leg;
+    begins_step_ = true;
     unloads_.reset();
     std::erase_if(steps_, [&](const StepAhead& step) { return step.leg == leg; });
     lands_at_ = now.time + duration;
@@ -100,6 +106,7 @@ class PythonGait final : public gaits::Gait {
   }
 
   void forget_steps() {
+    begins_step_ = false;
     swings_.reset();
     unloads_.reset();
     steps_.clear();
@@ -121,6 +128,7 @@ class PythonGait final : public gaits::Gait {
   std::optional<Leg> swings_, unloads_;
   double lands_at_ = gaits::kNever;  // the swing leg [s]
   std::vector<StepAhead> steps_;
+  bool begins_step_ = false;  // at this tick
 };
 
 /// What a gait is given at a tick, for as long as its method runs; `GaitTick` in Python.
@@ -207,8 +215,20 @@ GaitOutcome PythonGait::go_on(Situation& now, Body& body) {
                      const bool hands_over = truth_of("go_on", given);
                      if (hands_over && !body.legs.all_down())
                        throw Error("go_on() hands over with a foot in the air");
-                     return GaitOutcome{.hands_over = hands_over};
+                     return GaitOutcome{.hands_over = hands_over,
+                                        .begins_step = std::exchange(begins_step_, false)};
                    });
+}
+
+Motion<double> PythonGait::bounce() const {
+  return in_python([&] {
+    const nb::object given = (*object_).attr("bounce")();
+    std::vector<double> numbers;
+    if (nb::try_cast(given, numbers) && numbers.size() == 3 &&
+        std::ranges::all_of(numbers, [](double number) { return std::isfinite(number); }))
+      return Motion<double>{numbers[0], numbers[1], numbers[2]};
+    throw Error(wrong("bounce", given, "(height, velocity, acceleration) [m, m/s, m/s²]"));
+  });
 }
 
 ComPlan PythonGait::com(const Situation& now, const Body& body) const {
@@ -363,6 +383,19 @@ void bind_gait(nb::module_& module) {
           "Between two steps of a leg [s]: commands are slowed down to strides that legs can make; "
           "0: "
           "they are not.")
+      .def(
+          "is_static", [](const Self&) { return true; },
+          "Can the robot stop at any moment? Then it leans against pushes, and is slower for them; "
+          "else a command to stop\nslows it down step by step.")
+      .def(
+          "speed", [](const Self&) { return 0.0; },
+          "Of the torso's reference [m/s]: another gait waits until it is as slow as both gaits "
+          "allow.")
+      .def(
+          "bounce", [](const Self&) { return std::make_tuple(0.0, 0.0, 0.0); },
+          nb::sig("def bounce(self) -> tuple[float, float, float]"),
+          "How the torso goes up and down in a cycle: height, velocity, acceleration [m, m/s, "
+          "m/s²].")
       .def(
           "restart", [](const Self&) {},
           "Forgets everything: the robot may stand elsewhere. The gait is not active.");

@@ -66,6 +66,72 @@ def test_as_it_is_it_stands_and_each_controller_makes_one():
     assert len(gaits) == 2 and gaits[0] is not gaits[1]
 
 
+def test_a_command_that_changes_is_followed_from_the_next_step():
+    seen = set()
+
+    class Watching(Crawl):
+        def go_on(self, now):
+            seen.add(round(float(now.user.velocity[0]), 3))
+            return super().go_on(now)
+
+    user = "user=[{time: 0.2, walk: true, velocity: [0.02, 0], gait: mine}, {time: 2, walk: true, velocity: [0.04, 0], gait: mine}]"
+    words = ["duration=8", "planner.calibration.duration=0", "criteria=none", user]
+    surefoot.run("walk_flat_ideal", gaits={"mine": Watching}, set=words)
+    assert seen == {0.02, 0.04}
+
+
+def test_its_torso_bounces():
+    class Bouncing(Gait):
+        def begin(self, now):
+            self.begins = self.now = now.time
+
+        def go_on(self, now):
+            self.now = now.time
+            return super().go_on(now)
+
+        def bounce(self):
+            phase = 6.0 * (self.now - self.begins)
+            return 0.01 * (1 - np.cos(phase)), 0.06 * np.sin(phase), 0.36 * np.cos(phase)
+
+    heights = []
+    surefoot.run(walking(Bouncing, duration=4.0), every_tick=lambda tick: heights.append(tick.controller.plan.torso.height))
+    assert np.ptp(heights[800:]) == pytest.approx(0.02, abs=1e-3)
+
+
+@pytest.mark.parametrize(("speed", "waits"), [(0.0, False), (3.0, True)])
+def test_another_gait_waits_until_it_is_slow(speed, waits):
+    yields = []
+
+    class Quick(Gait):
+        def go_on(self, now):
+            yields.append(now.yields)
+            return super().go_on(now)
+
+    Quick.speed = lambda gait: speed
+    user = "user=[{time: 0.2, walk: true, gait: mine}, {time: 1, walk: true, gait: trot}]"
+    words = ["duration=2", "planner.calibration.duration=0", "criteria=none", user]
+    surefoot.run("trot", gaits={"mine": Quick}, set=words)
+    assert any(yields) is not waits
+
+
+@pytest.mark.parametrize("is_static", [True, False])
+def test_one_that_is_not_static_stops_step_by_step(is_static):
+    velocities = []
+
+    class Crawling(Crawl):
+        def go_on(self, now):
+            if not now.user.walk:
+                velocities.append(float(now.user.velocity[0]))
+            super().go_on(now)
+            return False
+
+    Crawling.is_static = lambda gait: is_static
+    user = "user=[{time: 0.2, walk: true, velocity: [0.1, 0], gait: mine}, {time: 2, walk: false, velocity: [0.1, 0]}]"
+    words = ["duration=6", "planner.calibration.duration=0", "criteria=none", user]
+    surefoot.run("walk_flat_ideal", gaits={"mine": Crawling}, set=words)
+    assert (velocities[-1] == 0.0) is not is_static
+
+
 def kept(gait, now):
     if getattr(gait, "kept", None) is not None:
         return gait.kept.time
@@ -81,6 +147,8 @@ WRONG = {
     "keeps": ({"com": kept}, "this tick is over"),
     "leg": ({"begin": lambda gait, now: now.unload("XF", 1.0)}, 'no leg "XF"; before.feet has their names'),
     "nan": ({"begin": lambda gait, now: now.lift("LF", [0, 0, np.nan], 0.5)}, "to[2] is nan; a finite number would be valid"),
+    "no bounce": ({"bounce": lambda gait: 0.1}, "bounce returned 0.1; (height, velocity, acceleration) [m, m/s, m/s²] would be valid"),
+    "static": ({"is_static": lambda gait: None}, "is_static returned None; True or False would be valid"),
     "in the air": ({"begin": lambda gait, now: now.lift("LF", now.foothold("LF", 1.0), 0.5), "go_on": lambda gait, now: True}, "with a foot in the air"),
 }  # fmt: skip
 
