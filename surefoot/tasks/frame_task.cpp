@@ -1,5 +1,7 @@
 #include "surefoot/tasks/frame_task.hpp"
 
+#include "surefoot/base/error.hpp"
+
 namespace surefoot::tasks {
 namespace {
 
@@ -15,7 +17,12 @@ FramePlan in_world(const ArmPlan& arm) {
 }  // namespace
 
 void FrameTask::find_parts(const model::RobotDescription& robot) {
-  if (name_.empty()) return;
+  if (name_.empty()) {
+    if (!robot.arms.empty()) return;
+    throw Error(std::string(name()) + ": no frame is given, and the robot " + robot.name +
+                " has no arm whose tip could be meant; valid is the name of a link or joint, as \"" +
+                robot.base_link + "\"");
+  }
   const model::Frames frames(robot);
   const int number = frames.number(name_);
   frame_ = {.number = number, .in_world = held_in_ == HeldIn::world, .at = frames[number]};

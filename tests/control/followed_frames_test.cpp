@@ -59,6 +59,9 @@ TEST(FollowedFrames, OfANewStackAreFollowedFromThen) {
 TEST(FollowedFrames, ThatTheRobotHasNotOrThatAreHeldTwiceAreRefused) {
   EXPECT_TRUE(test::holds(error_of(following("LF_SHNK").stack),
                           "has no frame \"LF_SHNK\"; did you mean \"LF_SHANK\"?"));
+  EXPECT_TRUE(test::holds(error_of(following("").stack),
+                          "frame_position: no frame is given, and the robot anymal_b has no arm "
+                          "whose tip could be meant; valid is the name of a link or joint"));
   ControllerOptions twice = following("LF_SHANK");
   twice.stack.levels.push_back(following("LF_SHANK", "world").stack.levels[5]);
   EXPECT_TRUE(

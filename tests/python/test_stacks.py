@@ -66,6 +66,13 @@ def test_a_frame_is_followed_by_tasks_that_are_told_apart_by_it(stack):
     assert tasks.FramePosition().name == "frame_position", "the tip of an arm that reaches"
 
 
+def test_a_frame_is_asked_for_where_there_is_no_arm(stack):
+    made = stack.before("torso_yaw", tasks.FramePosition())
+    with pytest.raises(surefoot.Error, match='frame_position: no frame is given, and the robot anymal_b has no arm .*; valid is .* "base"'):
+        surefoot.Controller("anymal_b", stack=made)
+    assert surefoot.Controller("anymal_b_kinova", stack=made).level_names.index("frame_position") > 0
+
+
 def test_posture_is_of_any_joints(stack):
     made = stack.last(tasks.Posture(joints=["LF_HAA", "RF_HAA"], target="plan"))
     assert list(made)[-1].tasks[0].parameters["joints"] == "LF_HAA RF_HAA"
