@@ -75,7 +75,10 @@ void load_gaits(ConfigNode& tree, const ConfigNode* own, const gaits::OwnGaits& 
   const bool has_own = own != nullptr && own->kind != ConfigNode::Kind::null;
   const GaitNames names = names_in(tree, own);
   const bool is_of_user = has_own && of_user.find(own->text) != nullptr;
-  if (names.all().size() < (has_own && !is_of_user ? 2u : 1u)) return set_path(tree, "gaits", {});
+  const ConfigNode* listed = tree.find("gaits");
+  const bool is_listed = listed != nullptr && listed->kind == ConfigNode::Kind::list;
+  const std::size_t least = has_own && !is_of_user && !is_listed ? 2 : 1;
+  if (names.all().size() < least) return set_path(tree, "gaits", {});
   ConfigNode planners{.kind = ConfigNode::Kind::map, .where = tree.where};
   for (const ConfigNode& gait : names.all())
     planners.members.emplace_back(name_of(gait), planner_of(gait));

@@ -17,8 +17,8 @@ inline constexpr const char* kAutoGait = "auto";
 
 /// Replaces the list `gaits:` by a map from the names of all gaits that the scenario can change to,
 /// in its list, its `gait:` (`own`, may be null) or its commands, to the whole `planner:` in each,
-/// which `planner_of` gives. Does nothing where there is one gait only, unless that is one of the
-/// user's.
+/// which `planner_of` gives. Takes the list away where there is one gait only, which is neither in
+/// the list nor one of the user's.
 void load_gaits(ConfigNode& tree, const ConfigNode* own, const gaits::OwnGaits& of_user,
                 const std::function<ConfigNode(const ConfigNode& name)>& planner_of);
 /// Sets in all gaits what the seed has drawn for `planner:`.

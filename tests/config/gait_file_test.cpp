@@ -131,6 +131,9 @@ TEST(LoadedGaits, are_those_of_the_list_the_scenario_and_its_commands) {
   const Scenario one = load("trot"), some = load("trot", {"gaits=[crawl, pace]"}),
                  commanded = load("walk_flat", {"user=[{time: 1, walk: true, gait: trot}]"});
   EXPECT_TRUE(one.controller.gaits.empty());
+  const Scenario listed = load("trot", {"gaits=[trot]"});
+  ASSERT_EQ(listed.controller.gaits.size(), 1u);
+  EXPECT_EQ(listed.controller.first_gait, 0);
   ASSERT_EQ(some.controller.gaits.size(), 3u);
   EXPECT_EQ(some.controller.gaits[2].name, "trot");
   EXPECT_EQ(some.controller.first_gait, 2);

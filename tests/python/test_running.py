@@ -233,6 +233,7 @@ def test_gaits_that_are_not_there_are_refused_with_those_that_are():
     controller.step(plant.read(), user)
     with pytest.raises(surefoot.Error, match=r"one gait alone; with gaits=\[crawl, trot\] it has both"):
         surefoot.Controller("anymal_b").step(plant.read(), user)
+    surefoot.Controller("anymal_b", set=["gait=trot", "gaits=[trot]"]).step(plant.read(), user)
 
 
 def test_what_is_for_a_name_is_refused_for_a_scenario():
