@@ -7,7 +7,6 @@ from dataclasses import dataclass, field
 
 import matplotlib
 import numpy as np
-from matplotlib.backends.backend_pdf import FigureCanvasPdf
 from matplotlib.backends.backend_svg import FigureCanvasSVG
 from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator
@@ -148,6 +147,8 @@ def draw_panel(axes, run, panel):
 
 def saved(figure, name):
     """A figure as SVG and as PDF: the same bytes for the same figure."""
+    from matplotlib.backends.backend_pdf import FigureCanvasPdf  # which reads fonts: a plot shall not wait for it
+
     with matplotlib.rc_context({"svg.hashsalt": name}):
         svg, pdf = io.BytesIO(), io.BytesIO()
         FigureCanvasSVG(figure).print_svg(svg, metadata={"Date": None, "Creator": None, "Format": None, "Type": None})
