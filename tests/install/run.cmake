@@ -46,11 +46,21 @@ foreach(components "COMPONENTS\\;solver" "")
   run(${folder}/solver/solver_alone)
 endforeach()
 
-# Within an own project. Configuring resolves all that surefoot::surefoot links; building it all would take minutes. The
-# flags are the build tree's, so that ccache knows the objects.
+# Within an own project. The flags are the build tree's, so that ccache knows the objects.
 foreach(fetches ON OFF)
   configure(/subproject subproject_${fetches} -D SUREFOOT=${SOURCE} -D FETCHES=${fetches}
             "-DCMAKE_CXX_FLAGS_RELEASE=-O2 -DNDEBUG" -D SUREFOOT_WARNINGS_AS_ERRORS=ON)
 endforeach()
 build(subproject_ON --target solver_alone)
 run(${folder}/subproject_ON/solver_alone)
+# A program with a Controller is compiled and linked as there. The libraries are the build tree's: to build them again
+# would take minutes.
+file(GLOB libraries ${BUILD}/libsurefoot_*.a)
+file(COPY ${libraries} DESTINATION ${folder}/subproject_ON/_deps/surefoot-build)
+build(subproject_ON --target ${SOURCE}/examples/02_control_loop.cpp^)
+find_program(ninja NAMES ninja ninja-build REQUIRED)
+execute_process(COMMAND ${ninja} -C ${folder}/subproject_ON -t commands control_loop OUTPUT_VARIABLE link
+                COMMAND_ERROR_IS_FATAL ANY)
+string(REGEX REPLACE ".*\n([^\n]+)\n$" "\\1" link "${link}")
+run(sh -c "cd subproject_ON && ${link}")
+run(${folder}/subproject_ON/control_loop)
