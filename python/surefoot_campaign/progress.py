@@ -25,6 +25,8 @@ class Progress:
         self.started = self.last = time.monotonic()
 
     def __enter__(self):
+        if self.terminal:
+            self.draw()
         return self
 
     def __exit__(self, *_):

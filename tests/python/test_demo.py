@@ -1,5 +1,6 @@
 """The demo's experiments and its page. How it is interrupted: test_interrupts.py."""
 
+import io
 import re
 import subprocess
 
@@ -8,6 +9,7 @@ from surefoot_campaign.demo import Row, headline, measured
 from surefoot_campaign.demo_page import demo_page
 from surefoot_campaign.experiments import EXPERIMENTS
 from surefoot_campaign.program import Program
+from surefoot_campaign.progress import Progress
 
 
 def test_every_experiment_can_be_read_and_shows_metrics_that_exist():
@@ -66,3 +68,10 @@ def test_it_says_how_long_it_will_take_before_anything_has_run(tmp_path):
         first = demo.stderr.readline()
         demo.terminate()
     assert re.match(rf"{len(EXPERIMENTS)} experiments of the paper in \d+ runs, 2 at a time: about \d+ (s|min), step_down first; reports go to ", first), first
+
+
+def test_a_terminal_has_a_bar_before_the_first_run_has_ended():
+    stream = io.StringIO()
+    stream.isatty = lambda: True
+    with Progress("experiments", 0, 45, stream=stream):
+        assert "experiments ░" in stream.getvalue() and "0 of 45 runs" in stream.getvalue()
