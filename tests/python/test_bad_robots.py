@@ -124,7 +124,7 @@ REFUSED = {
     "torque with unit": ([("yaml torque: 25.0", "torque: 25 Nm")], 'limits.torque: "25 Nm" is not a number above 0'),
     "two torques": ([("yaml torque: 25.0", "torque: [25, 25]")], "limits.torque: a list of 2 is not a list of 3 numbers, nor a map from HAA … KFE"),
     "torque of a knee": ([("yaml torque: 25.0", "torque: {KNEE: 25}")], "limits.torque.KNEE: unknown key; valid are: HAA, HFE, KFE"),
-    "too weak": ([("yaml torque: 25.0", "torque: 1")], "it can't stand: with 20.44 kg, joint \"LF_KFE\" needs 7.036 N·m in the stance, and its limits.torque is 1 N·m"),
+    "too weak": ([("yaml torque: 25.0", "torque: 1")], "it can't stand: with 20.44 kg, joint \"LF_KFE\" needs 7.192 N·m in the stance, and its limits.torque is 1 N·m"),
     "limits exchanged": ([("yaml limits:", "limits:\n  position_min: 1\n  position_max: -1")], "limits.position_max: must be above position_min at each of HAA, HFE and KFE"),
     "limits in degrees": ([("yaml limits:", "limits:\n  position_min: -45")], 'yaml:11: limits.position_min: "-45" is not from -20 to 20 rad'),
     "posture in degrees": ([("yaml limits:", "posture: {nominal: [0, 45, -90]}\nlimits:")], "posture.nominal: HFE at 45 rad lies outside limits.position_min and position_max, -2.2 to 2.2 rad"),
