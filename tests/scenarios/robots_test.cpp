@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -152,7 +153,8 @@ TEST(Sizes, WalkTheSameWalk) {
     EXPECT_NEAR(other.torque_max_nm / std::pow(size, 4.0), one.torque_max_nm,
                 0.15 * one.torque_max_nm)
         << size;
-    EXPECT_LT(other.com_error_max_m / size, 2.0 * one.com_error_max_m) << size;
+    const double grown = std::max(1.0, size);  // the sensors' noise does not shrink
+    EXPECT_LT(other.com_error_max_m, 1.5 * grown * one.com_error_max_m) << size;
     EXPECT_EQ(other.false_touchdowns, 0) << size;
   }
 }
