@@ -227,8 +227,8 @@ Motion<double> PythonGait::bounce() const {
     if (nb::try_cast(given, numbers) && numbers.size() == 3 &&
         std::ranges::all_of(numbers, [](double number) { return std::isfinite(number); }))
       return Motion<double>{numbers[0], numbers[1], numbers[2]};
-    throw Error(wrong_result(*object_, "bounce", given,
-                             "(height, velocity, acceleration) [m, m/s, m/s²]"));
+    throw Error(
+        wrong_result(*object_, "bounce", given, "(height, velocity, acceleration) [m, m/s, m/s²]"));
   });
 }
 

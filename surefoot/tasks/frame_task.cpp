@@ -19,9 +19,10 @@ FramePlan in_world(const ArmPlan& arm) {
 void FrameTask::find_parts(const model::RobotDescription& robot) {
   if (name_.empty()) {
     if (!robot.arms.empty()) return;
-    throw Error(std::string(name()) + ": no frame is given, and the robot " + robot.name +
-                " has no arm whose tip could be meant; valid is the name of a link or joint, as \"" +
-                robot.base_link + "\"");
+    throw Error(
+        std::string(name()) + ": no frame is given, and the robot " + robot.name +
+        " has no arm whose tip could be meant; valid is the name of a link or joint, as \"" +
+        robot.base_link + "\"");
   }
   const model::Frames frames(robot);
   const int number = frames.number(name_);
