@@ -53,7 +53,7 @@ def test_what_a_schema_refuses_in_a_scenario_the_program_refuses(text, validator
 
 
 CHANGES = [
-    ("robot", "anymal_b", lambda robot: robot["foot"].update(radius=0)),
+    ("robot", "anymal_b", lambda robot: robot["foot"].update(radius=-0.01)),
     ("robot", "anymal_b", lambda robot: robot["legs"]["LF"].update(knee="LF_KFE")),
     ("robot", "anymal_b", lambda robot: robot["foot"].pop("radius")),
     ("stack", "terrain_adaptation", lambda stack: stack["levels"][-1].update(wieght=1)),
