@@ -80,7 +80,7 @@ def test_every_key_of_the_help_does_what_it_says(page):
     boxes = "[...document.querySelectorAll('#overlays input')].map(one => one.checked)"
     before = page.run(boxes)
     for expected in ([not checked for checked in before], before):
-        for key in "1234567890-o":
+        for key in "1234567890-=o":
             page.press(key)
         wait_for(lambda: page.run(boxes) == expected, "the overlays to change")
     page.press("x")

@@ -15,7 +15,7 @@ import { endFact, showFacts, showMode } from "./panels/head.ts";
 import { makeHelp } from "./panels/help.ts";
 import { HierarchyPanel } from "./panels/hierarchy_panel.ts";
 import { Notes } from "./panels/notes.ts";
-import { OverlayMenu } from "./panels/overlay_menu.ts";
+import { KEYS as OVERLAY_KEYS, OverlayMenu } from "./panels/overlay_menu.ts";
 import { PlotsPanel } from "./panels/plots_panel.ts";
 import { showTime } from "./panels/stale.ts";
 import { StatePanel } from "./panels/state_panel.ts";
@@ -221,7 +221,7 @@ export class App {
       "[": () => this.transport.faster(-1), "]": () => this.transport.faster(1),
       r: () => this.reset(), f: () => this.follow(), h: () => this.world?.camera.home(),
       o: () => this.menu?.toggleGhost(), t: () => this.theme.toggle(), "?": help,
-      ...Object.fromEntries([..."1234567890-"].map((key) => [key, toggle])),
+      ...Object.fromEntries([...OVERLAY_KEYS].map((key) => [key, toggle])),
       ...Object.fromEntries([..."1234567890"].map((key) => [`shift+${key}`, shifted(key)])),
       ...this.drivingKeys(),
     });

@@ -10,7 +10,7 @@ const LOOKING: Key[] = [
   ["r", "begin again"],
   ["f", "the camera follows the robot, or stays"],
   ["h", "back to the first view"],
-  ["1 … 9, 0, −", "overlays on or off, in the order of their menu"],
+  ["1 … 9, 0, −, =", "overlays on or off, in the order of their menu"],
   ["o", "the estimator's ghost on or off"],
   ["t", "light or dark"],
   ["Esc", "leave the plots' search, or close this help"],
@@ -30,7 +30,7 @@ const DRIVING: Key[] = [
 /** Keys of a live run or a log; with gaits the digits choose them. */
 function keysOf(live: boolean, gaits: number): Key[] {
   if (gaits === 0) return [...LOOKING, ...(live ? DRIVING : [])];
-  const looking = LOOKING.map(([keys, does]): Key => (keys.startsWith("1") ? ["shift 1 … 0, −", does] : [keys, does]));
+  const looking = LOOKING.map(([keys, does]): Key => (keys.startsWith("1") ? ["shift 1 … 0, −, =", does] : [keys, does]));
   return [...looking, ...DRIVING, [`1 … ${gaits}`, "gaits, in the order of the panel Drive"]];
 }
 

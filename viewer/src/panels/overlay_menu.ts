@@ -2,7 +2,7 @@ import type { World } from "../scene/world.ts";
 import { css } from "../scene/palette.ts";
 import { h, part } from "./dom.ts";
 
-const KEYS = "1234567890-";
+export const KEYS = "1234567890-=";
 
 /** Overlays of one colour, named as in the palette. */
 const MARKS = ["support", "com", "zmp", "push", "plane", "ghost"] as const;
