@@ -1,10 +1,10 @@
 #include "surefoot/config/scenario_notes.hpp"
 
 #include "surefoot/base/formatted.hpp"
+#include "surefoot/gaits/command_limits.hpp"
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <iterator>
 #include <string_view>
 
@@ -60,30 +60,27 @@ void note_unused_actuator(const std::vector<std::string>& assigned,
   }
 }
 
-/// The clock's gait of a command; null where it is the crawl's, or the speed chooses.
-const gaits::RhythmOptions* rhythm_of(const UserCommand& user, const Scenario& scenario) {
+/// Options of a command's gait; null where the speed chooses.
+const gaits::PlannerOptions* gait_of(const UserCommand& user, const Scenario& scenario) {
   const control::ControllerOptions& controller = scenario.controller;
   const int gait = user.gait == UserCommand::kOwnGait ? controller.first_gait : user.gait;
   if (gait == UserCommand::kAutoGait) return nullptr;
-  const gaits::RhythmOptions& rhythm =
-      gait == UserCommand::kOwnGait
-          ? controller.planner.rhythm
-          : controller.gaits[static_cast<std::size_t>(gait)].options.rhythm;
-  return rhythm.enabled ? &rhythm : nullptr;
+  return gait == UserCommand::kOwnGait ? &controller.planner
+                                       : &controller.gaits[static_cast<std::size_t>(gait)].options;
 }
 
-/// Notes the first command that is faster than its gait can go.
+/// Notes the first command that is faster than its gait, by a clock, can go.
 void note_too_fast(const Scenario& scenario, std::vector<std::string>& notes) {
   for (const TimedCommand& command : scenario.commands) {
-    const gaits::RhythmOptions* rhythm = rhythm_of(command.user, scenario);
-    const double speed =
-        command.user.velocity.norm() +
-        std::abs(command.user.yaw_rate) * scenario.controller.planner.stance.half_length;
-    if (rhythm == nullptr || !command.user.walk || speed <= rhythm->speed_max) continue;
+    const UserCommand& user = command.user;
+    const gaits::PlannerOptions* gait = gait_of(user, scenario);
+    if (gait == nullptr || !gait->rhythm.enabled || !user.walk) continue;
+    const double speed = gaits::foot_speed(user, gait->stance.half_length);
+    if (speed <= gait->rhythm.speed_max) continue;
     notes.push_back(
         formatted("user commands feet of %g m/s at %g s; the gait's speed_max is %g "
                   "m/s, so it walks slower",
-                  speed, command.time, rhythm->speed_max));
+                  speed, command.time, gait->rhythm.speed_max));
     return;
   }
 }

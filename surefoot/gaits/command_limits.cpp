@@ -18,6 +18,10 @@ Vec3 velocities(const UserCommand& user) {
 
 }  // namespace
 
+double foot_speed(const UserCommand& command, double half_length) {
+  return command.velocity.norm() + std::abs(command.yaw_rate) * half_length;
+}
+
 CommandLimits::CommandLimits(const PlannerOptions& options, double period, const Scale& scale)
     : strides_(options, scale),
       max_change_(kMaxChange.cwiseProduct(Vec3(scale.speed(), scale.speed(), scale.rate()))),
@@ -79,8 +83,7 @@ double CommandLimits::feasible_share(const UserCommand& command, const CommandCo
 
 double CommandLimits::allowed_share(const UserCommand& command,
                                     const CommandContext& context) const {
-  const double speed = command.velocity.norm() + std::abs(command.yaw_rate) * half_length_;
-  return std::min(1.0, context.speed_max / speed);
+  return std::min(1.0, context.speed_max / foot_speed(command, half_length_));
 }
 
 // Caution makes cycle and strides longer. The event depends on the strides without caution.

@@ -19,6 +19,9 @@ struct CommandContext {
   double speed_max = kInfinity;  ///< of a foot relative to the torso, in this gait [m/s]
 };
 
+/// Of the fastest foot relative to the torso [m/s]; `half_length` of the stance [m].
+[[nodiscard]] double foot_speed(const UserCommand& command, double half_length);
+
 /// Limits the user's command to what the legs can follow: velocities change step by step and keep
 /// the strides within reach; the height leaves reach for strides and sway.
 class CommandLimits {

@@ -21,6 +21,10 @@ bool is_wider(const StanceOptions& next, const StanceOptions& stance, const Scal
          scale.length * kMaxSpread;
 }
 
+bool is_long(const RhythmOptions& options, const Scale& scale) {
+  return options.period >= scale.time() * kLongCycle;
+}
+
 double pendulum_rate(const Situation& now) {
   return std::sqrt(kGravity / now.body.com_height(now.dynamics));
 }
@@ -31,7 +35,7 @@ void RhythmicGait::begin(Situation& now, Body& body, const std::optional<Action>
   integral_ = {};
   com_.start(now.before.com.p, now.before.com.v);
   stance_ = body.options.stance;
-  gathers_ = options_.period < body.scale.time() * kLongCycle && is_spread(now);
+  gathers_ = !is_long(options_, body.scale) && is_spread(now);
   start_clock(now, body);
   waited_ = 0.0;
   stops_ = false;
@@ -53,11 +57,11 @@ void RhythmicGait::start_clock(const Situation& now, const Body& body) {
   const Leg first = first_leg(now, body);
   const double ramp = body.options.force.ramp_down;
   const double stance = std::max(ramp, clock_.stance_duration(first));
-  const bool is_long = options_.period >= body.scale.time() * kLongCycle;
-  const double before = pushes_off() ? stance : is_long ? std::max(ramp, 0.5 * stance) : ramp;
+  const bool sways_first = is_long(options_, body.scale);
+  const double before = pushes_off() ? stance : sways_first ? std::max(ramp, 0.5 * stance) : ramp;
   clock_.start(before, first);
   begin_ = now.time;
-  grows_for_ = pushes_off() || is_long ? before : options_.period;
+  grows_for_ = pushes_off() || sways_first ? before : options_.period;
   sway(now.time);
 }
 
@@ -179,10 +183,12 @@ bool RhythmicGait::is_poised(const Situation& now) const {
   Vec2 middle = Vec2::Zero();
   for (const Vec2& foot : now.feet()) middle += foot / now.num_legs();
   const Mat2 R = rotation_about_z(now.yaw).topLeftCorner<2, 2>();
-  const double share = options_.period < now.body.scale.time() * kLongCycle ? 1.0 : 0.0;
-  const Vec2 steady = now.user.walk ? com_.plan().v : Vec2(0.0, 0.0);
-  const Vec2 excess = now.dynamics.com.v.head<2>() - steady - share * R * sway_.v.head<2>();
-  const Vec2 place = now.dynamics.com.p.head<2>() - share * R * sway_.p.head<2>();
+  Vec2 place = now.dynamics.com.p.head<2>(), excess = now.dynamics.com.v.head<2>();
+  if (now.user.walk) excess -= com_.plan().v;
+  if (!is_long(options_, now.body.scale)) {
+    place -= R * sway_.p.head<2>();
+    excess -= R * sway_.v.head<2>();
+  }
   const Vec2 off = place + excess / pendulum_rate(now) - middle;
   return off.norm() < now.body.scale.length * kMaxOff;
 }
