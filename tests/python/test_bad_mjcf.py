@@ -1,24 +1,9 @@
 """Everything that can be wrong with a robot in MJCF: each fault is a small edit of a good one, and gives one message with its place and what would be valid."""
 
-import re
-
 import pytest
 
-from program import complaint, surefoot
-
-ROBOT_FILE = """\
-name: marten
-mjcf: marten.xml
-legs:
-  LF: {foot: LF_foot}
-  RF: {foot: RF_foot}
-  LH: {foot: LH_foot}
-  RH: {foot: RH_foot}
-foot:
-  radius: 0.024
-limits:
-  velocity: 18.0
-"""
+from marten import refusal, robot_file, written
+from program import surefoot
 
 
 def leg(name, front, left):
@@ -57,23 +42,7 @@ MJCF = f"""\
 </mujoco>
 """
 
-
-def written(folder, edits):
-    """The robot in a folder, after edits of the kind (what, replacement); what begins with "yaml " is in the robot file."""
-    files = {"marten.yaml": ROBOT_FILE, "marten.xml": MJCF}
-    for what, replacement in edits:
-        name = "marten.yaml" if what.startswith("yaml ") else "marten.xml"
-        files[name], count = re.subn(what.removeprefix("yaml "), replacement, files[name], count=0 if what.startswith("(?a)") else 1)
-        assert count, what
-    for name, text in files.items():
-        (folder / name).write_text(text)
-    (folder / "rubbish.stl").write_text("rubbish")
-    return folder / "marten.yaml"
-
-
-def refusal(robot):
-    """What `run` says, without the robot's folder."""
-    return complaint("run", "walk_flat", "--check", "--set", f"robot={robot}").replace(f"{robot.parent}/", "")
+GOOD = {"marten.yaml": robot_file("mjcf: marten.xml", "limits:\n  velocity: 18.0\n"), "marten.xml": MJCF}
 
 
 def of(body, what, replacement):
@@ -168,11 +137,12 @@ REFUSED = {
 @pytest.mark.parametrize("fault", REFUSED)
 def test_a_fault_is_refused_with_its_place_and_what_is_valid(fault, tmp_path):
     edits, *said = REFUSED[fault]
-    message = refusal(written(tmp_path, edits))
+    (tmp_path / "rubbish.stl").write_text("rubbish")
+    message = refusal(written(tmp_path, GOOD, edits))
     for part in said:
         assert part in message
 
 
 def test_a_good_robot_is_not_refused(tmp_path):
-    robot = written(tmp_path, [])
+    robot = written(tmp_path, GOOD, [])
     assert surefoot("run", "walk_flat", "--check", "--set", f"robot={robot}").stderr == ""

@@ -1,24 +1,15 @@
 """Everything that can be wrong with a robot: each fault is a small edit of a good robot, and gives one message with its place and what would be valid."""
 
 import json
-import re
 import subprocess
 import sys
 
 import pytest
 
-from program import ROOT, complaint, surefoot
+from marten import refusal, robot_file, written
+from program import ROOT, surefoot
 
-ROBOT_FILE = """\
-name: marten
-urdf: marten.urdf
-legs:
-  LF: {foot: LF_foot}
-  RF: {foot: RF_foot}
-  LH: {foot: LH_foot}
-  RH: {foot: RH_foot}
-foot:
-  radius: 0.024
+LIMITS = """\
 limits:
   torque: 25.0
   velocity: 18.0
@@ -30,24 +21,7 @@ drives: {stall_torque: 25.0, no_load_speed: 22.0}
 def good():
     """A robot file and its URDF, without a fault."""
     urdf = subprocess.run([sys.executable, ROOT / "examples/marten.py"], capture_output=True, text=True, check=True).stdout
-    return {"marten.yaml": ROBOT_FILE, "marten.urdf": urdf.replace('"250"', '"0.25"').replace("0 -1 0", "0 1 0")}
-
-
-def written(folder, good, edits):
-    """The robot in a folder, after edits of the kind (what, replacement); what begins with a file's ending where it is not the URDF."""
-    files = dict(good)
-    for what, replacement in edits:
-        name = "marten.yaml" if what.startswith("yaml ") else "marten.urdf"
-        files[name], count = re.subn(what.removeprefix("yaml "), replacement, files[name], count=0 if what.startswith("(?a)") else 1)
-        assert count, what
-    for name, text in files.items():
-        (folder / name).write_text(text)
-    return folder / "marten.yaml"
-
-
-def refusal(robot):
-    """What `run` says, without the robot's folder."""
-    return complaint("run", "walk_flat", "--check", "--set", f"robot={robot}").replace(f"{robot.parent}/", "")
+    return {"marten.yaml": robot_file("urdf: marten.urdf", LIMITS), "marten.urdf": urdf.replace('"250"', '"0.25"').replace("0 -1 0", "0 1 0")}
 
 
 def findings(robot):
