@@ -17,7 +17,8 @@ constexpr double kMaxChangeSpeed = 0.65;  // at which gaits change: the feet sta
 // Where other legs step together, the first ones of the new gait don't begin at the end of their
 // stance, so the others carry the robot for long.
 constexpr double kMaxSwitchSpeed = 0.3;
-constexpr double kChangeMargin = 1.1;  // of the speed in a change of gait, over the gait's
+constexpr double kMaxRestSpeed = 0.15;  // before a gait that begins at rest [m/s]
+constexpr double kChangeMargin = 1.1;   // of the speed in a change of gait, over the gait's
 
 /// Those of the gait of legs that step in turn, or the own ones.
 const PlannerOptions& of_crawl(const PlannerOptions& own, const std::vector<NamedGait>& gaits) {
@@ -145,7 +146,7 @@ CommandContext Planner::command_context() const {
                          .pace = body_.pace(),
                          .caution = body_.grip.caution(),
                          .hips = hips_,
-                         .stands = !walks_,
+                         .stands = !walks_ || (!walk().is_static() && walk().waits(body_)),
                          .starts_at_rest = choice_.options(wanted_).rhythm.enabled,
                          .calibrates = calibration_.is_due(),
                          .speed_max = speed_max()};
@@ -187,7 +188,9 @@ double Planner::speed_max() const {
   const RhythmOptions &wanted = choice_.options(wanted_).rhythm,
                       &present = choice_.options(present_).rhythm;
   if (!walks_ || wanted_ == present_) return wanted.enabled ? wanted.speed_max : kInfinity;
-  const double change = steps_alike(wanted, present) ? kMaxChangeSpeed : kMaxSwitchSpeed;
+  const double change = begins_at_rest(wanted, body_.scale) ? kMaxRestSpeed
+                        : steps_alike(wanted, present)      ? kMaxChangeSpeed
+                                                            : kMaxSwitchSpeed;
   return std::min({wanted.speed_max, present.speed_max, body_.scale.speed() * change});
 }
 
@@ -201,7 +204,7 @@ void Planner::change_gait(double time) {
 void Planner::move_legs(Situation& now) {
   if (!walks_ && wanted_ != present_ && body_.legs.all_down()) change_gait(now.time);
   now.yields = walks_ && now.user.walk && may_change();
-  now.next_stance = &choice_.options(now.user.walk ? wanted_ : UserCommand::kOwnGait).stance;
+  now.next = &choice_.options(now.user.walk ? wanted_ : UserCommand::kOwnGait);
   gait().observe(now, body_);
   if (learns_ground_ && !calibration_.is_going_on()) relearn_ground();
   const GaitOutcome outcome = gait().advance(now, body_);

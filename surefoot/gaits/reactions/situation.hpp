@@ -30,8 +30,8 @@ struct Situation {
   const MotionPlan& before;      ///< of the tick before
   const Body& body;
   GaitStatus gait{};
-  bool yields = false;  ///< another gait waits for all feet down
-  const StanceOptions* next_stance = &body.options.stance;  ///< after this gait
+  bool yields = false;                         ///< another gait waits for all feet down
+  const PlannerOptions* next = &body.options;  ///< of what comes after this gait
 
   [[nodiscard]] int num_legs() const { return body.options.gait.num_legs(); }
   [[nodiscard]] const Vec3& foot(Leg leg) const { return dynamics.foot[index(leg)].p; }

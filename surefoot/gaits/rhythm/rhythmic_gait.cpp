@@ -13,7 +13,6 @@ constexpr double kJustLifted = 0.04;  // a swing that can end where it began [s]
 constexpr double kMaxSpread = 0.03;   // of the feet over their stance, mean over the legs [m]
 constexpr double kSameTime = 0.02;    // between touchdowns of feet that step together [s]
 constexpr double kMaxOff = 0.06;      // of the capture point where a gait ends [m]
-constexpr double kLongCycle = 0.8;    // in which two feet can't carry the robot in turn [s]
 
 /// Is the next stance so much wider or longer that a gait for wide feet should not begin in this?
 bool is_wider(const StanceOptions& next, const StanceOptions& stance, const Scale& scale) {
@@ -21,8 +20,10 @@ bool is_wider(const StanceOptions& next, const StanceOptions& stance, const Scal
          scale.length * kMaxSpread;
 }
 
-bool is_long(const RhythmOptions& options, const Scale& scale) {
-  return options.period >= scale.time() * kLongCycle;
+Vec2 middle(const Situation& now) {
+  Vec2 result = Vec2::Zero();
+  for (const Vec2& foot : now.feet()) result += foot / now.num_legs();
+  return result;
 }
 
 double pendulum_rate(const Situation& now) {
@@ -33,9 +34,13 @@ double pendulum_rate(const Situation& now) {
 
 void RhythmicGait::begin(Situation& now, Body& body, const std::optional<Action>& first) {
   integral_ = {};
-  com_.start(now.before.com.p, now.before.com.v);
+  if (begins_at_rest(options_, body.scale)) {
+    com_.start(middle(now), Vec2::Zero());
+  } else {
+    com_.start(now.before.com.p, now.before.com.v);
+  }
   stance_ = body.options.stance;
-  gathers_ = !is_long(options_, body.scale) && is_spread(now);
+  gathers_ = !begins_at_rest(options_, body.scale) && is_spread(now);
   start_clock(now, body);
   waited_ = 0.0;
   stops_ = false;
@@ -51,18 +56,18 @@ RhythmOptions RhythmicGait::gathering(const PlannerOptions& options) {
   return result;
 }
 
-// Where a leg lifts off from a COM that does not sway yet, three feet of a slow gait can't hold it.
+// Three feet of a slow gait can't hold a COM that does not sway yet: it goes to its place while the
+// clock waits.
 void RhythmicGait::start_clock(const Situation& now, const Body& body) {
   clock_ = PhaseClock(gathers_ ? gathering_ : options_);
   const Leg first = first_leg(now, body);
   const double ramp = body.options.force.ramp_down;
   const double stance = std::max(ramp, clock_.stance_duration(first));
-  const bool sways_first = is_long(options_, body.scale);
-  const double before = pushes_off() ? stance : sways_first ? std::max(ramp, 0.5 * stance) : ramp;
-  clock_.start(before, first);
+  sways_only_ = !gathers_ && !pushes_off() && begins_at_rest(options_, body.scale);
+  clock_.start(pushes_off() ? stance : sways_only_ ? ramp + body.period : ramp, first);
   begin_ = now.time;
-  grows_for_ = pushes_off() || sways_first ? before : options_.period;
-  sway(now.time);
+  grows_for_ = pushes_off() ? stance : sways_only_ ? 0.5 * stance : options_.period;
+  sway(now);
 }
 
 // Of feet that take turns some would stand for a whole cycle.
@@ -149,8 +154,9 @@ GaitOutcome RhythmicGait::go_on(Situation& now, Body& body) {
   drive_com(now);
   stops_ = stops(now);
   if (stops_ && body.legs.all_down()) return go_on_from_stop(now, body);
-  advance_clock(body);
-  sway(now.time);
+  sways_only_ = sways_only_ && now.time < begin_ + grows_for_;
+  if (!sways_only_) advance_clock(body);
+  sway(now);
   for (const Leg k : body.legs.all()) move_leg(k, now, body);
   return {.begins_step =
               std::ranges::any_of(body.legs.all(), [&](Leg k) { return clock_.lifts(k); })};
@@ -159,13 +165,13 @@ GaitOutcome RhythmicGait::go_on(Situation& now, Body& body) {
 bool RhythmicGait::stops(const Situation& now) const {
   if (gathers_) return now.time > begin_ + gathering_.period;
   if (!now.yields && (now.user.walk || !(stops_ || is_slow(now)))) return false;
-  if (stops_ || is_wider(*now.next_stance, stance_, now.body.scale)) return true;
+  if (stops_ || is_wider(now.next->stance, stance_, now.body.scale)) return true;
   return (now.body.legs.all_down() || is_about_to_lift(now.body)) && is_poised(now);
 }
 
 GaitOutcome RhythmicGait::go_on_from_stop(const Situation& now, Body& body) {
   const bool ends = now.yields || !now.user.walk;
-  const StanceOptions& next = ends ? *now.next_stance : body.options.stance;
+  const StanceOptions& next = ends ? now.next->stance : body.options.stance;
   const bool fits = !is_wider(next, stance_, body.scale);
   for (const Leg k : body.legs.all()) {
     if (body.legs[k].phase() == LegPhase::unloading) body.legs[k].reload(now.time);
@@ -180,16 +186,15 @@ GaitOutcome RhythmicGait::go_on_from_stop(const Situation& now, Body& body) {
 
 // The sway of a short cycle turns back in time, and is no error.
 bool RhythmicGait::is_poised(const Situation& now) const {
-  Vec2 middle = Vec2::Zero();
-  for (const Vec2& foot : now.feet()) middle += foot / now.num_legs();
   const Mat2 R = rotation_about_z(now.yaw).topLeftCorner<2, 2>();
   Vec2 place = now.dynamics.com.p.head<2>(), excess = now.dynamics.com.v.head<2>();
-  if (now.user.walk) excess -= com_.plan().v;
-  if (!is_long(options_, now.body.scale)) {
+  if (now.user.walk && !(now.yields && begins_at_rest(now.next->rhythm, now.body.scale)))
+    excess -= com_.plan().v;
+  if (!begins_at_rest(options_, now.body.scale)) {
     place -= R * sway_.p.head<2>();
     excess -= R * sway_.v.head<2>();
   }
-  const Vec2 off = place + excess / pendulum_rate(now) - middle;
+  const Vec2 off = place + excess / pendulum_rate(now) - middle(now);
   return off.norm() < now.body.scale.length * kMaxOff;
 }
 
@@ -212,12 +217,17 @@ void RhythmicGait::drive_com(const Situation& now) {
               now.dynamics.com.p.head<2>() - R * sway_.p.head<2>(), now.body.period);
 }
 
-void RhythmicGait::sway(double time) {
+void RhythmicGait::sway(const Situation& now) {
   sway_ = {Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
   pitch_ = {0.0, 0.0, 0.0};
   if (gathers_) return;
-  const double s = std::min(1.0, (time - begin_) / grows_for_);
-  const double share = smoothstep(s), rate = 6.0 * s * (1.0 - s) / grows_for_;
+  const double t = std::min(now.time - begin_, grows_for_);
+  if (sways_only_) {
+    sway_ = hermite(sway_, cycle_.at(clock_.phase()), t, grows_for_);
+    return;
+  }
+  const double s = t / grows_for_, share = smoothstep(s);
+  const double rate = 6.0 * s * (1.0 - s) / grows_for_;
   const auto grown = [&](const auto& whole) -> std::decay_t<decltype(whole)> {
     return {share * whole.p, share * whole.v + rate * whole.p,
             share * whole.a + 2.0 * rate * whole.v};

@@ -22,7 +22,7 @@ class RhythmicGait final : public Gait {
         cycle_(options, scale) {}
 
   void begin(Situation& now, Body& body, const std::optional<Action>& first) override;
-  [[nodiscard]] bool waits(const Body&) const override { return false; }
+  [[nodiscard]] bool waits(const Body&) const override { return sways_only_; }
   [[nodiscard]] bool is_static() const override { return false; }
   [[nodiscard]] double stride_duration(double) const override;
   [[nodiscard]] ComPlan com(const Situation& now, const Body& body) const override;
@@ -51,8 +51,8 @@ class RhythmicGait final : public Gait {
   [[nodiscard]] bool stops(const Situation& now) const;
   /// All feet are down: ends the gait, or goes on with steps into another stance, or in its own.
   GaitOutcome go_on_from_stop(const Situation& now, Body& body);
-  /// Could the robot stop where it is? Its capture point, without the steady motion, is then near
-  /// the middle of the feet.
+  /// Could the robot stop where it is? Its capture point is then near the middle of the feet; that
+  /// of the steady motion counts where the next gait begins at rest.
   [[nodiscard]] bool is_poised(const Situation& now) const;
   [[nodiscard]] bool is_about_to_lift(const Body& body) const;
   /// Must the first legs push off, as all lift off at once or the torso pitches? They stand for a
@@ -62,7 +62,8 @@ class RhythmicGait final : public Gait {
   [[nodiscard]] Leg first_leg(const Situation& now, const Body& body) const;
   void drive_com(const Situation& now);
   /// Sways, ever more in the first cycle, or until the first lift-off where legs push off for it.
-  void sway(double time);
+  /// A slow gait goes to its place in the cycle first, with its clock and commands at rest.
+  void sway(const Situation& now);
   void advance_clock(const Body& body);
   void move_leg(Leg leg, const Situation& now, Body& body);
   void lift(Leg leg, const Situation& now, Body& body);
@@ -78,6 +79,7 @@ class RhythmicGait final : public Gait {
   Motion<Vec3> sway_{Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};  // in heading axes
   Motion<double> pitch_{0.0, 0.0, 0.0};
   double begin_ = 0.0, grows_for_ = 0.0;  // of the sway [s]
+  bool sways_only_ = false;               // no leg lifts off yet
   DrivenCom com_;
   VelocityIntegral integral_;
   double waited_ = 0.0;   // of the clock, for late feet [s]
