@@ -48,9 +48,10 @@ def version_in(place: pathlib.Path) -> str:
 
 
 def missing_packages() -> str | None:
-    """Those that the wheel asks for; a build tree asks for none."""
+    """Those that the wheel asks for, but for its extras; a build tree asks for none."""
     mine = next(iter(importlib.metadata.distributions(name="surefoot", path=[str(SITE)])), None)
-    for requirement in (mine.requires or []) if mine else []:
+    needed = [one for one in (mine.requires or []) if "extra ==" not in one] if mine else []
+    for requirement in needed:
         [(name, exact)] = re.findall(r"^([\w-]+)(?:\[.*?\])?\s*(?:==\s*([\w.]+))?", requirement)
         try:
             version = importlib.metadata.version(name)

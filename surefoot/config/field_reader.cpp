@@ -43,7 +43,7 @@ std::vector<std::size_t> read_order(Section& section, const char* key, const Ord
     section.fail(key, "must name each of the " + size + " " + what + "s once: " + all);
   std::vector<std::size_t> places;
   for (const ConfigNode& item : list.items) {
-    const std::string& name = read_text(item, section.path_of(key));
+    const std::string name = read_text(item, section.path_of(key));
     const auto found = std::ranges::find(order.names, name);
     if (found == order.names.end())
       section.fail(key, "unknown " + what + " \"" + name + "\"; valid are: " + all);

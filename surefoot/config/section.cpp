@@ -195,7 +195,7 @@ std::optional<std::size_t> Section::choice(const char* key, const std::vector<st
                                            const char* what) {
   const ConfigNode* given = present(key);
   if (given == nullptr) return {};
-  const std::string& name = read_text(*given, path_of(key));
+  const std::string name = read_text(*given, path_of(key));
   const auto found = std::ranges::find(names, name);
   if (found == names.end()) {
     fail(key, std::string("unknown ") + what + " \"" + name + "\"; " + valid_names(name, names));

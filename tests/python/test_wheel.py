@@ -1,5 +1,6 @@
 """The wheel, built from this tree and installed into an environment of its own: every command, where nothing of the tree can be reached."""
 
+import contextlib
 import json
 import os
 import pathlib
@@ -197,14 +198,25 @@ def other_site(surefoot, tmp_path):
     return tmp_path
 
 
-def test_a_missing_package_is_named_with_what_installs_it(surefoot):
-    (information,) = surefoot.site.glob("libpinocchio*.dist-info")
+@contextlib.contextmanager
+def without(surefoot, package):
+    (information,) = surefoot.site.glob(f"{package}-*.dist-info")
     away = information.rename(surefoot.folder / "away")
     try:
-        assert "the package libpinocchio is missing" in refused(surefoot, "surefoot", "list", "robots")
+        yield
     finally:
         away.rename(information)
+
+
+def test_a_missing_package_is_named_with_what_installs_it(surefoot):
+    with without(surefoot, "libpinocchio"):
+        assert "the package libpinocchio is missing" in refused(surefoot, "surefoot", "list", "robots")
     assert surefoot("list", "robots")
+
+
+def test_a_package_of_an_extra_may_be_missing(surefoot):
+    with without(surefoot, "pandas"):
+        assert surefoot("list", "robots")
 
 
 def test_a_package_of_another_version_is_named_with_both(surefoot, other_site):
