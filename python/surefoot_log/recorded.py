@@ -87,6 +87,8 @@ class Recorded:
         return data_frame(self.table(topic)).set_index("time")
 
     def __getitem__(self, name: str) -> Array:
+        if name == "time":
+            return self.time
         topic = name.partition(".")[0]
         names = self._names(topic)
         if name in names:

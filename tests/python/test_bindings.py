@@ -331,6 +331,7 @@ def test_a_log_is_read_channel_by_channel(log):
     assert run["state.p_WB"].shape == (len(run.time), 3)
     assert np.array_equal(run["state.p_WB.x"], run["state.p_WB"][:, 0])
     assert run.channels["state.p_WB.x"] == "m" and "walk_flat_ideal" in repr(run)
+    assert np.array_equal(run["time"], run.time)
     with pytest.raises(KeyError, match=r'has no channel state.p_WX; did you mean "state.p_WB"'):
         run["state.p_WX"]
     with pytest.raises(KeyError, match=r'has no topic stat; did you mean "state"'):
