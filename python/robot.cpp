@@ -278,7 +278,8 @@ void bind_robot(nb::module_& module) {
           "names of its arms, which are frames: their tips")
       .def_prop_ro(
           "joint_names", [](const Self& self) { return self.description().joint_names(); },
-          "in the order of every array of joints: HAA, HFE, KFE of each leg, then arms")
+          "in the order of every array of joints: HAA, HFE, KFE of each leg, then further ones, "
+          "then arms")
       .def_prop_ro(
           "mass", [](Self& self) { return self.model().mass(); }, "[kg]")
       .def_prop_ro(

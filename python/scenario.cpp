@@ -85,7 +85,8 @@ void bind_scenario(nb::module_& module) {
           "estimation", [](const config::Scenario& self) { return name(self.estimation); },
           "where the controller's state comes from")
       .def_prop_ro("joint_names", &joint_names,
-                   "in the order of every array of joints: HAA, HFE, KFE of each leg, then arms")
+                   "in the order of every array of joints: HAA, HFE, KFE of each leg, then further "
+                   "ones, then arms")
       .def_prop_ro(
           "gaits",
           [](const config::Scenario& self) {

@@ -58,7 +58,7 @@ namespace {
 
 /// Index of the first joint outside its limits; −1: none.
 Eigen::Index outside_limits(const model::RobotDescription& robot, const JointVector& q) {
-  for (Eigen::Index i = 0; i < robot.num_leg_joints(); ++i) {
+  for (Eigen::Index i = 0; i < kJointsPerLeg * robot.num_legs(); ++i) {
     if (q[i] < robot.q_min[i] - kRounding || q[i] > robot.q_max[i] + kRounding) return i;
   }
   return -1;

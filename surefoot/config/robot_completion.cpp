@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <optional>
 #include <vector>
 
@@ -27,11 +28,19 @@ const model::ArmDescription* arm_of(const model::RobotDescription& robot, Eigen:
 
 /// Of one of its joints.
 Leg leg_of(const model::RobotDescription& robot, Eigen::Index joint) {
-  for (const Leg leg : robot.legs.legs()) {
-    const auto [first, count] = robot.leg_joints(leg);
-    if (joint < first + count) return leg;
+  for (const auto& range :
+       {&model::RobotDescription::leg_joints, &model::RobotDescription::further_joints}) {
+    for (const Leg leg : robot.legs.legs()) {
+      const auto [first, count] = (robot.*range)(leg);
+      if (joint < first + count) return leg;
+    }
   }
   return Leg{0};
+}
+
+/// Joints that a file gives by HAA, HFE and KFE; those behind them have lists.
+int num_walking_joints(const model::RobotDescription& robot) {
+  return robot.can_walk() ? kJointsPerLeg * robot.num_legs() : 0;
 }
 
 /// As in messages: "leg LF", "arm \"kinova\"".
@@ -45,8 +54,9 @@ std::string limb_of(const model::RobotDescription& robot, Eigen::Index joint) {
 std::string key_of(const model::RobotDescription& robot, Eigen::Index joint) {
   const model::ArmDescription* arm = arm_of(robot, joint);
   if (arm != nullptr) return "arms." + arm->name;
-  if (robot.can_walk()) return "limits";
-  return "legs." + std::string(leg_name(leg_of(robot, joint), robot.num_legs()));
+  if (joint < num_walking_joints(robot)) return "limits";
+  return "legs." + std::string(leg_name(leg_of(robot, joint), robot.num_legs())) +
+         (robot.can_walk() ? ".further" : "");
 }
 
 /// Is a leg's posture within the limits? `bad` gets the index of the first joint that is not.
@@ -132,18 +142,13 @@ int line_of(const model::Urdf& urdf, const std::string& joint) {
   return std::ranges::find(urdf.joints, joint, &model::UrdfJoint::name)->line;
 }
 
-/// Joints that a file gives by HAA, HFE and KFE; those behind them have lists.
-int num_walking_joints(const model::RobotDescription& robot) {
-  return robot.can_walk() ? robot.num_leg_joints() : 0;
-}
-
 /// A limit of each joint: from the file, of its leg or of all, else from the URDF.
 class JointNumbers {
  public:
   JointNumbers(const Section& top, const model::Urdf& urdf, const RobotInFile& given)
       : top_(top), urdf_(urdf), given_(given) {}
 
-  /// `lists`: of the joints of arms, and of a biped's legs, one after the other.
+  /// `lists`: of further joints, of a biped's legs and of arms, one after the other.
   [[nodiscard]] JointVector of(const char* key, LegJoints LimitsInFile::* limit,
                                double model::UrdfJoint::* described, bool is_positive,
                                const std::vector<double>& lists) const {
@@ -191,8 +196,10 @@ std::vector<double> listed(const RobotInFile& given, const model::RobotDescripti
     of_limb.resize(num_joints, kNaN);
     all.insert(all.end(), of_limb.begin(), of_limb.end());
   };
-  for (std::size_t i = 0; !robot.can_walk() && i < robot.legs.size(); ++i)
-    add(given.legs[i].lists.*numbers, robot.legs[i].joints.size());
+  for (std::size_t i = 0; i < robot.legs.size(); ++i) {
+    const model::LegDescription& leg = robot.legs[i];
+    add(given.legs[i].lists.*numbers, (robot.can_walk() ? leg.further : leg.joints).size());
+  }
   for (std::size_t i = 0; i < robot.arms.size(); ++i)
     add(given.arms[i].lists.*numbers, robot.arms[i].joints.size());
   return all;
@@ -200,7 +207,7 @@ std::vector<double> listed(const RobotInFile& given, const model::RobotDescripti
 
 /// A list is empty, or has a number for each joint of its limb.
 void check_lists(const Section& top, const std::string& key, const JointLists& given,
-                 std::size_t num_joints, const char* limb) {
+                 std::size_t num_joints, const char* limb, const char* what_joints = "joints") {
   for (const auto& [what, numbers] : {std::pair{".posture", &given.posture},
                                       {".torque", &given.torque},
                                       {".velocity", &given.velocity},
@@ -211,7 +218,7 @@ void check_lists(const Section& top, const std::string& key, const JointLists& g
       top.fail(key + what, "must have numbers above 0 only");
     if (numbers->empty() || numbers->size() == num_joints) continue;
     top.fail(key + what, "has " + std::to_string(numbers->size()) + " numbers, but the " + limb +
-                             " has " + std::to_string(num_joints) + " joints");
+                             " has " + std::to_string(num_joints) + " " + what_joints);
   }
 }
 
@@ -234,16 +241,16 @@ std::string moved_by(const model::Urdf& urdf, const std::string& name) {
   return joint == urdf.joints.end() ? std::string() : joint->child;
 }
 
-JointVector or_else(const LegJoints& given, const JointVector& others, int num_leg_joints) {
+JointVector or_else(const LegJoints& given, const JointVector& others, int num_walking_joints) {
   JointVector all = others;
-  for (Eigen::Index i = 0; i < num_leg_joints; ++i) {
+  for (Eigen::Index i = 0; i < num_walking_joints; ++i) {
     if (!std::isnan(given[i % kJointsPerLeg])) all[i] = given[i % kJointsPerLeg];
   }
   return all;
 }
 
-/// A gain of each joint: the leg's own, else that of all legs, else `usual`. Joints of arms and of
-/// two legs have the one number that is given for all.
+/// A gain of each joint: the leg's own, else that of all legs, else `usual`. Further joints and
+/// those of arms and of two legs have the one number that is given for all.
 JointVector gains_of(const RobotInFile& given, const model::RobotDescription& robot,
                      LegJoints GainsInFile::* gain, double usual) {
   const LegJoints& all = given.gains.*gain;
@@ -251,7 +258,7 @@ JointVector gains_of(const RobotInFile& given, const model::RobotDescription& ro
   JointVector result = JointVector::Constant(robot.num_joints(), usual);
   if (is_one && !std::isnan(all.x())) result.setConstant(all.x());
   if (!robot.can_walk()) return result;
-  result = or_else(all, result, robot.num_leg_joints());
+  result = or_else(all, result, num_walking_joints(robot));
   for (const Leg leg : robot.legs.legs()) {
     const LegJoints& own = given.legs[index(leg)].gains.*gain;
     for (Eigen::Index j = 0; j < kJointsPerLeg; ++j) {
@@ -290,26 +297,82 @@ std::vector<std::string> free_chain(const Section& top, const model::Urdf& urdf,
   return chain;
 }
 
+void check_num_leg_joints(const Section& top, const std::string& key, std::size_t num_joints) {
+  if (num_joints > kMaxLegJoints)
+    top.fail(key, "the leg has " + std::to_string(num_joints) + " joints; valid are at most " +
+                      std::to_string(kMaxLegJoints));
+}
+
+std::vector<std::string> names_of(const std::vector<const model::UrdfJoint*>& joints) {
+  std::vector<std::string> names;
+  for (const model::UrdfJoint* joint : joints) names.push_back(joint->name);
+  return names;
+}
+
+/// The axis in B at angles of 0.
+Vec3 axis_of(const model::Urdf& urdf, const std::string& base, const model::UrdfJoint& joint) {
+  Vec3 axis = joint.R * joint.axis;
+  for (std::string link = joint.parent; link != base && link != urdf.root;) {
+    const auto above = std::ranges::find(urdf.joints, link, &model::UrdfJoint::child);
+    axis = (above->R * axis).eval();
+    link = above->parent;
+  }
+  return axis;
+}
+
+/// HAA, HFE and KFE by their axes; fewer where such a joint is missing.
+std::vector<std::string> placing_joints(const model::Urdf& urdf, const std::string& base,
+                                        const std::vector<const model::UrdfJoint*>& chain) {
+  std::vector<std::string> placing;
+  for (const model::UrdfJoint* joint : chain) {
+    Eigen::Index along = 0;
+    axis_of(urdf, base, *joint).cwiseAbs().maxCoeff(&along);
+    if (placing.size() < kJointsPerLeg && along == (placing.empty() ? 0 : 1))
+      placing.push_back(joint->name);
+  }
+  return placing;
+}
+
+std::string spaced(const std::vector<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names) text += " " + name;
+  return text.empty() ? " none" : text;
+}
+
 }  // namespace
 
 void complete_leg(const Section& top, const model::Urdf& urdf, const std::string& base,
-                  const std::string& key, model::LegDescription& leg) {
+                  const std::string& key, const LegInFile& given, model::LegDescription& leg) {
   std::vector<const model::UrdfJoint*> chain = chain_to(urdf, base, leg.foot_frame);
-  if (chain.size() < leg.joints.size()) chain = chain_to(urdf, base, leg.foot_frame, true);
-  if (leg.joints.front().empty()) {
-    std::string names;
-    for (const model::UrdfJoint* joint : chain) names += " " + joint->name;
-    if (chain.size() != leg.joints.size()) {
+  if (chain.size() < kJointsPerLeg) chain = chain_to(urdf, base, leg.foot_frame, true);
+  const std::vector<std::string> names = names_of(chain);
+  if (given.joints.empty()) {
+    if (names.size() < kJointsPerLeg) {
       top.fail(key, "between the base and \"" + leg.foot_frame + "\" there are " +
-                        std::to_string(chain.size()) +
-                        " joints that move:" + (names.empty() ? " none" : names) +
-                        "; a leg that walks has three, HAA, HFE and KFE: is this its foot?");
+                        std::to_string(names.size()) + " joints that move:" + spaced(names) +
+                        "; a leg that walks has three, HAA, HFE and KFE, or more, as fewer can't "
+                        "place a foot in space: is this its foot?");
     }
-    for (std::size_t i = 0; i < chain.size(); ++i) leg.joints[i] = chain[i]->name;
+    leg.joints = names.size() == kJointsPerLeg ? names : placing_joints(urdf, base, chain);
+    if (leg.joints.size() < kJointsPerLeg) {
+      top.fail(key, "of the joints between the base and \"" + leg.foot_frame + "\"," +
+                        spaced(names) +
+                        ", no three turn about x, y and y of the base in this order; name by "
+                        "`joints` those that place the foot: HAA, HFE, KFE");
+    }
   }
+  const auto is_among = [](const std::vector<std::string>& all, const std::string& name) {
+    return std::ranges::find(all, name) != all.end();
+  };
+  if (std::ranges::all_of(leg.joints, [&](const auto& name) { return is_among(names, name); }))
+    std::ranges::copy_if(names, std::back_inserter(leg.further),
+                         [&](const auto& name) { return !is_among(leg.joints, name); });
+  check_num_leg_joints(top, key, leg.joints.size() + leg.further.size());
+  check_lists(top, key + ".further", given.lists, leg.further.size(), "leg", "further joints");
   if (leg.thigh_link.empty()) leg.thigh_link = moved_by(urdf, leg.joints[1]);
   if (leg.hip_frame.empty()) leg.hip_frame = leg.thigh_link;
-  if (leg.shank_link.empty()) leg.shank_link = moved_by(urdf, leg.joints[2]);
+  if (leg.shank_link.empty())
+    leg.shank_link = moved_by(urdf, leg.further.empty() ? leg.joints[2] : names.back());
 }
 
 void complete_standing_leg(const Section& top, const model::Urdf& urdf, const std::string& base,
@@ -322,9 +385,7 @@ void complete_standing_leg(const Section& top, const model::Urdf& urdf, const st
   }
   if (leg.joints.empty())
     top.fail(key + ".foot", "no joint moves between the base and \"" + leg.foot_frame + "\"");
-  if (leg.joints.size() > kMaxLegJoints)
-    top.fail(key, "the leg has " + std::to_string(leg.joints.size()) +
-                      " joints; valid are at most " + std::to_string(kMaxLegJoints));
+  check_num_leg_joints(top, key, leg.joints.size());
   if (leg.hip_frame.empty()) leg.hip_frame = moved_by(urdf, leg.joints.front());
   if (leg.hip_frame.empty()) leg.hip_frame = base;  // the joint's name is found to be wrong later
   leg.thigh_link.clear();
@@ -340,6 +401,11 @@ void complete_arm(const Section& top, const model::Urdf& urdf, const ArmInFile& 
   if (arm.joints.empty()) arm.joints = free_chain(top, urdf, arm, robot);
   check_lists(top, key, given.lists, arm.joints.size(), "arm");
   robot.arms.push_back(std::move(arm));
+  check_num_joints(top, key, robot);
+}
+
+void check_num_joints(const Section& top, const std::string& key,
+                      const model::RobotDescription& robot) {
   if (robot.num_joints() > kMaxJoints)
     top.fail(key, "with it the robot has " + std::to_string(robot.num_joints()) +
                       " joints; valid are at most " + std::to_string(kMaxJoints));

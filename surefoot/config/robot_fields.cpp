@@ -95,13 +95,24 @@ Group gains_of_all(RobotInFile& o) {
   });
 }
 
+Group lists(JointLists& o) {
+  return {
+      {"posture", &o.posture, kAnyNumber, "rad",
+       "of each joint; without it 0, or the nearest angle that its limits allow"},
+      {"torque", &o.torque, kPositive, "N·m", "limit of each joint; without it the URDF's"},
+      {"velocity", &o.velocity, kPositive, "rad/s", "limit of each joint; without it the URDF's"},
+      {"position_min", &o.position_min, kAnyNumber, "rad", "of each joint; without it the URDF's"},
+      {"position_max", &o.position_max, kAnyNumber, "rad", "of each joint; without it the URDF's"}};
+}
+
 Group leg_fields(model::LegDescription& leg, LegInFile& o) {
   return {
       {"joints", Names{&o.joints, kJointsPerLeg, "is not a list of 3 joints: HAA, HFE, KFE"},
-       "HAA, HFE, KFE; without it those between base and foot"},
+       "HAA, HFE, KFE, which place the foot; without it found between base and foot"},
       {"hip", &leg.hip_frame, "frame at the HFE axis; without it the thigh"},
       {"thigh", &leg.thigh_link, "link; without it the one that HFE moves"},
-      {"shank", &leg.shank_link, "link with the foot sphere; without it the one that KFE moves"},
+      {"shank", &leg.shank_link,
+       "link with the foot sphere; without it the last that a joint moves"},
       text("foot", leg.foot_frame, "frame that the sphere's centre is given in"),
       {"foot_radius", &o.foot_radius, kNotNegative, "m",
        "of this leg's sphere; without it foot.radius"},
@@ -111,18 +122,9 @@ Group leg_fields(model::LegDescription& leg, LegInFile& o) {
        limits(o.limits, "of this leg; without it as of all legs, joint by joint")
            .with([&o](const Given& given) { require_order(given, o.limits); }),
        "of this leg's joints"},
+      {"further", lists(o.lists), "other joints between base and foot, in this order"},
       {"posture", posture(o.nominal, "of this leg; without it as of all legs"), "of this leg"},
       {"gains", gains(o.gains, true), "of this leg; without it as of all legs, joint by joint"}};
-}
-
-Group lists(JointLists& o) {
-  return {
-      {"posture", &o.posture, kAnyNumber, "rad",
-       "of each joint; without it 0, or the nearest angle that its limits allow"},
-      {"torque", &o.torque, kPositive, "N·m", "limit of each joint; without it the URDF's"},
-      {"velocity", &o.velocity, kPositive, "rad/s", "limit of each joint; without it the URDF's"},
-      {"position_min", &o.position_min, kAnyNumber, "rad", "of each joint; without it the URDF's"},
-      {"position_max", &o.position_max, kAnyNumber, "rad", "of each joint; without it the URDF's"}};
 }
 
 /// Of one of two legs.

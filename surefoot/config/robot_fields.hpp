@@ -34,7 +34,7 @@ struct LegInFile {
   GainsInFile gains;
   double foot_radius = kNaN;
   Vec3 foot_center = Vec3::Constant(kNaN);
-  JointLists lists;  ///< instead of limits and nominal, of one of two legs
+  JointLists lists;  ///< of further joints; of one of two legs instead of limits and nominal
 };
 
 /// An arm as a file gives it.

@@ -267,11 +267,12 @@ model::RobotDescription load_robot(const std::string& name_or_path,
       description.joints = joints;
     names.frame(key + ".foot", description.foot_frame);
     if (robot.can_walk()) {
-      complete_leg(top, urdf, robot.base_link, key, description);
+      complete_leg(top, urdf, robot.base_link, key, given.legs[index(leg)], description);
     } else {
       complete_standing_leg(top, urdf, robot.base_link, key, given.legs[index(leg)], description);
     }
     names.leg(key, description);
+    check_num_joints(top, key, robot);
   }
   for (const ArmInFile& arm : given.arms) {
     names.frame("arms." + arm.names.name + ".tip", arm.names.tip_frame);

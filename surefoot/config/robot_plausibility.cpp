@@ -75,12 +75,13 @@ std::string listed(const std::vector<std::string>& names, std::size_t num_joints
 void check_plausible(const ConfigNode& legs, const model::Urdf& urdf,
                      const model::RobotDescription& robot) {
   const model::BodyTree tree = model::make_body_tree(robot, urdf);
+  const std::vector<std::string> joints = robot.joint_names();
   for (const Leg leg : tree.legs.legs()) {
     const std::string name(leg_name(leg, robot.num_legs()));
     check_leg(legs, name, tree.legs[index(leg)].chain, robot.legs[index(leg)]);
-    for (std::size_t j = 0; j < kJointsPerLeg; ++j) {
-      check_gyration(legs, name, robot.legs[index(leg)].joints[j],
-                     tree.legs[index(leg)].inertias[j], urdf);
+    for (const int body : tree.legs[index(leg)].bodies) {
+      const auto joint = static_cast<std::size_t>(body - 1);
+      check_gyration(legs, name, joints[joint], tree.limb_bodies[joint].inertia, urdf);
     }
   }
   double mass = 0.0;

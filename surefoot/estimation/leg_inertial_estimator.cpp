@@ -28,19 +28,35 @@ LegInertialEstimator::LegInertialEstimator(const model::RobotDescription& robot,
       errors_(no_errors(robot.num_legs())),
       filter_(options.filter, robot.num_legs()),
       feet_(robot.num_legs(), Foot{}),
-      standing_start_(period, robot.num_leg_joints(), robot.scale) {
-  const model::BodyTree tree = model::make_body_tree(robot, model::read_urdf(robot));
-  for (const Leg leg : feet_.legs()) feet_[index(leg)].radius = robot.legs[index(leg)].foot_radius;
-  described_.resize(static_cast<int>(tree.legs.size()));
-  for (const Leg leg : tree.soles.legs())
-    limbs_.push_back(model::limb_chain(tree, leg, robot.leg_joints(leg)));
-  for (const Leg leg : described_.legs()) described_[index(leg)] = tree.legs[index(leg)].chain;
+      standing_start_(period, robot.num_leg_joints(), robot.scale),
+      tree_(model::make_body_tree(robot, model::read_urdf(robot))) {
+  described_.resize(static_cast<int>(tree_.legs.size()));
+  for (const Leg leg : feet_.legs()) {
+    const std::size_t k = index(leg);
+    feet_[k].radius = robot.legs[k].foot_radius;
+    if (robot.can_walk()) {
+      described_[k] = tree_.legs[k].chain;
+    } else {
+      limbs_.push_back(model::limb_chain(tree_, leg, robot.leg_joints(leg)));
+    }
+  }
   chains_ = described_;
   state_.size_legs(robot.num_legs());
 }
 
+// Further joints give way a little.
+void LegInertialEstimator::take_further_joints(const JointVector& q) noexcept {
+  for (const Leg leg : described_.legs()) {
+    const std::size_t k = index(leg);
+    if (tree_.legs[k].bodies.size() == kJointsPerLeg) continue;
+    described_[k] = model::leg_chain(tree_, leg, q);
+    chains_[k] = described_[k].lengthened(errors_.thigh[k], errors_.shank[k]);
+  }
+}
+
 const RobotState& LegInertialEstimator::update(const SensorReading& reading,
                                                const TickContext& context) noexcept {
+  if (reading.q.allFinite()) take_further_joints(reading.q);
   const bool is_complete =
       reading.q.allFinite() && reading.gyro.allFinite() && reading.accelerometer.allFinite();
   const bool hangs = context.off_its_feet && is_complete;

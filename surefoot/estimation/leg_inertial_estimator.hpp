@@ -82,6 +82,7 @@ class LegInertialEstimator final : public StateEstimator {
   void reset_distance();
   void add_turn_uncertainty();
   void take_over(const KinematicErrors& errors, const JointVector& q);
+  void take_further_joints(const JointVector& q) noexcept;
   void update_kinematics(const SensorReading& reading);
   /// Position, Jacobian and axes of a foot in B.
   void place(Leg leg, const JointVector& q, Foot& foot) const;
@@ -109,6 +110,7 @@ class LegInertialEstimator final : public StateEstimator {
   bool hung_ = false;       // at the last tick
   bool has_stood_ = false;  // so the gyroscope's bias is known
   StandingStart standing_start_;
+  model::BodyTree tree_;
 };
 
 }  // namespace surefoot::estimation

@@ -4,7 +4,9 @@
 #include "surefoot/base/formatted.hpp"
 
 #include <algorithm>
+#include <initializer_list>
 #include <map>
+#include <numeric>
 #include <ranges>
 
 namespace surefoot::model {
@@ -58,6 +60,9 @@ std::map<std::string, int> described_joints(const RobotDescription& description,
   for (const LegDescription& leg : description.legs) {
     for (const std::string& name : leg.joints) add(name, body++, "a leg");
   }
+  for (const LegDescription& leg : description.legs) {
+    for (const std::string& name : leg.further) add(name, body++, "a leg");
+  }
   for (const ArmDescription& arm : description.arms) {
     for (const std::string& name : arm.joints) add(name, body++, "an arm");
   }
@@ -70,13 +75,11 @@ class Builder {
   Builder(const RobotDescription& description, const Urdf& urdf)
       : urdf_(urdf),
         bodies_(described_joints(description, urdf)),
-        first_arm_body_(1 + description.num_leg_joints()),
-        first_limb_body_(description.can_walk() ? first_arm_body_ : 1) {
+        first_arm_body_(1 + description.num_leg_joints()) {
+    tree_.limb_bodies.resize(static_cast<std::size_t>(description.num_joints()));
+    tree_.hips.resize(description.num_legs());
+    tree_.feet.resize(description.num_legs());
     tree_.legs.resize(description.can_walk() ? description.num_legs() : 0);
-    tree_.limb_bodies.resize(
-        static_cast<std::size_t>(1 + description.num_joints() - first_limb_body_));
-    tree_.hips.resize(0);
-    tree_.soles.resize(0);
     add_link(urdf.root, Placement());
     check_inertia(*urdf.find_link(urdf.root), tree_.base);
   }
@@ -117,31 +120,17 @@ class Builder {
       return;
     }
     const int body = described->second;
-    body >= first_limb_body_ ? connect_limb(joint, body, {parent.body, R, p})
-                             : connect_leg(joint, body, {parent.body, R, p});
+    if (body >= first_arm_body_) check_arm(joint, body, parent.body);
+    limb_body(body) = {parent.body, {R, p, joint.axis}, Inertia()};
     add_link(joint.child, {body, Mat3::Identity(), Vec3::Zero()});
     check_inertia(*urdf_.find_link(joint.child), inertia_of(body));
   }
 
-  void connect_leg(const UrdfJoint& joint, int body, const Placement& parent) {
-    const int place = (body - 1) % kJointsPerLeg;
-    if (parent.body != (place == 0 ? kBaseBody : body - 1)) {
-      throw Error("joint \"" + joint.name + "\" moves with \"" + joint.parent +
-                  "\", which is not what the joint before it in its leg moves; a leg is HAA, HFE "
-                  "and KFE, from the base to the foot");
-    }
-    leg_of(body).chain.hinges[static_cast<std::size_t>(place)] = {parent.R, parent.p, joint.axis};
-  }
-
-  /// An arm is on the base, or behind a joint of an arm that comes earlier. Legs: see `add_sole`.
-  void connect_limb(const UrdfJoint& joint, int body, const Placement& parent) {
-    const bool is_arm = body >= first_arm_body_;
-    if (is_arm &&
-        (parent.body >= body || (parent.body != kBaseBody && parent.body < first_arm_body_))) {
-      throw Error("joint \"" + joint.name +
-                  "\" of an arm is neither on the base nor behind a joint named before it");
-    }
-    limb_body(body) = {parent.body, {parent.R, parent.p, joint.axis}, Inertia()};
+  /// An arm is on the base, or behind a joint of an arm that comes earlier.
+  void check_arm(const UrdfJoint& joint, int body, int parent) const {
+    if (parent < body && (parent == kBaseBody || parent >= first_arm_body_)) return;
+    throw Error("joint \"" + joint.name +
+                "\" of an arm is neither on the base nor behind a joint named before it");
   }
 
   /// `inertia`: of the link and all that is fixed to it.
@@ -161,73 +150,117 @@ class Builder {
                     "\" moves, but with all that is fixed to it " + what);
   }
 
-  LimbBody& limb_body(int body) {
-    return tree_.limb_bodies[static_cast<std::size_t>(body - first_limb_body_)];
-  }
+  LimbBody& limb_body(int body) { return tree_.limb_bodies[static_cast<std::size_t>(body - 1)]; }
 
-  LegTree& leg_of(int body) {
-    return tree_.legs[static_cast<std::size_t>((body - 1) / kJointsPerLeg)];
-  }
-
-  Inertia& inertia_of(int body) {
-    if (body == kBaseBody) return tree_.base;
-    if (body >= first_limb_body_) return limb_body(body).inertia;
-    return leg_of(body).inertias[static_cast<std::size_t>((body - 1) % kJointsPerLeg)];
-  }
+  Inertia& inertia_of(int body) { return body == kBaseBody ? tree_.base : limb_body(body).inertia; }
 
   const Urdf& urdf_;
   const std::map<std::string, int> bodies_;
-  const int first_arm_body_, first_limb_body_;
+  const int first_arm_body_;
   BodyTree tree_;
 };
 
-/// The placement of a link, which must lie between two joints of a leg.
-const Placement& require(const Builder& builder, const std::string& link, Leg leg, int first,
-                         int last) {
-  const int num_legs = static_cast<int>(builder.tree().legs.size());
-  const Placement& placement = builder.placement(link);
-  if (placement.body < body_of(leg, first) || placement.body > body_of(leg, last)) {
-    throw Error("frame \"" + link + "\" is not on the expected part of leg " +
-                std::string(leg_name(leg, num_legs)));
-  }
-  return placement;
+/// Bodies from the base, without it, to this one.
+std::vector<int> bodies_to(const BodyTree& tree, int body) {
+  std::vector<int> bodies;
+  for (; body != kBaseBody; body = tree.limb_bodies[static_cast<std::size_t>(body - 1)].parent)
+    bodies.insert(bodies.begin(), body);
+  return bodies;
+}
+
+[[noreturn]] void fail_as_no_chain(const LegDescription& names, Leg leg, int num_legs) {
+  throw Error("the joints of leg " + std::string(leg_name(leg, num_legs)) +
+              " are not a chain from the base to the link that \"" + names.foot_frame + "\" is on");
 }
 
 /// The leg is one chain from the base to the link of its foot.
-void add_sole(const RobotDescription& description, Leg leg, Builder& builder) {
-  const LegDescription& names = description.legs[index(leg)];
+void check_chain(const RobotDescription& description, Leg leg, const BodyTree& tree) {
   const JointRange joints = description.leg_joints(leg);
-  BodyTree& tree = builder.tree();
-  BodyFrame sole = builder.placement(names.foot_frame);
-  const int first = joints.first + 1, last = joints.first + joints.count;
-  bool is_chain = sole.body == last;
-  for (int body = first; body <= last; ++body) {
-    const int parent = tree.limb_bodies[static_cast<std::size_t>(body - 1)].parent;
-    is_chain = is_chain && parent == (body == first ? kBaseBody : body - 1);
-  }
-  if (!is_chain) {
-    throw Error("the joints of leg " + std::string(leg_name(leg, description.num_legs())) +
-                " are not a chain from the base to the link that \"" + names.foot_frame +
-                "\" is on");
-  }
-  sole.p += sole.R * names.foot_center;
-  const auto num_legs = static_cast<int>(index(leg)) + 1;
-  tree.soles.resize(num_legs);
-  tree.hips.resize(num_legs);
-  tree.soles[index(leg)] = sole;
-  tree.hips[index(leg)] = builder.placement(names.hip_frame);
+  std::vector<int> bodies(static_cast<std::size_t>(joints.count));
+  std::iota(bodies.begin(), bodies.end(), 1 + joints.first);
+  if (bodies == bodies_to(tree, tree.feet[index(leg)].body)) return;
+  fail_as_no_chain(description.legs[index(leg)], leg, description.num_legs());
 }
 
-void add_points(const RobotDescription& description, Leg leg, Builder& builder) {
+/// A walker's leg: its bodies are checked and found.
+class LegFinder {
+ public:
+  LegFinder(const RobotDescription& description, const Urdf& urdf, Leg leg, const Builder& builder)
+      : names_(description.legs[index(leg)]),
+        urdf_(urdf),
+        leg_(leg),
+        num_legs_(description.num_legs()),
+        further_(description.further_joints(leg)),
+        builder_(builder) {}
+
+  /// HAA, HFE and KFE in this order, and further joints.
+  [[nodiscard]] std::vector<int> bodies() const {
+    check_order();
+    require(names_.thigh_link, {body_of(leg_, 1)});
+    require(names_.hip_frame, {body_of(leg_, 0), body_of(leg_, 1)});
+    require(names_.shank_link, {last()});
+    require(names_.foot_frame, {last()});
+    std::vector<int> bodies = bodies_to(builder_.tree(), last());
+    if (std::ssize(bodies) != kJointsPerLeg + further_.count)
+      fail_as_no_chain(names_, leg_, num_legs_);
+    return bodies;
+  }
+
+ private:
+  [[nodiscard]] bool is_further(int body) const {
+    return body > further_.first && body <= further_.first + further_.count;
+  }
+  [[nodiscard]] int parent_of(int body) const {
+    return builder_.tree().limb_bodies[static_cast<std::size_t>(body - 1)].parent;
+  }
+
+  void check_order() const {
+    for (int joint = 0; joint < kJointsPerLeg; ++joint) {
+      int parent = parent_of(body_of(leg_, joint));
+      while (is_further(parent)) parent = parent_of(parent);
+      if (parent == (joint == 0 ? kBaseBody : body_of(leg_, joint - 1))) continue;
+      const std::string& name = names_.joints[static_cast<std::size_t>(joint)];
+      throw Error("joint \"" + name + "\" moves with \"" +
+                  std::ranges::find(urdf_.joints, name, &UrdfJoint::name)->parent +
+                  "\", which is not what the joint before it in its leg moves; a leg is HAA, HFE "
+                  "and KFE, from the base to the foot");
+    }
+  }
+
+  /// The body behind the KFE, or behind the last of the further joints that follow it.
+  [[nodiscard]] int last() const {
+    int body = body_of(leg_, 2);
+    for (int further = further_.first + 1; further <= further_.first + further_.count; ++further)
+      if (parent_of(further) == body) body = further;
+    return body;
+  }
+
+  void require(const std::string& link, std::initializer_list<int> bodies) const {
+    const int body = builder_.placement(link).body;
+    if (std::ranges::find(bodies, body) != bodies.end()) return;
+    throw Error("frame \"" + link + "\" is not on the expected part of leg " +
+                std::string(leg_name(leg_, num_legs_)));
+  }
+
+  const LegDescription& names_;
+  const Urdf& urdf_;
+  const Leg leg_;
+  const int num_legs_;
+  const JointRange further_;
+  const Builder& builder_;
+};
+
+void add_leg(const RobotDescription& description, const Urdf& urdf, Leg leg, Builder& builder) {
   const LegDescription& names = description.legs[index(leg)];
-  LegTree& tree = builder.tree().legs[index(leg)];
-  (void)require(builder, names.thigh_link, leg, 1, 1);
-  const Placement& hip = require(builder, names.hip_frame, leg, 0, 1);
-  tree.chain.hip = hip.p;
-  tree.chain.hip_hinge = hip.body - body_of(leg, 0);
-  tree.R_shank = require(builder, names.shank_link, leg, 2, 2).R;
-  const Placement& foot = require(builder, names.foot_frame, leg, 2, 2);
-  tree.chain.foot = foot.p + foot.R * names.foot_center;
+  BodyTree& tree = builder.tree();
+  BodyFrame& foot = tree.feet[index(leg)];
+  foot = builder.placement(names.foot_frame);
+  tree.hips[index(leg)] = builder.placement(names.hip_frame);
+  foot.p += foot.R * names.foot_center;
+  if (!description.can_walk()) return check_chain(description, leg, tree);
+  tree.legs[index(leg)].bodies = LegFinder(description, urdf, leg, builder).bodies();
+  foot.R = builder.placement(names.shank_link).R;
+  tree.legs[index(leg)].chain = leg_chain(tree, leg, description.q_nominal);
 }
 
 }  // namespace
@@ -239,13 +272,37 @@ BodyTree make_body_tree(const RobotDescription& description, const Urdf& urdf) {
     throw Error("the base \"" + description.base_link + "\" must be the root of the URDF, \"" +
                 urdf.root + "\"");
   }
-  for (const Leg leg : description.legs.legs())
-    description.can_walk() ? add_points(description, leg, builder)
-                           : add_sole(description, leg, builder);
+  for (const Leg leg : description.legs.legs()) add_leg(description, urdf, leg, builder);
   for (const ArmDescription& arm : description.arms) {
     builder.tree().arm_tips.push_back(builder.placement(arm.tip_frame));
   }
   return builder.tree();
+}
+
+LegChain leg_chain(const BodyTree& tree, Leg leg, const JointVector& q) noexcept {
+  LegChain chain;
+  const BodyFrame& hip = tree.hips[index(leg)];
+  const BodyFrame& foot = tree.feet[index(leg)];
+  chain.hip = hip.p;
+  chain.hip_hinge = hip.body - body_of(leg, 0);
+  // Of the last further body, in the body of the hinge before it.
+  Mat3 R = Mat3::Identity();
+  Vec3 p = Vec3::Zero();
+  std::size_t num_hinges = 0;
+  for (const int body : tree.legs[index(leg)].bodies) {
+    const Hinge& hinge = tree.limb_bodies[static_cast<std::size_t>(body - 1)].hinge;
+    p += R * hinge.p;
+    R = R * hinge.R;
+    if (body == body_of(leg, static_cast<int>(num_hinges))) {
+      chain.hinges[num_hinges++] = {R, p, hinge.axis};
+      R.setIdentity();
+      p.setZero();
+    } else {
+      R = R * Eigen::AngleAxisd(q[body - 1], hinge.axis).toRotationMatrix();
+    }
+  }
+  chain.foot = p + R * foot.p;
+  return chain;
 }
 
 }  // namespace surefoot::model

@@ -3,20 +3,41 @@
 #include "surefoot/signals/joint_name.hpp"
 
 namespace surefoot::model {
+namespace {
 
-JointRange RobotDescription::leg_joints(Leg leg) const {
-  JointRange range;
+using Names = std::vector<std::string>;
+
+int num_joints_of(const PerLeg<LegDescription>& legs, Names LegDescription::* joints) {
+  std::size_t count = 0;
+  for (const LegDescription& leg : legs) count += (leg.*joints).size();
+  return static_cast<int>(count);
+}
+
+/// Of one leg's joints among those of all legs, which begin at `first`.
+JointRange range_of(const PerLeg<LegDescription>& legs, Leg leg, Names LegDescription::* joints,
+                    int first = 0) {
+  JointRange range{.first = first, .count = 0};
   for (std::size_t k = 0; k <= index(leg); ++k) {
     range.first += range.count;
-    range.count = static_cast<int>(legs[k].joints.size());
+    range.count = static_cast<int>((legs[k].*joints).size());
   }
   return range;
 }
 
+}  // namespace
+
+JointRange RobotDescription::leg_joints(Leg leg) const {
+  return range_of(legs, leg, &LegDescription::joints);
+}
+
+JointRange RobotDescription::further_joints(Leg leg) const {
+  return range_of(legs, leg, &LegDescription::further,
+                  num_joints_of(legs, &LegDescription::joints));
+}
+
 int RobotDescription::num_leg_joints() const {
-  std::size_t count = 0;
-  for (const LegDescription& leg : legs) count += leg.joints.size();
-  return static_cast<int>(count);
+  return num_joints_of(legs, &LegDescription::joints) +
+         num_joints_of(legs, &LegDescription::further);
 }
 
 int RobotDescription::num_joints() const {
@@ -26,11 +47,13 @@ int RobotDescription::num_joints() const {
 }
 
 std::vector<std::string> RobotDescription::joint_names() const {
-  std::vector<std::string> names;
-  for (const LegDescription& leg : legs)
-    names.insert(names.end(), leg.joints.begin(), leg.joints.end());
-  for (const ArmDescription& arm : arms)
-    names.insert(names.end(), arm.joints.begin(), arm.joints.end());
+  Names names;
+  const auto add = [&names](const Names& more) {
+    names.insert(names.end(), more.begin(), more.end());
+  };
+  for (const LegDescription& leg : legs) add(leg.joints);
+  for (const LegDescription& leg : legs) add(leg.further);
+  for (const ArmDescription& arm : arms) add(arm.joints);
   return names;
 }
 

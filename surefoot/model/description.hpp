@@ -10,11 +10,13 @@ namespace surefoot::model {
 
 /// Names of one leg's parts in the URDF, and its foot.
 struct LegDescription {
-  /// From the base to the foot: HAA, HFE, KFE of a walker.
+  /// HAA, HFE, KFE of a walker, which place its foot; else all from the base to the foot.
   std::vector<std::string> joints = std::vector<std::string>(kJointsPerLeg);
+  /// All others of a walker between base and foot, in this order. They keep the nominal posture.
+  std::vector<std::string> further;
   std::string hip_frame;            ///< on the HFE axis: the hip H of Eq. (35)
   std::string thigh_link;           ///< empty: no walker
-  std::string shank_link;           ///< link that carries the foot
+  std::string shank_link;           ///< on the body that carries the foot
   std::string foot_frame;           ///< frame of the foot's centre
   double foot_radius = 0.0;         ///< of the sphere [m]
   Vec3 foot_center = Vec3::Zero();  ///< centre of sphere or sole in the foot frame [m]
@@ -49,17 +51,19 @@ struct RobotDescription {
   JointVector q_nominal = JointVector::Zero(kNumLegJoints);
 
   [[nodiscard]] int num_legs() const { return static_cast<int>(legs.size()); }
-  /// Four or six legs of three joints, with spheres as feet. Others have two legs with flat feet
-  /// and any number of joints: they stand.
+  /// Four or six legs of at least three joints, with spheres as feet. Others have two legs with
+  /// flat feet: they stand.
   [[nodiscard]] bool can_walk() const { return num_legs() >= kNumLegs; }
+  /// Of `LegDescription::joints`.
   [[nodiscard]] JointRange leg_joints(Leg leg) const;
-  /// Joints of the legs; those of the arms follow.
+  [[nodiscard]] JointRange further_joints(Leg leg) const;
+  /// Joints of the legs with the further ones; those of the arms follow.
   [[nodiscard]] int num_leg_joints() const;
   /// n_τ
   [[nodiscard]] int num_joints() const;
   /// Of the URDF, in the order of a JointVector.
   [[nodiscard]] std::vector<std::string> joint_names() const;
-  /// As in messages: "LF_HAA", and the URDF's name of an arm's joint.
+  /// As in messages: "LF_HAA", and the URDF's name of a further joint or an arm's.
   [[nodiscard]] std::string joint_name(int joint) const;
   JointVector hold_kp = JointVector::Zero(kNumLegJoints);     ///< of the safety ladder [N·m/rad]
   JointVector hold_kd = JointVector::Zero(kNumLegJoints);     ///< [N·m·s/rad]

@@ -24,9 +24,6 @@ Vec3 across(const Hinge& hinge, const Vec3& point) {
   return point - hinge.axis * hinge.axis.dot(point);
 }
 
-/// Direction of it.
-Vec3 away_from(const Hinge& hinge, const Vec3& point) { return across(hinge, point).normalized(); }
-
 }  // namespace
 
 Vec3 LegChain::foot_in_base(const Vec3& q, Mat3* jacobian) const noexcept {
@@ -50,6 +47,10 @@ Vec3 LegChain::foot_in_base(const Vec3& q, Mat3* jacobian) const noexcept {
 double LegChain::thigh() const noexcept { return across(hinges[1], hinges[2].p).norm(); }
 
 double LegChain::shank() const noexcept { return across(hinges[2], foot).norm(); }
+
+Vec3 LegChain::along_thigh() const noexcept { return across(hinges[1], hinges[2].p).normalized(); }
+
+Vec3 LegChain::along_shank() const noexcept { return across(hinges[2], foot).normalized(); }
 
 double LegChain::knee_skew() const noexcept {
   const double cosine = hinges[1].axis.dot(hinges[2].R * hinges[2].axis);
@@ -75,16 +76,16 @@ Eigen::Matrix<double, 3, 2> LegChain::lengthening_in_base(const Vec3& q) const n
   Frame frame;
   for (std::size_t j = 0; j < kJointsPerLeg; ++j) {
     frame.follow(hinges[j], q[static_cast<Eigen::Index>(j)]);
-    if (j == 1) result.col(0) = frame.R * away_from(hinges[1], hinges[2].p);
+    if (j == 1) result.col(0) = frame.R * along_thigh();
   }
-  result.col(1) = frame.R * away_from(hinges[2], foot);
+  result.col(1) = frame.R * along_shank();
   return result;
 }
 
 LegChain LegChain::lengthened(double thigh, double shank) const noexcept {
   LegChain result = *this;
-  result.hinges[2].p += thigh * away_from(hinges[1], hinges[2].p);
-  result.foot += shank * away_from(hinges[2], foot);
+  result.hinges[2].p += thigh * along_thigh();
+  result.foot += shank * along_shank();
   return result;
 }
 

@@ -11,7 +11,8 @@ struct Hinge {
   Vec3 axis = Vec3::UnitX();  ///< in the child's frame
 };
 
-/// Kinematics of one leg in the base frame B: three hinges and the points on them.
+/// Kinematics of one leg in the base frame B: the three hinges that place its foot, and the points
+/// on them. Further joints stand still in it.
 struct LegChain {
   std::array<Hinge, kJointsPerLeg> hinges;  ///< HAA, HFE, KFE
   Vec3 foot = Vec3::Zero();                 ///< centre of the foot sphere, in the KFE child's frame
@@ -23,6 +24,10 @@ struct LegChain {
   /// Orientation in B of the body that carries the foot.
   [[nodiscard]] Mat3 shank_in_base(const Vec3& q) const noexcept;
   [[nodiscard]] Vec3 hip_in_base(const Vec3& q) const noexcept;
+  /// In which a longer thigh moves the KFE, in the HFE child's frame, and a longer shank the foot,
+  /// in the KFE child's.
+  [[nodiscard]] Vec3 along_thigh() const noexcept;
+  [[nodiscard]] Vec3 along_shank() const noexcept;
   /// Directions in B in which a longer thigh and a longer shank move the foot.
   [[nodiscard]] Eigen::Matrix<double, 3, 2> lengthening_in_base(const Vec3& q) const noexcept;
   /// From the HFE axis to the KFE axis, and from there to the foot, across the axes [m].

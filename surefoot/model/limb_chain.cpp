@@ -24,7 +24,7 @@ LimbChain::Pose LimbChain::foot_in_base(const JointVector& q) const noexcept {
 }
 
 LimbChain limb_chain(const BodyTree& tree, Leg leg, const JointRange& joints) {
-  LimbChain chain{.joints = joints, .hinges = {}, .foot = tree.soles[index(leg)]};
+  LimbChain chain{.joints = joints, .hinges = {}, .foot = tree.feet[index(leg)]};
   for (int j = joints.first; j < joints.first + joints.count; ++j)
     chain.hinges.push_back(tree.limb_bodies[static_cast<std::size_t>(j)].hinge);
   return chain;

@@ -20,7 +20,7 @@ enum class Leg : int { LF = 0, RF = 1, LH = 2, RH = 3 };
 
 inline constexpr int kNumLegs = 4;       ///< of a quadruped
 inline constexpr int kMaxLegs = 6;       ///< of a robot
-inline constexpr int kJointsPerLeg = 3;  ///< HAA, HFE, KFE
+inline constexpr int kJointsPerLeg = 3;  ///< HAA, HFE, KFE, which place a walker's foot
 inline constexpr int kNumLegJoints = kNumLegs * kJointsPerLeg;
 inline constexpr int kMaxLegJoints = 8;  ///< of a leg
 inline constexpr int kMaxJoints = 32;    ///< of a robot, legs and arms together
@@ -93,11 +93,12 @@ struct JointRange {
   int first = 0, count = 0;
 };
 
-/// Joint-space vector of n_τ numbers, fixed when the robot is loaded: joints of the legs, one leg
-/// after the other, then those of arms. Where legs have three, joint j of leg k stands at 3 k + j.
+/// Joint-space vector of n_τ numbers, fixed when the robot is loaded: HAA, HFE and KFE of one leg
+/// after the other, so that joint j of leg k stands at 3 k + j; then further joints of the legs,
+/// then those of arms. Of two legs: all joints of one leg after the other, then those of arms.
 /// Never allocates.
 using JointVector = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, kMaxJoints, 1>;
-/// The same of the legs alone.
+/// The same of the joints that place the feet.
 using LegJointVector =
     Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, kJointsPerLeg * kMaxLegs, 1>;
 /// Generalized velocity u = (v_WB in W, w_WB in B, q̇) or acceleration (Eq. 1), n_u = 6 + n_τ.
@@ -130,7 +131,7 @@ using GeneralizedVector =
   return std::string(leg_name(static_cast<Leg>(joint / kJointsPerLeg), num_legs)) + "_" +
          std::string(kJointNames[static_cast<std::size_t>(joint % kJointsPerLeg)]);
 }
-/// First joint of a leg in a JointVector, where legs have three.
+/// HAA of a walker's leg in a JointVector.
 [[nodiscard]] constexpr int first_joint(Leg leg) { return kJointsPerLeg * static_cast<int>(leg); }
 
 }  // namespace surefoot

@@ -28,7 +28,6 @@ class ModelComparison {
       : robot_(robot),
         physics_(physics),
         data_(mj_makeData(&physics)),
-        num_leg_joints_(static_cast<std::size_t>(robot.can_walk() ? robot.num_leg_joints() : 0)),
         tree_(model::make_body_tree(robot, model::read_urdf(robot))),
         model_(robot) {
     state_.v_WB = state_.w_WB_B = Vec3::Zero();
@@ -54,14 +53,9 @@ class ModelComparison {
     compare_body(robot_.base_link, tree_.base, base, Vec3::Zero());
     for (std::size_t i = 0; i < joints_.size(); ++i) {
       const int joint = joints_[i], body = physics_.jnt_bodyid[joint];
-      compare_body(mj_id2name(&physics_, mjOBJ_BODY, body), inertia_behind(i), body,
+      compare_body(mj_id2name(&physics_, mjOBJ_BODY, body), tree_.limb_bodies[i].inertia, body,
                    Vec3(physics_.jnt_pos + 3 * joint));
     }
-  }
-
-  [[nodiscard]] const model::Inertia& inertia_behind(std::size_t joint) const {
-    if (joint >= num_leg_joints_) return tree_.limb_bodies[joint - num_leg_joints_].inertia;
-    return tree_.legs[joint / kJointsPerLeg].inertias[joint % kJointsPerLeg];
   }
 
   void compare_body(const std::string& link, const model::Inertia& ours, int body,
@@ -122,19 +116,7 @@ class ModelComparison {
   }
 
   void compare_places() {
-    // By body: the base, then the one behind each joint.
-    std::vector<Place> places{{state_.q_WB.toRotationMatrix(), state_.p_WB}};
-    for (std::size_t i = 0; i < joints_.size(); ++i) {
-      const bool is_leg = i < num_leg_joints_;
-      const bool is_first = i % kJointsPerLeg == 0;
-      const std::size_t parent =
-          is_leg ? (is_first ? 0 : i)
-                 : static_cast<std::size_t>(tree_.limb_bodies[i - num_leg_joints_].parent);
-      const model::Hinge& hinge =
-          is_leg ? tree_.legs[i / kJointsPerLeg].chain.hinges[i % kJointsPerLeg]
-                 : tree_.limb_bodies[i - num_leg_joints_].hinge;
-      places.push_back(compare_joint(i, places[parent], hinge));
-    }
+    compare_joints_on(0, {state_.q_WB.toRotationMatrix(), state_.p_WB});
     for (const Leg leg : robot_.legs.legs()) {
       const model::LegDescription& names = robot_.legs[index(leg)];
       compare_frame("foot", names.foot_frame, model_.dynamics().foot[index(leg)].p,
@@ -150,6 +132,15 @@ class ModelComparison {
     Mat3 R;
     Vec3 p;
   };
+
+  /// All that a body moves.
+  void compare_joints_on(int body, const Place& place) {
+    for (std::size_t i = 0; i < joints_.size(); ++i) {
+      const model::LimbBody& moved = tree_.limb_bodies[i];
+      if (moved.parent != body) continue;
+      compare_joints_on(static_cast<int>(i) + 1, compare_joint(i, place, moved.hinge));
+    }
+  }
 
   /// The place of the body behind the joint.
   Place compare_joint(std::size_t i, const Place& parent, const model::Hinge& hinge) {
@@ -225,7 +216,6 @@ class ModelComparison {
   const model::RobotDescription& robot_;
   const mjModel& physics_;
   const DataHandle data_;
-  const std::size_t num_leg_joints_;
   const model::BodyTree tree_;
   model::RobotModel model_;
   std::vector<int> joints_;  // MuJoCo's numbers of our joints

@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <map>
 #include <mutex>
 
@@ -190,10 +191,14 @@ void exclude_all(mjSpec& spec, const std::vector<std::string>& some,
 /// at the hip (base and thigh) or knee (hip and shank) in legal postures. Fixed bodies count as
 /// their link. Hips and ankles of more joints have more such links.
 void exclude_neighbours(mjSpec& spec, mjsBody& base, const model::RobotDescription& description) {
-  const std::size_t near = description.can_walk() ? 2 : kNearLinks;
   for (const model::LegDescription& leg : description.legs) {
+    std::vector<mjsBody*> moved;
+    for (const auto* joints : {&leg.joints, &leg.further})
+      for (const std::string& joint : *joints) moved.push_back(&moved_by(spec, joint));
+    std::ranges::sort(moved, std::greater(), [](mjsBody* body) { return subtree(*body).size(); });
     std::vector<std::vector<std::string>> links{solid(base)};
-    for (const std::string& joint : leg.joints) links.push_back(solid(moved_by(spec, joint)));
+    for (mjsBody* body : moved) links.push_back(solid(*body));
+    const std::size_t near = moved.size() == kJointsPerLeg ? 2 : kNearLinks;
     for (std::size_t i = 0; i < links.size(); ++i) {
       for (std::size_t j = i + 2; j < links.size() && j <= i + near; ++j)
         exclude_all(spec, links[i], links[j]);

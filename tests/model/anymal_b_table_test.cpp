@@ -87,7 +87,7 @@ TEST(AnymalB, mirrors_its_inertias_from_leg_to_leg) {
 
 TEST(AnymalB, lumps_the_welded_links_of_a_shank) {
   const BodyTree tree = make_body_tree(anymal_b(), read_urdf(anymal_b().urdf_path));
-  Inertia lumped = tree.legs[0].inertias[2];
+  Inertia lumped = tree.limb_bodies[2].inertia;
   // Without the gram at the foot.
   const Inertia foot{-kFootMass, Vec3(0.1, -0.02, -0.32125), Mat3::Identity() * -4.9e-7};
   lumped = lumped + foot;
