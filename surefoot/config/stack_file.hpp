@@ -53,7 +53,8 @@ namespace surefoot::config {
                                                 const Scale& scale = {},
                                                 const tasks::OwnTasks& own = {});
 
-/// `control::with_arms` and `with_stops`, with the numbers of their levels scaled to the robot.
+/// `control::with_arms`, `with_further_joints` and `with_stops`, with the numbers of their levels
+/// scaled to the robot.
 [[nodiscard]] control::StackOptions with_scaled_arms(const control::StackOptions& stack,
                                                      const model::RobotDescription& robot);
 

@@ -66,7 +66,8 @@ Controller::Implementation::Implementation(
   record.command.torque.setZero();
   memory.last = at_start.last = remember({});
   follow_frames();
-  if (!robot.arms.empty()) safety.soften_arms(turned_inertia(model));
+  if (robot.num_joints() > kJointsPerLeg * robot.num_legs())
+    safety.soften_light(turned_inertia(model));
   if (robot.can_walk()) {
     const RobotState at_rest = level_at_rest(robot.q_nominal);
     safety.soften_roll(limp_inertia(model.update(at_rest, Vec3::UnitZ()))(0, 0));

@@ -20,7 +20,8 @@ constexpr double kLastSpring = 0.1;  // share of the spring at the end
 // Shares of the PD gains for a swing leg: `hold` fits a quarter of the robot's inertia, which would
 // make a free leg oscillate with delayed drives.
 constexpr double kSoftSpring = 0.4, kSoftDamping = 0.175;
-constexpr double kFastestArm = 25.0;    // damping of an arm's joint over its inertia [1/s]
+constexpr double kFastestLight = 25.0;  // damping of a light joint over its inertia [1/s]
+constexpr double kOnGround = 4.0;       // times as fast where the ground holds the foot
 constexpr double kFastestRoll = 60.0;   // damping of all HAA over the torso's inertia [1/s]
 constexpr double kStiffestRoll = 50.0;  // natural frequency of the torso on their springs [rad/s]
 constexpr double kSettleTime = 2.0;     // of `hold` before the first good tick [s]
@@ -87,14 +88,23 @@ Safety::Safety(const SafetyOptions& options, const model::RobotDescription& robo
   for (Eigen::Index i = num_leg_joints_; i < spring_.size(); ++i)
     spring_[i] = std::min(1.0, torque_limit_[i] / strongest);
   damper_ = spring_;
+  in_air_ = JointVector::Ones(robot.num_joints());
   stands_now_ = stands_ = PerLeg<bool>(robot.num_legs(), true);
   legs_.resize(robot.num_legs());
-  for (const Leg leg : legs_.legs()) legs_[index(leg)] = robot.leg_joints(leg);
+  further_.resize(robot.num_legs());
+  for (const Leg leg : legs_.legs()) {
+    legs_[index(leg)] = robot.leg_joints(leg);
+    further_[index(leg)] = robot.further_joints(leg);
+  }
 }
 
-void Safety::soften_arms(const JointVector& inertia) {
+void Safety::soften_light(const JointVector& inertia) {
+  const auto share = [&](Eigen::Index i) { return kFastestLight * inertia[i] / hold_kd_[i]; };
   for (Eigen::Index i = num_leg_joints_; i < spring_.size(); ++i)
-    spring_[i] = damper_[i] = std::min(spring_[i], kFastestArm * inertia[i] / hold_kd_[i]);
+    spring_[i] = damper_[i] = std::min(spring_[i], share(i));
+  for (const auto& [first, count] : further_) {
+    for (Eigen::Index i = first; i < first + count; ++i) in_air_[i] = std::min(1.0, share(i));
+  }
 }
 
 void Safety::soften_roll(double inertia) {
@@ -279,6 +289,13 @@ JointVector Safety::pull(const RobotState& state, const JointVector& q, const Jo
     const auto [first, count] = legs_[index(leg)];
     kp.segment(first, count) *= 1.0 - soft * (1.0 - kSoftSpring);
     kd.segment(first, count) *= 1.0 - soft * (1.0 - kSoftDamping);
+    const auto [further, num_further] = further_[index(leg)];
+    const double firmer = stands_[index(leg)] ? kOnGround : 1.0;
+    for (Eigen::Index i = further; i < further + num_further; ++i) {
+      const double share = std::min(1.0, firmer * in_air_[i]);
+      kp[i] *= share;
+      kd[i] *= share;
+    }
   }
   // Separate terms: if q is unknown the damping still works, and vice versa.
   return spring * finite_or_zero(kp.cwiseProduct(q - state.q)) +
@@ -322,7 +339,8 @@ void Safety::damp(const RobotState& state) {
   const JointVector soft_kd = damping_kd_.cwiseMin(kSoftDamping * hold_kd_);
   const JointVector kd = damping_kd_ + faded * (soft_kd - damping_kd_);
   if (faded < 1.0) ++damped_ticks_;
-  command_.torque = -kd.cwiseProduct(finite_or_zero(damper_.cwiseProduct(state.qd)));
+  command_.torque =
+      -kd.cwiseProduct(finite_or_zero(damper_.cwiseProduct(in_air_).cwiseProduct(state.qd)));
   if (!std::isfinite(fade_begin_)) return;
   const double share = (command_.time - fade_begin_) / (scale_.time() * kFadeTime);
   command_.torque += std::clamp(1.0 - share, 0.0, 1.0) * fading_torque_;

@@ -40,7 +40,7 @@ namespace surefoot::control {
 ///                torques before, which fade out within 0.5 s
 ///
 /// An arm's joints are held as far as their drives are weaker than a leg's, and light ones softly
-/// (`soften_arms`). The PD of a swing leg
+/// (`soften_light`), as are further joints of legs. The PD of a swing leg
 /// (`set_standing`) is soft, as its inertia is small.
 ///
 /// Torques change by at most `max_torque_change` a tick while the robot is off its feet, a sensor
@@ -61,8 +61,8 @@ class Safety {
                                             const SensorHealth& health = {}) noexcept;
 
   /// Drives are late: their PD would shake light bodies. Takes the inertia that the torque of each
-  /// joint turns [kg·m²], and softens those of arms.
-  void soften_arms(const JointVector& inertia);
+  /// joint turns [kg·m²], and softens those of arms, and further ones of legs.
+  void soften_light(const JointVector& inertia);
   /// The same of the HAA of legs that stand, which turn a narrow torso about their feet; takes its
   /// roll inertia with limp joints [kg·m²].
   void soften_roll(double inertia);
@@ -136,9 +136,10 @@ class Safety {
   JointVector torque_limit_;
   JointVector hold_kp_, hold_kd_, damping_kd_;
   JointVector spring_, damper_;  // of each joint, as a share of a leg's
+  JointVector in_air_;           // factor of both for further joints of legs in the air
   Scale scale_;                  // of the robot
   int num_leg_joints_;
-  PerLeg<JointRange> legs_;
+  PerLeg<JointRange> legs_, further_;
   double period_;
   int first_free_level_;
   JointVector lying_q_;

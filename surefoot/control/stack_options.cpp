@@ -19,7 +19,18 @@ constexpr std::array<std::string_view, 4> kPhysics{"equations_of_motion", "no_co
 constexpr std::array<std::string_view, 2> kEfforts{"contact_force_minimisation",
                                                    "torque_minimisation"};
 
+// Of further joints, as of swing feet: a toe turns so little that steps of the drives would move
+// it.
+constexpr double kHeldGain = 800.0;    // [1/s²]
+constexpr double kHeldDamping = 56.0;  // [1/s]
+
 constexpr const char* kStops = "joint_position_limits";
+
+LevelSpec level_of(const char* name, std::initializer_list<const char*> tasks) {
+  LevelSpec made{.name = name, .tasks = {}};
+  for (const char* task : tasks) made.tasks.emplace_back().task = task;
+  return made;
+}
 
 bool has(const LevelSpec& level, std::string_view task) {
   return std::ranges::find(level.tasks, task, &TaskSpec::task) != level.tasks.end();
@@ -37,6 +48,20 @@ bool is_of_arms(const std::string& joints, const model::RobotDescription& robot)
   for (std::string word; words >> word;) {
     for (const model::ArmDescription& arm : robot.arms)
       if (std::ranges::find(arm.joints, word) != arm.joints.end()) return true;
+  }
+  return false;
+}
+
+/// Is it a posture of a further joint of a leg?
+bool moves_further(const TaskSpec& task, const model::RobotDescription& robot) {
+  const auto given = task.choices.find("joints");
+  if (task.task != "posture" || given == task.choices.end()) return false;
+  constexpr std::array<std::string_view, 3> kOfLegs{"legs", "further", "all"};
+  if (std::ranges::find(kOfLegs, given->second) != kOfLegs.end()) return true;
+  std::istringstream words(given->second);
+  for (std::string word; words >> word;) {
+    for (const model::LegDescription& leg : robot.legs)
+      if (std::ranges::find(leg.further, word) != leg.further.end()) return true;
   }
   return false;
 }
@@ -75,6 +100,12 @@ ArmTasks arm_tasks(const StackOptions& stack, const model::RobotDescription& rob
       joints += (joints.empty() ? "" : " ") + name;
   }
   return found;
+}
+
+void insert_below_physics(LevelSpec level, StackOptions& stack) {
+  const auto last = std::find_if(stack.levels.rbegin(), stack.levels.rend(),
+                                 [](const LevelSpec& one) { return keeps_physics(one); });
+  stack.levels.insert(last.base(), std::move(level));
 }
 
 /// Does a thigh of the standing robot nearly meet its stop?
@@ -129,21 +160,17 @@ std::vector<std::string> missing_physics(const StackOptions& stack) {
 StackOptions with_arms(StackOptions stack, const model::RobotDescription& robot) {
   const ArmTasks found = arm_tasks(stack, robot);
   if (found.move_arms || robot.arms.empty()) return stack;
-  const auto level = [](const char* name, std::initializer_list<const char*> tasks) {
-    LevelSpec made{.name = name, .tasks = {}};
-    for (const char* task : tasks) made.tasks.emplace_back().task = task;
-    return made;
-  };
   const auto saves = [](const TaskSpec& task) {
     return std::ranges::find(kEfforts, task.task) != kEfforts.end();
   };
   const auto effort = std::ranges::find_if(
       stack.levels, [&](const LevelSpec& one) { return std::ranges::all_of(one.tasks, saves); });
-  LevelSpec rest = level("arm_rest", {"posture"}), idle = level("arm_posture", {"posture"});
+  LevelSpec rest = level_of("arm_rest", {"posture"}), idle = level_of("arm_posture", {"posture"});
   if (found.followed.empty()) {
     rest.tasks.front().choices["joints"] = "reaching_arm";
     idle.tasks.front().choices["joints"] = "idle_arms";
-    stack.levels.insert(effort, {level("arm_tip", {"frame_position", "frame_orientation"}), rest});
+    stack.levels.insert(effort,
+                        {level_of("arm_tip", {"frame_position", "frame_orientation"}), rest});
   } else {
     rest.tasks.front().choices["joints"] = found.followed;
     idle.tasks.front().choices["joints"] = found.others;
@@ -151,20 +178,35 @@ StackOptions with_arms(StackOptions stack, const model::RobotDescription& robot)
     stack.levels.insert(last + 1, rest);
   }
   if (!found.followed.empty() && found.others.empty()) return stack;
-  const auto last = std::find_if(stack.levels.rbegin(), stack.levels.rend(), keeps_physics);
-  stack.levels.insert(last.base(), idle);
+  insert_below_physics(std::move(idle), stack);
+  return stack;
+}
+
+StackOptions with_further_joints(StackOptions stack, const model::RobotDescription& robot) {
+  const bool moves = std::ranges::any_of(stack.levels, [&](const LevelSpec& level) {
+    return std::ranges::any_of(level.tasks,
+                               [&](const TaskSpec& task) { return moves_further(task, robot); });
+  });
+  const auto has_further = [](const model::LegDescription& leg) { return !leg.further.empty(); };
+  if (moves || std::ranges::none_of(robot.legs, has_further)) return stack;
+  LevelSpec held = level_of("leg_posture", {"posture"});
+  TaskSpec& posture = held.tasks.front();
+  posture.choices["joints"] = "further";
+  posture.numbers["kp"] = kHeldGain;
+  posture.numbers["kd"] = kHeldDamping;
+  insert_below_physics(std::move(held), stack);
   return stack;
 }
 
 StackOptions with_stops(StackOptions stack, const model::RobotDescription& robot) {
   if (!has_thighs_at_stops(robot)) return stack;
-  const auto level_of = [&](const char* task) {
+  const auto level_with = [&](const char* task) {
     return std::ranges::find_if(stack.levels,
                                 [&](const LevelSpec& level) { return has(level, task); });
   };
-  const auto swing = level_of("swing_foot");
-  const bool reaches = level_of("limb_extension_limits") != stack.levels.end();
-  if (!reaches || swing == stack.levels.end() || level_of(kStops) != stack.levels.end())
+  const auto swing = level_with("swing_foot");
+  const bool reaches = level_with("limb_extension_limits") != stack.levels.end();
+  if (!reaches || swing == stack.levels.end() || level_with(kStops) != stack.levels.end())
     return stack;
   if (std::any_of(swing, stack.levels.end(), keeps_physics)) return stack;
   LevelSpec stops{.name = kStops, .tasks = {}};

@@ -50,6 +50,11 @@ void check_physics(const StackOptions& stack);
 /// follows a frame have `arm_rest` right below it. Throws UnknownNameError for an unknown frame.
 [[nodiscard]] StackOptions with_arms(StackOptions stack, const model::RobotDescription& robot);
 
+/// The stack of a robot whose legs have further joints, unless a posture of it is for them: below
+/// the levels that keep the physics, `leg_posture` holds them.
+[[nodiscard]] StackOptions with_further_joints(StackOptions stack,
+                                               const model::RobotDescription& robot);
+
 /// The stack of a robot whose thighs stand near their stops: where legs reach down as far as
 /// `limb_extension_limits` allows, `joint_position_limits` comes before the level of the swing
 /// feet. At a stop the drive pushes against it, which would be taken for a force of the ground. The

@@ -27,13 +27,16 @@ bool tell_other_legs(const Anatomy& anatomy, Findings& findings) {
     for (const Limb& other : anatomy.others)
       if (is_alike(other)) last += " " + other.joints.back().name;
     const std::string hinges = std::to_string(limb.joints.size()) + " hinges";
-    findings.push_back({Severity::error, Confidence::certain,
-                        "joint \"" + limb.joints.front().name + "\"", limb.joints.front().line,
-                        "here begins one of " + std::to_string(count) + " limbs of " + hinges +
-                            " each; the legs of a robot that walks have three, HAA, HFE and KFE",
-                        limb.joints.size() > kJointsPerLeg
-                            ? "if they are legs, make fixed what they can walk without:" + last
-                            : "if they are legs, they can't walk with this program"});
+    findings.push_back(
+        {Severity::error, Confidence::certain, "joint \"" + limb.joints.front().name + "\"",
+         limb.joints.front().line,
+         "here begins one of " + std::to_string(count) + " limbs of " + hinges +
+             " each; this check knows legs of three, HAA, HFE and KFE",
+         limb.joints.size() > kJointsPerLeg
+             ? "if they are legs, write the robot file by hand (docs/robots.md, further "
+               "joints), or make fixed what they can walk without:" +
+                   last
+             : "if they are legs, they can't walk with this program"});
     return true;
   }
   return false;

@@ -33,9 +33,7 @@ struct RobotParts {
   std::vector<GeomOwner> owner;  ///< of each geom
 
   /// Else it has flat feet, and only stands.
-  [[nodiscard]] bool legs_have_three_joints() const {
-    return static_cast<int>(foot_geom.size()) >= kNumLegs;
-  }
+  [[nodiscard]] bool is_walker() const { return static_cast<int>(foot_geom.size()) >= kNumLegs; }
 };
 
 /// Name of the geom of a foot sphere, or of a sole.

@@ -91,21 +91,24 @@ struct Springs {
   JointVector stiffness, damping;  // [N·m/rad], [N·m·s/rad]
 };
 
-/// The same for all joints; ankles of flat feet are so light that they only bear weaker ones, until
-/// the ground holds them.
+/// The same for all joints of legs with three. Of others some turn so little that they only bear
+/// weaker ones, until the ground holds them.
 Springs springs(const mjModel& model, mjData& data, const RobotParts& parts, double stiffness,
                 double damping, double timestep) {
-  constexpr double kStiffShare = 0.2, kDampShare = 0.5;  // of what is unstable without contact
+  // Of what is unstable without contact; in a walker's leg the three other joints add to it.
+  const double stiff_share = parts.is_walker() ? 0.08 : 0.2;
+  const double damp_share = parts.is_walker() ? 0.2 : 0.5;
   const auto n = static_cast<Eigen::Index>(parts.dof.size());
   Springs result{JointVector::Constant(n, stiffness), JointVector::Constant(n, damping)};
-  if (parts.legs_have_three_joints()) return result;
+  const int num_placing = kJointsPerLeg * static_cast<int>(parts.foot_geom.size());
+  if (parts.is_walker() && parts.num_leg_joints == num_placing) return result;
   for (Eigen::Index j = 0; j < n; ++j) {
     const int dof = parts.dof[static_cast<std::size_t>(j)];
     Eigen::VectorXd unit = Eigen::VectorXd::Unit(model.nv, dof), column(model.nv);
     mj_solveM(&model, &data, column.data(), unit.data(), 1);
     const double inertia = 1.0 / column[dof];
-    result.stiffness[j] = std::min(stiffness, kStiffShare * inertia / (timestep * timestep));
-    result.damping[j] = std::min(damping, kDampShare * inertia / timestep);
+    result.stiffness[j] = std::min(stiffness, stiff_share * inertia / (timestep * timestep));
+    result.damping[j] = std::min(damping, damp_share * inertia / timestep);
   }
   return result;
 }
@@ -128,7 +131,7 @@ JointVector stand_up(const mjModel& model, mjData& data, const RobotParts& parts
       Foot& foot = feet[index(leg)];
       foot.in_the_air =
           touches(data, parts.foot_geom[index(leg)]) ? 0.0 : foot.in_the_air + options.timestep;
-      const bool is_lowered = parts.legs_have_three_joints();
+      const bool is_lowered = parts.is_walker();
       if (!is_lowered || foot.in_the_air < scale.time() * kMaxAirTime) continue;
       if (foot.lowered > scale.length * kMaxLowering) continue;
       const double down = scale.speed() * kLoweringSpeed * options.timestep;

@@ -205,9 +205,11 @@ void add_frames(Catalog& catalog) {
       .number("max_error", &FrameOrientation::Options::max_error, "rad", kErrorHelp)
       .add_to(catalog);
   Entry<Posture>("posture", "joints go to a posture and stay there", kNoUnit, "rad/s²")
-      .text("joints", &Posture::Options::joints,
-            {"arms", "legs", "all", "idle_arms", "reaching_arm"}, "JOINT …",
-            "which joints; an arm is idle while it does not reach")
+      .text(
+          "joints", &Posture::Options::joints,
+          {"arms", "legs", "further", "all", "idle_arms", "reaching_arm"}, "JOINT …",
+          "which joints: further ones are a leg's beside HAA, HFE and KFE; an arm is idle while it "
+          "does not reach")
       .choice("target", &Posture::Options::target, {"nominal", "plan"},
               "the robot's posture, or the plan's: where they were at first, unless a planner says")
       .number("kp", &Posture::Options::kp, "1/s²", "position gain")

@@ -33,10 +33,13 @@ void Posture::find_parts(const model::RobotDescription& robot) {
     arm_of.insert(arm_of.end(), robot.arms[arm].joints.size(), static_cast<int>(arm));
   const bool of_legs = given == "legs" || given == "all";
   const bool of_arms = given == "all" || given == "arms" || when_ != When::always;
-  if (of_legs || of_arms) {
+  const bool is_further = given == "further";
+  if (of_legs || of_arms || is_further) {
+    const int first_further = robot.further_joints(Leg{0}).first;
     for (int j = 0; j < robot.num_joints(); ++j) {
       const int arm = arm_of[static_cast<std::size_t>(j)];
-      if (arm < 0 ? of_legs : of_arms) joints_.push_back({j, arm});
+      const bool is_chosen = arm >= 0 ? of_arms : of_legs || (is_further && j >= first_further);
+      if (is_chosen) joints_.push_back({j, arm});
     }
     return;
   }
@@ -49,7 +52,7 @@ void Posture::find_parts(const model::RobotDescription& robot) {
     joints_.push_back({j, arm_of[static_cast<std::size_t>(j)]});
   }
   if (joints_.empty())
-    throw Error("posture: joints is empty; names, or arms, legs or all are valid");
+    throw Error("posture: joints is empty; names, or arms, legs, further or all are valid");
 }
 
 void Posture::write(const TaskInput& input, solver::Level& level) const noexcept {

@@ -17,7 +17,8 @@ class Posture final : public Task {
   enum class Target { nominal, plan };
 
   struct Options {
-    /// `arms`, `legs`, `all`, `idle_arms`, `reaching_arm`, or names, separated by spaces.
+    /// `arms`, `legs`, `further` ones of legs, `all`, `idle_arms`, `reaching_arm`, or names,
+    /// separated by spaces.
     std::string joints = "arms";
     Target target = Target::nominal;
     double kp = 60.0;         ///< [1/s²]

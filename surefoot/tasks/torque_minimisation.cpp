@@ -6,11 +6,8 @@ void TorqueMinimisation::write(const TaskInput& input, solver::Level& level) con
   solver::Rows rows = level.add(input.dynamics.num_joints(), first_id());
   auto weights = rows.A.rightCols(input.dynamics.num_joints()).diagonal();
   weights.setConstant(arms_);
-  if (has_flat_feet()) {
-    weights.head(num_leg_joints()).setOnes();
-  } else {
-    weights.head(kJointsPerLeg * num_legs()) = legs_.replicate(num_legs(), 1);
-  }
+  weights.head(num_leg_joints()).setOnes();
+  if (!has_flat_feet()) weights.head(kJointsPerLeg * num_legs()) = legs_.replicate(num_legs(), 1);
   rows.lower.setZero();
   rows.upper.setZero();
 }
