@@ -4,6 +4,7 @@
 #include "surefoot/config/scenario_file.hpp"
 #include "tests/logging/temporary_folder.hpp"
 #include "tests/scenarios/loop.hpp"
+#include "tests/support/hexapod.hpp"
 #include "tests/support/source_file.hpp"
 
 #include <gtest/gtest.h>
@@ -57,6 +58,17 @@ TEST(Hexapod, WalksOnFlatGroundAndStepsDownATenthOfItsLeg) {
 TEST(Hexapod, NothingIsAllocatedAsItWalks) {
   test::Loop loop(test::scenario("walk_flat", {"robot=hexapod"}, 1));
   loop.run_until(13.0);
+  EXPECT_GT(loop.count(PlanEvent::lift_off), 3);
+  EXPECT_EQ(loop.allocations(), 0U) << loop.last_allocation();
+}
+
+TEST(FurtherJoints, OfLegsAllocateNothingAsTheyWalk) {
+  const test::TemporaryFolder folder;
+  test::write_file(folder / "hexapod.urdf", test::hexapod_urdf_with_further_joints());
+  test::write_file(folder / "robot.yaml", test::contents(test::source_file("robots/hexapod.yaml")) +
+                                              "  center: [0, 0, -0.05]\n");
+  test::Loop loop(test::scenario("walk_flat", {"robot=" + (folder / "robot.yaml")}, 1));
+  loop.run_until(15.0);
   EXPECT_GT(loop.count(PlanEvent::lift_off), 3);
   EXPECT_EQ(loop.allocations(), 0U) << loop.last_allocation();
 }

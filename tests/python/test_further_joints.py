@@ -1,0 +1,53 @@
+"""Robots of tools/hexapod.py whose legs have four and five joints stand, walk blind and step down by the scenarios that ship."""
+
+import json
+import subprocess
+import sys
+
+import pytest
+from program import PROGRAM, ROOT
+
+FILE = """name: long_legs
+urdf: robot.urdf
+legs: {LF: {foot: LF_foot}, RF: {foot: RF_foot}, LH: {foot: LH_foot}, RH: {foot: RH_foot}}
+foot: {radius: 0.03}
+"""
+SIX = FILE.replace("LH: {", "LM: {foot: LM_foot}, RM: {foot: RM_foot}, LH: {")
+
+
+def run(folder, scenario, *assignments):
+    arguments = [PROGRAM, "run", scenario, "--seed", "1", "--json", "--set", f"robot={folder}/robot.yaml", *assignments]
+    return json.loads(subprocess.run(arguments, cwd=ROOT, capture_output=True, text=True).stdout)
+
+
+def write_robot(folder, legs, *further):
+    printed = subprocess.run([sys.executable, ROOT / "tools/hexapod.py", "--legs", str(legs), "--further", *further], capture_output=True, text=True, check=True)
+    (folder / "robot.urdf").write_text(printed.stdout)
+    (folder / "robot.yaml").write_text(FILE if legs == 4 else SIX)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("legs, further", [(4, ["YAW"]), (4, ["TOE"]), (4, ["YAW", "TOE"]), (6, ["YAW"])], ids=str)
+def test_legs_with_further_joints_walk_and_step_down(legs, further, tmp_path):
+    write_robot(tmp_path, legs, *further)
+    flat = run(tmp_path, "campaigns/robots/flat.yaml")
+    assert flat["succeeded"], flat["reason"]
+    assert flat["com_error_max_m"] < 0.0017
+    down = run(tmp_path, "campaigns/robots/step_down_10.yaml")
+    assert down["succeeded"] and not down["fell"], down["reason"]
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("scenario", ["lying_start", "lifted", "trot", "stairs_up"])
+def test_a_hip_that_yaws_does_what_others_do(scenario, tmp_path):
+    write_robot(tmp_path, 4, "YAW")
+    assert run(tmp_path, scenario)["succeeded"]
+
+
+def test_what_is_left_of_a_leg_of_two_joints_is_told(tmp_path):
+    write_robot(tmp_path, 4)
+    file = tmp_path / "robot.yaml"
+    file.write_text(FILE.replace("LF_foot", "LF_thigh"))
+    told = subprocess.run([PROGRAM, "run", "walk_flat", "--set", f"robot={file}"], capture_output=True, text=True)
+    assert told.returncode == 2
+    assert "a leg that walks has three, HAA, HFE and KFE, or more, as fewer can't place a foot in space" in told.stderr
