@@ -85,7 +85,7 @@ REFUSED = {
     "exchanged legs": ([("yaml LF_foot", "X"), ("yaml RF_foot", "LF_foot"), ("yaml X", "RF_foot")], "yaml:4: legs.LF: in the nominal posture its foot is at x = 0.25, y = -0.16", "are two legs exchanged"),
     "foot of another leg": ([("yaml LF_foot", "RF_foot")], 'yaml:5: legs.RF.foot: "RF_foot" is the foot of legs.LF already; each has its own'),
     "shared joint": ([("yaml LF_foot", "LF_foot, joints: [RF_HAA, LF_HFE, LF_KFE]")], 'joint "RF_HAA" stands at two places, also in legs.LF.joints'),
-    "joints in another order": ([("yaml LF_foot", "LF_foot, joints: [LF_HFE, LF_HAA, LF_KFE]")], 'joint "LF_HAA" moves with "base"', "a leg is HAA, HFE and KFE, from the base to the foot"),
+    "joints in another order": ([("yaml LF_foot", "LF_foot, joints: [LF_HFE, LF_HAA, LF_KFE]")], 'joint "LF_HFE" moves with "LF_hip"', "a leg is HAA, HFE and KFE, from the base to the foot"),
     "two joints": ([("yaml LF_foot", "LF_foot, joints: [LF_HAA, LF_HFE]")], "legs.LF.joints: is not a list of 3 joints: HAA, HFE, KFE"),
     "foot on the thigh": ([("yaml LF_foot", "LF_thigh")], 'legs.LF: between the base and "LF_thigh" there are 2 joints that move: LF_HAA LF_HFE; a leg that walks has three'),
     "foot at the knee": ([("yaml LF_foot", "LF_shank")], 'yaml:4: legs.LF: its foot, "LF_shank", is 0 m from the knee\'s axis, and the thigh has 0.26 m; name the frame at the shank\'s end'),
