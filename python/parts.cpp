@@ -46,6 +46,8 @@ std::string wrong_result(nb::handle object, const char* method, nb::handle resul
 
 namespace {
 
+constexpr int kMostRows = 1000;  // of an own task
+
 // Estimator.
 
 /// A base class in Python that can ask the library's part, which is made anew with each controller.
@@ -276,9 +278,10 @@ class PythonTask final : public tasks::Task {
     const nb::object& task = *object;
     name_ = nb::cast<std::string>(task.attr("task"));
     const nb::object most = task.attr("max_rows");
-    if (!nb::try_cast<int>(most, max_rows_) || max_rows_ < 1)
+    if (!nb::try_cast<int>(most, max_rows_) || max_rows_ < 1 || max_rows_ > kMostRows)
       throw Error("task \"" + name_ + "\": max_rows is " + text_of(nb::repr(most)) +
-                  "; the largest number of rows that rows() gives, at least 1, is valid");
+                  "; the largest number of rows that rows() gives, from 1 to " +
+                  std::to_string(kMostRows) + ", is valid");
     row_names_ = nb::cast<std::vector<std::string>>(task.attr("row_names"));
   }
 

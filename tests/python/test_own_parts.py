@@ -107,6 +107,7 @@ def test_of_a_run_the_reason_names_the_task():
 @pytest.mark.parametrize("make, said", [
     (lambda: type("Sizeless", (OwnTask,), {"rows": raising})("sizeless"), "max_rows is 0; the largest number of rows that rows"),
     (lambda: Height("com_xy"), "com_xy"),
+    (lambda: type("Vast", (OwnTask,), {"max_rows": 10**7, "rows": raising})("vast"), "max_rows is 10000000; .* from 1 to 1000, is valid"),
     (lambda: type("Writes", (OwnTask,), {"max_rows": 3, "write": lambda self, tick: None})("writes"), "Writes has no rows"),
     (lambda: Height("a: b"), "is no name of a level"),
 ])  # fmt: skip
