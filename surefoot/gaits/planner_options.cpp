@@ -17,7 +17,6 @@ constexpr NumberRange kDuty{
     .min = 0.0, .max = 1.0, .min_included = false, .words = "a number above 0 and below 1"};
 constexpr NumberRange kFrequency{.min = 0.1, .max = 100.0, .words = "from 0.1 to 100 rad/s"};
 constexpr NumberRange kMaxTilt{.min = 0.0, .max = 1.5, .words = "from 0 to 1.5 rad"};
-constexpr double kLongCycle = 0.8;  // [s]
 constexpr NumberRange kTilt{.min = 0.0, .max = 0.3, .words = "from 0 to 0.3 rad"};
 
 Order order_of(PerLeg<Leg>& order) {
@@ -347,6 +346,7 @@ void check_hip_height(const PlannerOptions& o, const Given& given) {
 }  // namespace
 
 bool begins_at_rest(const RhythmOptions& options, const Scale& scale) {
+  constexpr double kLongCycle = 0.8;  // [s]
   return !options.enabled || options.period >= scale.time() * kLongCycle;
 }
 

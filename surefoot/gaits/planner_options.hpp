@@ -53,8 +53,8 @@ struct RhythmOptions {
   double rise = 0.0, crouch = 0.0, fast = 1.0;
 };
 
-/// Does the robot stand still before the first step of this gait? In a cycle so long two feet can't
-/// carry it in turn.
+/// Does the robot stand still before the first step of this gait? So it does where legs step one by
+/// one, or in a cycle so long that two feet can't carry it in turn.
 [[nodiscard]] bool begins_at_rest(const RhythmOptions& options, const Scale& scale);
 
 /// Contact forces at phase changes, Eq. (30).

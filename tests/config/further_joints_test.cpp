@@ -46,15 +46,6 @@ class FurtherJoints : public testing::Test {
   std::string file_ = test::contents(test::source_file("robots/hexapod.yaml"));
 };
 
-RobotState random_state(Random& random, const model::RobotDescription& robot) {
-  RobotState state = random.state();
-  state.q = robot.q_nominal;
-  for (double& angle : state.q) angle += random.uniform(-0.3, 0.3);
-  state.qd.resize(state.q.size());
-  for (double& rate : state.qd) rate = random.uniform(-2.0, 2.0);
-  return state;
-}
-
 TEST_F(FurtherJoints, are_found_beside_those_that_place_the_foot) {
   const model::RobotDescription robot = this->robot();
   const model::LegDescription& leg = robot.legs[0];
@@ -94,7 +85,7 @@ TEST_F(FurtherJoints, move_feet_and_mass_as_the_jacobians_say) {
   for (double& length : longer.thigh) length = random.uniform(-0.01, 0.01);
   for (double& length : longer.shank) length = random.uniform(-0.01, 0.01);
   model.set_leg_lengths(longer);
-  const RobotState state = random_state(random, robot);
+  const RobotState state = random.state_around(robot.q_nominal);
   const GeneralizedVector u = state.u();
   const model::Dynamics now = model.update(state, kUp);
   const model::Dynamics after = model.update(test::moved(state, u, kStep), kUp);
@@ -119,7 +110,7 @@ TEST_F(FurtherJoints, are_in_a_leg_s_chain_where_they_stand) {
   const model::BodyTree tree = model::make_body_tree(robot, model::read_urdf(robot));
   model::RobotModel model(robot);
   Random random(2);
-  const RobotState state = random_state(random, robot);
+  const RobotState state = random.state_around(robot.q_nominal);
   const model::Dynamics& dynamics = model.update(state, kUp);
   for (const Leg leg : robot.legs.legs()) {
     const Vec3 q = state.q.segment<3>(first_joint(leg));

@@ -17,15 +17,6 @@ using test::Random;
 
 const Vec3 kUp = Vec3::UnitZ();
 
-RobotState random_state(Random& random, const RobotDescription& robot) {
-  RobotState state = random.state();
-  state.q = robot.q_nominal;
-  for (double& angle : state.q) angle += random.uniform(-0.3, 0.3);
-  state.qd.resize(state.q.size());
-  for (double& rate : state.qd) rate = random.uniform(-2.0, 2.0);
-  return state;
-}
-
 MotionPlan plan_with(std::initializer_list<bool> contacts) {
   MotionPlan plan;
   plan.feet.resize(static_cast<int>(contacts.size()));
@@ -40,7 +31,7 @@ TEST(FlatFeet, their_soles_move_as_their_jacobians_say) {
   RobotModel model(biped());
   Random random(1);
   for (int trial = 0; trial < 10; ++trial) {
-    const RobotState state = random_state(random, model.description());
+    const RobotState state = random.state_around(model.description().q_nominal);
     const GeneralizedVector u = state.u();
     const Dynamics now = model.update(state, kUp);
     const Dynamics after = model.update(test::moved(state, u, kStep), kUp);
@@ -66,7 +57,7 @@ TEST(FlatFeet, a_limb_chain_has_them_at_the_same_place) {
   RobotModel model(robot);
   const BodyTree tree = make_body_tree(robot, read_urdf(robot));
   Random random(3);
-  RobotState state = random_state(random, robot);
+  RobotState state = random.state_around(robot.q_nominal);
   state.p_WB.setZero();
   state.q_WB.setIdentity();
   const Dynamics& dynamics = model.update(state, kUp);
@@ -86,7 +77,8 @@ TEST(FlatFeet, their_forces_and_moments_explain_the_motion) {
   Random random(4);
   for (const auto& contacts : {std::initializer_list<bool>{true, true}, {true, false}}) {
     const MotionPlan plan = plan_with(contacts);
-    const Dynamics& dynamics = model.update(random_state(random, model.description()), kUp);
+    const Dynamics& dynamics =
+        model.update(random.state_around(model.description().q_nominal), kUp);
     support.update(dynamics, plan);
     EXPECT_EQ(support.rank(), 6 * plan.num_contacts());
     EXPECT_EQ(support.num_forces(), 6 * plan.num_contacts());
@@ -114,7 +106,7 @@ TEST(FlatFeet, their_forces_and_moments_explain_the_motion) {
 TEST(FlatFeet, a_legs_torques_tell_force_and_moment_apart) {
   RobotModel model(biped());
   Random random(5);
-  RobotState state = random_state(random, model.description());
+  RobotState state = random.state_around(model.description().q_nominal);
   const Dynamics& dynamics = model.update(state, kUp);
   for (const Leg leg : dynamics.contact.legs()) {
     const auto [first, count] = dynamics.leg_joints[index(leg)];

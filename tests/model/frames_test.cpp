@@ -22,14 +22,6 @@ using test::Random;
 
 const Vec3 kUp = Vec3::UnitZ();
 
-RobotState random_state(Random& random, const RobotDescription& robot) {
-  RobotState state = random.state();
-  state.q = state.qd = robot.q_nominal;
-  for (double& angle : state.q) angle += random.uniform(-0.5, 0.5);
-  for (double& rate : state.qd) rate = random.uniform(-2.0, 2.0);
-  return state;
-}
-
 std::vector<RobotDescription> robots() {
   return {test::anymal_b_with_arm(), test::hexapod(), test::biped()};
 }
@@ -69,7 +61,7 @@ TEST(Frames, MoveAsTheirJacobiansSayInTheWorldAndInTheBase) {
   Random random(1);
   for (const RobotDescription& robot : robots()) {
     const Frames frames(robot);
-    const Moments moments(robot, random_state(random, robot));
+    const Moments moments(robot, random.state_around(robot.q_nominal));
     for (int i = 0; i < static_cast<int>(frames.names().size()); ++i) {
       SCOPED_TRACE(robot.name + " " + frames.names()[static_cast<std::size_t>(i)]);
       moments.expect_derivatives(frames[i], In::world);
@@ -83,7 +75,7 @@ TEST(Frames, OfTheBaseStandStillInItAndOnlyJointsMoveTheOthers) {
   const RobotDescription robot = test::anymal_b_with_arm();
   const Frames frames(robot);
   RobotModel model(robot);
-  const Dynamics& now = model.update(random_state(random, robot), kUp);
+  const Dynamics& now = model.update(random.state_around(robot.q_nominal), kUp);
   const auto in_base = [&](const char* name) {
     return relative_to_base(frame_kinematics(frames[frames.number(name)], now), now);
   };
@@ -100,7 +92,7 @@ TEST(Frames, AreThoseThatTheModelKnowsByOtherNames) {
   const RobotDescription robot = test::anymal_b_with_arm();
   const Frames frames(robot);
   RobotModel model(robot);
-  const Dynamics& now = model.update(random_state(random, robot), kUp);
+  const Dynamics& now = model.update(random.state_around(robot.q_nominal), kUp);
   const auto named = [&](const std::string& name) {
     return frame_kinematics(frames[frames.number(name)], now);
   };
@@ -132,7 +124,7 @@ TEST(Frames, CostNoAllocation) {
   const Frames frames(robot);
   RobotModel model(robot);
   Random random(4);
-  const RobotState state = random_state(random, robot);
+  const RobotState state = random.state_around(robot.q_nominal);
   const BodyFrame& hand = frames[frames.number(robot.arms.front().tip_frame)];
   const test::MallocCounter mallocs;
   const Dynamics& now = model.update(state, kUp);

@@ -40,6 +40,15 @@ RobotState Random::state() {
   return state;
 }
 
+RobotState Random::state_around(const JointVector& posture) {
+  RobotState state = this->state();
+  state.q = posture;
+  for (double& angle : state.q) angle += uniform(-0.3, 0.3);
+  state.qd.resize(state.q.size());
+  for (double& rate : state.qd) rate = uniform(-2.0, 2.0);
+  return state;
+}
+
 RobotState Random::standing_state(const JointVector& posture) {
   RobotState state = this->state();
   state.p_WB = Vec3(0.0, 0.0, 0.48) + vector(0.03);

@@ -19,6 +19,8 @@ class Random {
 
   /// Anywhere, any orientation, joints within ±2 rad of 0, everything moving.
   [[nodiscard]] RobotState state();
+  /// Anywhere, any orientation, joints within ±0.3 rad of a posture, everything moving.
+  [[nodiscard]] RobotState state_around(const JointVector& posture);
   /// Standing roughly upright around a posture, everything moving a little.
   [[nodiscard]] RobotState standing_state(const JointVector& posture);
 
