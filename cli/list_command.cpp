@@ -40,6 +40,9 @@ std::vector<std::string> described_robot(const std::string& name) {
             formatted("%.3g kg", model::proportions_of(model).mass), robot.urdf_path};
   } catch (const Error& error) {
     const std::string text = error.what();
+    const std::size_t remedy = std::min(text.find("`pip install"), text.size());
+    if (remedy < text.size())
+      return {name, "not here; " + text.substr(remedy, text.find(';', remedy) - remedy)};
     return {name, text.substr(0, text.find("; "))};
   }
 }

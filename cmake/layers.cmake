@@ -75,9 +75,11 @@ SUREFOOT_ROBOT_PACKAGES=\"${SUREFOOT_ROBOT_PACKAGES}\"")
 if(SKBUILD)
   set(built_folders "SUREFOOT_SOURCE_DATA=\"\";SUREFOOT_INSTALLED_DATA=\"\";SUREFOOT_ROBOT_PACKAGES=\"\"")
 endif()
+file(STRINGS ${PROJECT_SOURCE_DIR}/dependencies/robots.txt robot_requirements REGEX "^[^#].*==")
+list(JOIN robot_requirements " " robot_requirements)
 set_source_files_properties(${PROJECT_SOURCE_DIR}/surefoot/base/build_info.cpp PROPERTIES
   INCLUDE_DIRECTORIES ${PROJECT_BINARY_DIR}/generated
-  COMPILE_DEFINITIONS "SUREFOOT_VERSION=\"${PROJECT_VERSION}\";${built_folders}")
+  COMPILE_DEFINITIONS "SUREFOOT_VERSION=\"${PROJECT_VERSION}\";${built_folders};SUREFOOT_ROBOT_REQUIREMENTS=\"${robot_requirements}\"")
 
 # Roots without errno, and no calls of memset for a few packs of zeros.
 set_source_files_properties(${PROJECT_SOURCE_DIR}/surefoot/solver/sweep_kernels.cpp PROPERTIES

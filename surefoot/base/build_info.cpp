@@ -11,6 +11,7 @@ const BuildInfo& build_info() {
       .source_data = SUREFOOT_SOURCE_DATA,
       .installed_data = SUREFOOT_INSTALLED_DATA,
       .robot_packages = SUREFOOT_ROBOT_PACKAGES,
+      .robot_requirements = SUREFOOT_ROBOT_REQUIREMENTS,
   };
   return kInfo;
 }

