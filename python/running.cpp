@@ -7,6 +7,7 @@
 #include "python/parts.hpp"
 #include "python/plant.hpp"
 #include "surefoot/base/formatted.hpp"
+#include "surefoot/base/nearest_name.hpp"
 #include "surefoot/closed_loop/closed_loop.hpp"
 
 #include <nanobind/stl/optional.h>
@@ -71,8 +72,11 @@ void bind_result(nb::module_& module) {
           "__getitem__",
           [](const Self& self, const std::string& metric) {
             const Metrics metrics = as_dict(self.run.metrics);
-            if (!metrics.contains(metric.c_str()))
-              throw nb::key_error((metric + "; `.metrics` has all names").c_str());
+            if (!metrics.contains(metric.c_str())) {
+              const auto names = nb::cast<std::vector<std::string>>(nb::list(metrics));
+              throw nb::key_error(
+                  ("there is no metric \"" + metric + "\"; " + near_names(metric, names)).c_str());
+            }
             return nb::object(metrics[metric.c_str()]);
           },
           nb::sig("def __getitem__(self, metric: str) -> typing.Any"))

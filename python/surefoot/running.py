@@ -72,8 +72,10 @@ class Campaign:
         self.folder, self.summary = folder, summary
 
     def __repr__(self) -> str:
-        every = self.summary["all"]
-        return f"<campaign {self.summary['name']}: {every['successes']} of {every['trials']} runs succeeded: {self.folder}>"
+        every, finished = self.summary["all"], self.summary["runs"]["finished"]
+        unjudged = finished - every["trials"]
+        rate = [f"{every['successes']} of {every['trials']} runs succeeded"] * bool(every["trials"] or not finished)
+        return f"<campaign {self.summary['name']}: {', '.join(rate + [f'{unjudged} not judged'] * bool(unjudged))}: {self.folder}>"
 
     @property
     def table(self) -> pa.Table:

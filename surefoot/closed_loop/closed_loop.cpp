@@ -211,8 +211,11 @@ class ClosedLoop {
                                          .version = std::string(build_info().version),
                                          .goal_reached = goal_.reached()});
     const bool is_cut = ending == Ending::interrupted || ending == Ending::reset;
+    result.fault = controller_.fault();
     if (result.safety_stop && !is_cut) {
       result.metrics.reason = stop_.reason(evaluator_.fall());
+    } else if (!result.fault.empty() && !is_cut) {
+      result.metrics.reason += ", and a part of your own failed: " + result.fault;
     }
     const bool is_short =
         ending == Ending::finished && result.metrics.duration_s < scenario_.judged_after - 1e-9;
@@ -221,13 +224,12 @@ class ClosedLoop {
         is_cut || is_short ? evaluation::Extent::part : evaluation::Extent::whole);
     result.metrics.succeeded = evaluation::all_passed(result.criteria);
     if (is_cut && result.metrics.succeeded.value_or(false)) result.metrics.succeeded.reset();
-    if (result.safety_stop) result.metrics.succeeded = false;
+    if (result.safety_stop || !result.fault.empty()) result.metrics.succeeded = false;
     result.events = events_.counts();
     result.troubles = troubles_.counts();
     result.torques_hash = torques_.value();
     result.drawn = scenario_.drawn;
     result.notes = notes();
-    result.fault = controller_.fault();
     if (!result.fault.empty()) result.notes.push_back(result.fault);
     if (options_.steering != nullptr) result.changes = changes_;
     if (recorder_) close_log(result);

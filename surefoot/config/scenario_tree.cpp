@@ -130,7 +130,10 @@ void drop_paper_of_another(ConfigNode& tree, const std::vector<std::string>& ass
 void keep_judged_duration(ConfigNode& tree, const std::vector<std::string>& assignments) {
   const ConfigNode* duration = tree.find("duration");
   if (duration == nullptr || tree.find("judged_after") != nullptr) return;
-  if (std::ranges::find(assignments, "criteria=none") != assignments.end()) return;
+  const auto leaves_none = [](const std::string& assignment) {
+    return assignment == "criteria=none" || assignment == "criteria=null";
+  };
+  if (std::ranges::any_of(assignments, leaves_none)) return;
   const bool is_changed = std::ranges::any_of(assignments, [](const std::string& assignment) {
     return assigned_path(assignment) == "duration";
   });

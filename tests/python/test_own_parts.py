@@ -96,6 +96,10 @@ def test_of_a_run_the_reason_names_the_task():
     with pytest.warns(RuntimeWarning, match='"bad"'):
         result = surefoot.run(standing(Bad("bad")))
     assert not result.succeeded and '"bad"' in result.reason
+    for duration in (0.2, 3.0):
+        with pytest.warns(RuntimeWarning, match='"worst"'):
+            failed = surefoot.run(standing(type("Worst", (Bad,), {"begin": 0.0})("worst"), duration=duration))
+        assert failed.succeeded is False and '"worst"' in failed.reason
     never = Bad("never")
     never.begin = 0.0
     with pytest.warns(RuntimeWarning, match='"never"'):
@@ -110,6 +114,7 @@ def test_of_a_run_the_reason_names_the_task():
     (lambda: type("Vast", (OwnTask,), {"max_rows": 10**7, "rows": raising})("vast"), "max_rows is 10000000; .* from 1 to 1000, is valid"),
     (lambda: type("Writes", (OwnTask,), {"max_rows": 3, "write": lambda self, tick: None})("writes"), "Writes has no rows"),
     (lambda: Height("a: b"), "is no name of a level"),
+    (lambda: type("Mine", (OwnTask,), {"__init__": lambda self: None, "rows": raising})(), r"Mine.__init__ must call super\(\).__init__\(name\) first"),
 ])  # fmt: skip
 def test_a_task_that_can_be_none_is_refused_at_set_up(make, said):
     with pytest.raises(surefoot.Error, match=said):
@@ -183,6 +188,22 @@ def hierarchy_outcome():
 
     surefoot.run("walk_flat_ideal", set=["duration=0.01"], planner=Keeps())
     return kept[0]
+
+
+def test_a_plan_in_which_nothing_carries_the_robot_is_told():
+    class Empty(surefoot.Planner):
+        def update(self, user, state, dynamics, last):
+            return surefoot.MotionPlan()
+
+    with pytest.warns(RuntimeWarning, match="standing feet, but each has force_max 0: none may carry weight"):
+        assert not surefoot.run("walk_flat_ideal", set=["duration=1"], planner=Empty()).succeeded
+
+
+@pytest.mark.parametrize("base, part", [(surefoot.Planner, "planner"), (surefoot.Estimator, "estimator")])
+def test_a_part_whose_base_was_not_made_is_told_how(base, part):
+    made = type("Mine", (base,), {"__init__": lambda self: None})()
+    with pytest.raises(surefoot.Error, match=r"Mine.__init__ must call super\(\).__init__\(\) first"):
+        surefoot.run("walk_flat", set=["duration=0.1"], **{part: made})
 
 
 class Asks(surefoot.Estimator):

@@ -93,7 +93,7 @@ def test_without_a_plant_a_controller_of_a_robot_steps_on_readings_from_anywhere
         torque = body.step(reading, user).torque
         np.testing.assert_array_equal(torque, together.step(reading, user).torque)
         plant.write(torque)
-    assert repr(body) == "<controller of anymal_b, 6 levels, after 0 steps>"
+    assert repr(body) == "<controller of anymal_b, 6 levels, after 0 footsteps>"
     with pytest.raises(surefoot.Error, match="estimation: truth, which needs the plant"):
         surefoot.Controller(surefoot.load_scenario("walk_flat_ideal"))
     with pytest.raises(surefoot.Error, match="give them to load_scenario"):
@@ -149,6 +149,12 @@ def test_a_campaign_gives_tables_and_compares_cases_seed_by_seed(tmp_path, monke
         surefoot.campaign({"scenario": "walk_flat"})
 
 
+@pytest.mark.parametrize("criteria, told", [({}, "2 not judged"), ({"criteria": None}, "2 of 2 runs succeeded")])
+def test_of_a_campaign_runs_that_are_not_judged_are_told(tmp_path, criteria, told):
+    spec = {"name": "short", "scenario": "walk_flat_ideal", "seeds": [1, 2], "set": {"duration": 0.05} | criteria}
+    assert repr(surefoot.campaign(spec, out=tmp_path / "results", jobs=1)).startswith(f"<campaign short: {told}: ")
+
+
 def test_a_campaign_compares_stacks(tmp_path):
     stack = surefoot.Stack("terrain_adaptation")
     spec = {"scenario": "walk_flat_ideal", "seeds": [1], "set": {"duration": 0.3}, "cases": {"as it is": {"stack": stack}, "soft": {"stack": stack.tune("com_xy", kp=20)}}}
@@ -179,6 +185,15 @@ def test_what_is_kept_of_a_tick_says_that_its_run_has_ended():
                 lambda: controller.state, lambda: controller.set_friction(0.5), lambda: tick.controller.levels()):  # fmt: skip
         with pytest.raises(surefoot.Error, match="the run of this (plant|controller) has ended"):
             use()
+
+
+def test_what_belongs_to_another_robot_is_refused(scenario):
+    other = surefoot.Plant(surefoot.load_scenario("walk_flat", robot="go1"))
+    with pytest.raises(surefoot.Error, match="plant is of the robot go1, and the controller of anymal_b"):
+        surefoot.Controller(scenario, other)
+    controller = surefoot.Controller(scenario, surefoot.Plant(scenario))
+    with pytest.raises(surefoot.Error, match=r"reading.q has 18 numbers, and anymal_b has 12 joints; that of SensorReading\(12\) would be valid"):
+        controller.step(surefoot.SensorReading(18), surefoot.UserCommand())
 
 
 def test_a_plant_of_a_run_is_for_no_second_controller(scenario):
@@ -219,6 +234,8 @@ def test_a_command_names_its_gait(gait, walked):
 
 
 def test_gaits_that_are_not_there_are_refused_with_those_that_are():
+    with pytest.raises(surefoot.Error, match='gaits has "sway": 3; a class derived from surefoot.Gait, or a function that makes one'):
+        surefoot.load_scenario("walk_flat", gaits={"sway": 3})
     scenario = surefoot.load_scenario("walk_flat_ideal", set=["gaits=[crawl, trot]"])
     plant = surefoot.Plant(scenario)
     controller = surefoot.Controller(scenario, plant)
