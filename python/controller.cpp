@@ -19,6 +19,7 @@
 
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace surefoot::python {
@@ -47,8 +48,21 @@ UserCommand BoundController::checked(const NamedCommand& user) const {
   return command;
 }
 
+void BoundController::check(const SensorReading& reading) const {
+  const int num_joints = robot_.num_joints();
+  for (const auto& [name, numbers] :
+       {std::pair("q", &reading.q), std::pair("torque", &reading.torque)}) {
+    if (numbers->size() != num_joints)
+      throw Error("reading." + std::string(name) + " has " + std::to_string(numbers->size()) +
+                  " numbers, and " + robot_.name + " has " + std::to_string(num_joints) +
+                  " joints; that of SensorReading(" + std::to_string(num_joints) +
+                  ") would be valid");
+  }
+}
+
 void BoundController::step(const SensorReading& reading, const NamedCommand& user) {
   const UserCommand command = checked(user);
+  check(reading);
   unlocked([&](control::Controller& controller) { controller.step(reading, command); });
   ++ticks_;
   changes.end_tick();
@@ -65,6 +79,9 @@ std::unique_ptr<estimation::StateEstimator> estimator(const config::Scenario& sc
   const double period = scenario.controller.period;
   if (plant != nullptr && !plant->is_own())
     throw Error("plant is that of a run, which has a controller; a Plant(scenario) would be valid");
+  if (plant != nullptr && plant->robot() != scenario.robot.name)
+    throw Error("plant is of the robot " + plant->robot() + ", and the controller of " +
+                scenario.robot.name + "; a Plant of the same scenario would be valid");
   if (plant != nullptr)
     return simulation::make_estimator(scenario.estimation,
                                       {scenario.robot, period, **plant, scenario.estimator});
@@ -205,7 +222,7 @@ void bind_controller(nb::module_& module) {
              if (self.has_ended()) return std::string("<controller of a run that has ended>");
              return "<controller of " + self.robot().name + ", " +
                     std::to_string(self->level_names().size()) + " levels, after " +
-                    std::to_string(self->steps_taken()) + " steps>";
+                    std::to_string(self->steps_taken()) + " footsteps>";
            })
       .def(
           "levels", [](Self& self) { return outcomes(*self); },

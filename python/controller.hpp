@@ -52,6 +52,8 @@ class BoundController : public Lent<control::Controller> {
   Changes changes;
 
  private:
+  /// Throws Error on a reading of another robot.
+  void check(const SensorReading& reading) const;
   [[nodiscard]] static std::vector<std::string> gaits_of(const config::Scenario& scenario);
 
   model::RobotDescription robot_;

@@ -4,9 +4,10 @@
 #include "python/numbers.hpp"
 #include "surefoot/evaluation/alignment_fields.hpp"  // fields() must be known where signal() calls it
 #include "surefoot/evaluation/truth_fields.hpp"
-#include "surefoot/logging/message_codec.hpp"
+#include "surefoot/logging/message_decoder.hpp"
 
 #include <nanobind/stl/optional.h>
+#include <nanobind/stl/pair.h>
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/string_view.h>
 #include <nanobind/stl/vector.h>
@@ -18,6 +19,7 @@
 #include <string>
 #include <string_view>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace surefoot::python {
@@ -254,6 +256,36 @@ class FieldProperties {
   std::vector<const char*> names_;
 };
 
+/// Of a signal whose members include lists per leg.
+struct LegCounter {
+  int num_legs = kNumLegs;
+  template <typename Member>
+  void operator()(std::string_view, const Member& member, std::string_view) {
+    if constexpr (logged::kIsPerLeg<Member>) num_legs = static_cast<int>(member.size());
+  }
+};
+
+/// Lets `copy` copy it, and `pickle` send it to another process, as the message of a log.
+template <typename T, typename Described>
+void add_copies(nb::class_<T>& type) {
+  type.def("__copy__", [](const T& self) { return self; })
+      .def("__deepcopy__", [](const T& self, nb::handle) { return self; });
+  if constexpr (std::is_same_v<T, Described>) {
+    type.def("__getstate__", [](const T& self) {
+      LegCounter counter;
+      logged::fields(counter, self);
+      std::string message;
+      logged::encode(self, message);
+      return std::make_pair(counter.num_legs, message);
+    });
+    type.def("__setstate__", [](T& self, const std::pair<int, std::string>& state) {
+      T made{};
+      logged::Decoder::decode(state.second, made, state.first);
+      new (&self) T(std::move(made));
+    });
+  }
+}
+
 /// A class for a signal, with all fields of what the log describes.
 template <typename T, typename Described = T>
 nb::class_<T> signal(nb::module_& module, const char* name, const char* doc) {
@@ -262,6 +294,7 @@ nb::class_<T> signal(nb::module_& module, const char* name, const char* doc) {
   FieldProperties<T> properties(type, example);
   logged::fields(properties, static_cast<const Described&>(example));
   properties.add_text(name);
+  add_copies<T, Described>(type);
   return type;
 }
 

@@ -408,6 +408,10 @@ gaits::OwnGaits own_gaits(const nb::dict& makers, std::shared_ptr<std::shared_pt
   gaits::OwnGaits own;
   for (const auto& [key, value] : makers) {
     const auto name = nb::cast<std::string>(key);
+    if (PyCallable_Check(value.ptr()) == 0)
+      throw Error(
+          "gaits has \"" + name + "\": " + text_of(nb::repr(value)) +
+          "; a class derived from surefoot.Gait, or a function that makes one, would be valid");
     const SharedObject make(nb::borrow<nb::object>(value));
     own.add(
         name,

@@ -61,6 +61,9 @@ struct BoundPart {
 template <typename Bound>
 void begin_anew(const SharedObject& object) {
   const nb::gil_scoped_acquire python;
+  if (nb::inst_check(*object) && !nb::inst_ready(*object))
+    throw Error(text_of((*object).type().attr("__name__")) +
+                ".__init__ must call super().__init__() first");
   (*object).attr("restart")();
   if (Bound* base = nullptr; nb::try_cast<Bound*>(*object, base) && base != nullptr && base->make)
     base->library = base->make();
@@ -262,6 +265,11 @@ struct TaskTick {
 using Numbers1 = nb::ndarray<const double, nb::ndim<1>, nb::c_contig, nb::device::cpu>;
 using Numbers2 = nb::ndarray<const double, nb::ndim<2>, nb::c_contig, nb::device::cpu>;
 
+/// As the package shows an argument.
+std::string shown_short(nb::handle given) {
+  return text_of(nb::module_::import_("surefoot._arguments").attr("shown")(given));
+}
+
 template <typename Array>
 Array numbers(nb::handle given, const char* what) {
   const nb::object made =
@@ -305,7 +313,7 @@ class PythonTask final : public tasks::Task {
   void append(nb::handle given, Eigen::Index num_velocities, solver::Level& level) const {
     const std::size_t count = nb::isinstance<nb::tuple>(given) ? nb::len(given) : 0;
     if (count != 2 && count != 3)
-      throw Error("rows() gave " + text_of(nb::repr(given)).substr(0, 60) +
+      throw Error("rows() gave " + shown_short(given) +
                   "; (A, b) for A x = b, (A, lower, upper) or None would be valid");
     const auto A = numbers<Numbers2>(given[0], "A");
     const auto lower = numbers<Numbers1>(given[1], "a bound");

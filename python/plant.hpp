@@ -15,15 +15,18 @@ class BoundPlant : public Lent<simulation::Plant> {
  public:
   explicit BoundPlant(const config::Scenario& scenario)
       : Lent(std::make_unique<simulation::Plant>(scenario.robot, scenario.plant), "plant"),
+        robot_(scenario.robot.name),
         base_(scenario.robot.base_link) {}
   BoundPlant(const config::Scenario& scenario, simulation::Plant& of_run)
-      : Lent(of_run, "plant"), base_(scenario.robot.base_link) {}
+      : Lent(of_run, "plant"), robot_(scenario.robot.name), base_(scenario.robot.base_link) {}
 
+  [[nodiscard]] const std::string& robot() const { return robot_; }
   [[nodiscard]] const std::string& base() const { return base_; }
   Changes changes;
 
  private:
-  std::string base_;  // its link
+  std::string robot_;  // its name
+  std::string base_;   // its link
 };
 
 }  // namespace surefoot::python

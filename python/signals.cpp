@@ -179,8 +179,7 @@ void bind_signals(nb::module_& module) {
             new (self) MotionPlan();
             self->feet.resize(num_legs);
           },
-          nb::arg("num_legs") = kNumLegs, "All zero; standing_plan() is a plan to begin with.")
-      .def("__copy__", [](const MotionPlan& self) { return self; });
+          nb::arg("num_legs") = kNumLegs, "All zero; standing_plan() is a plan to begin with.");
   signal<ModelRecord>(module, "ModelRecord",
                       "What the controller's model says of the robot at one tick.");
   signal<TickTiming>(module, "TickTiming", "Wall-clock time of the stages of one tick [µs].");

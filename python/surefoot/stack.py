@@ -9,6 +9,7 @@ import pathlib
 import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
+from functools import partial
 from typing import Any
 
 import numpy.typing as npt
@@ -34,6 +35,26 @@ class Task:
         self.task, self.name, self.weight = task, task if name is None else name, weight
         self.parameters = {key: value for key, value in parameters.items() if value is not None}
         check_name(self.name)
+        if not isinstance(self, OwnTask):
+            parse_alone(self)
+
+    @classmethod
+    def _read(cls, task: str, name: str, weight: float, parameters: dict[str, Any]) -> Task:
+        """From a stack, which has checked it."""
+        made = Task.__new__(Task)
+        made.task, made.name, made.weight, made.parameters = task, name, weight, parameters
+        return made
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Task) and not isinstance(self, OwnTask) and yaml_of(as_level(self)) == yaml_of(as_level(other)) or self is other
+
+    def __hash__(self) -> int:
+        return hash((self.task, self.name))
+
+    def __getattr__(self, name: str) -> Any:
+        if name in ("task", "name", "weight", "parameters"):
+            raise Error(f"{type(self).__name__}.__init__ must call super().__init__(name) first")
+        raise AttributeError(f"a {type(self).__name__} has no {name}")
 
     def __repr__(self) -> str:
         words = [repr(self.task)] + [repr(self.name)] * (self.name != self.task)
@@ -130,6 +151,15 @@ def words_of(task: Task) -> str:
 Step = Callable[[list[StackLevel]], list[StackLevel]]
 
 
+def parse_alone(task: Task) -> None:
+    """Raises Error on what no stack would take."""
+    level = yaml_of(StackLevel(task.name, (task,)))
+    try:
+        _core.parse_stack(f"name: own\nlevels:\n  - {level}\n", "stack", own=registered_tasks())
+    except Error as error:
+        raise type(error)(re.sub(r"^stack:\d+: levels\.0\.(task: )?", f"task {task.task}: ", str(error))) from None
+
+
 def as_level(given: Task | StackLevel) -> StackLevel:
     return given if isinstance(given, StackLevel) else StackLevel(given.name, (given,))
 
@@ -163,7 +193,7 @@ class Stack:
     def levels(self, robot: Robot | None = None, changed: Mapping[str, Mapping[str, float | str]] = {}) -> list[StackLevel]:
         """With the numbers of the base for this robot; without one for ANYmal B. changed: parameters of the base's tasks, as a scenario's `tasks:`."""
         found = [] if self._base is None else _core.stack_levels(self._base, robot, own=registered_tasks())
-        levels = [StackLevel(name, tuple(Task(task, name, weight=weight, **(parameters | dict(changed.get(task, {})))) for task, weight, parameters in tasks), damping)
+        levels = [StackLevel(name, tuple(Task._read(task, name, weight, parameters | dict(changed.get(task, {}))) for task, weight, parameters in tasks), damping)
                   for name, damping, tasks in found]  # fmt: skip
         for step in self._steps:
             levels = step(levels)
@@ -171,64 +201,38 @@ class Stack:
 
     def before(self, level: str, *new: Task | StackLevel) -> Stack:
         """With new levels of their own just above another."""
-        return self._with(lambda levels: insert(levels, place_of(levels, level), new))
+        return self._with(partial(insert_at, new, level, 0))
 
     def after(self, level: str, *new: Task | StackLevel) -> Stack:
         """With new levels just below another."""
-        return self._with(lambda levels: insert(levels, place_of(levels, level) + 1, new))
+        return self._with(partial(insert_at, new, level, 1))
 
     def first(self, *new: Task | StackLevel) -> Stack:
         """With new levels above all."""
-        return self._with(lambda levels: insert(levels, 0, new))
+        return self._with(partial(insert_first, new))
 
     def last(self, *new: Task | StackLevel) -> Stack:
         """With new levels below all."""
-        return self._with(lambda levels: insert(levels, len(levels), new))
+        return self._with(partial(insert_last, new))
 
     def without(self, *names: str) -> Stack:
         """Without these levels."""
-
-        def left(levels: list[StackLevel]) -> list[StackLevel]:
-            places = {place_of(levels, name) for name in names}
-            return [level for place, level in enumerate(levels) if place not in places]
-
-        return self._with(left)
+        return self._with(partial(remove, names))
 
     def replace(self, level: str, *new: Task | StackLevel) -> Stack:
         """With others in place of a level."""
-
-        def put(levels: list[StackLevel]) -> list[StackLevel]:
-            place = place_of(levels, level)
-            return insert(levels[:place] + levels[place + 1 :], place, new)
-
-        return self._with(put)
+        return self._with(partial(put, new, level))
 
     def tune(self, task: str, *, weight: float | None = None, **parameters: float | str | Sequence[str]) -> Stack:
         """With other parameters of a task, wherever it is: `stack.tune("com_xy", kp=300)`."""
-
-        def tuned(levels: list[StackLevel]) -> list[StackLevel]:
-            names = [each.task for level in levels for each in level.tasks]
-            if task not in names:
-                from surefoot_campaign.errors import valid_names
-
-                raise UnknownNameError(f"the stack has no task {task!r}; {valid_names(task, names)}")
-            return [replace(level, tasks=tuple(changed(each) for each in level.tasks)) for level in levels]
-
-        def changed(each: Task) -> Task:
-            if each.task != task:
-                return each
-            made = copy.copy(each)
-            made.weight, made.parameters = each.weight if weight is None else weight, each.parameters | parameters
-            return made
-
-        return self._with(tuned)
+        return self._with(partial(tune, task, weight, parameters))
 
     def weighted_from(self, level: str, **weights: float) -> Stack:
         """With this level and all below it in one, in which weights replace the order: `stack.weighted_from("com_xy", com_xy=100)`."""
         place_of(self.levels(), level)
         made = self
         for name, weight in weights.items():
-            made = made._with(lambda levels, name=name, weight=weight: weighed(levels, name, weight))  # type: ignore[misc]
+            made = made._with(partial(weigh, name, weight))
         return made._with(list, weighted_from=level)
 
     def text(self, robot: Robot | None = None, changed: Mapping[str, Mapping[str, float | str]] = {}) -> str:
@@ -254,6 +258,23 @@ class Stack:
 
     def __iter__(self) -> Iterator[StackLevel]:
         return iter(self._parsed())
+
+    def __getitem__(self, level: str | int) -> StackLevel:
+        """By its name, or its place from 0 on."""
+        levels = self._parsed()
+        place = place_of(levels, level) if isinstance(level, str) else level
+        if not isinstance(place, int) or not -len(levels) <= place < len(levels):
+            raise IndexError(f"the stack has no level {level!r}; a name, or a place from 0 to {len(levels) - 1}, would be valid")
+        return levels[place]
+
+    def __contains__(self, level: object) -> bool:
+        return level in self.level_names or level in self._parsed()
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Stack) and self.text() == other.text() and self.own_tasks == other.own_tasks
+
+    def __hash__(self) -> int:
+        return hash(self.text())
 
     def __len__(self) -> int:
         return len(self._parsed())
@@ -285,12 +306,15 @@ class Stack:
             found = _core.parse_stack(self.text(), f"stack {self.name}", own=self.own_tasks)
         except Error as error:
             raise type(error)(re.sub(r":\d+: levels\.(\d+)\.", self._level_of, str(error))) from None
-        return [StackLevel(name, tuple(Task(task, name, weight=weight, **parameters) for task, weight, parameters in tasks), damping)
+        return [StackLevel(name, tuple(Task._read(task, name, weight, parameters) for task, weight, parameters in tasks), damping)
                 for name, damping, tasks in found]  # fmt: skip
 
     def _level_of(self, found: re.Match[str]) -> str:
         """Of a place in the text that nobody has seen."""
         return f", level {self.levels()[int(found[1])].name}: "
+
+
+# What changes a stack; levels come last.
 
 
 def insert(levels: list[StackLevel], place: int, new: Sequence[Task | StackLevel]) -> list[StackLevel]:
@@ -299,7 +323,46 @@ def insert(levels: list[StackLevel], place: int, new: Sequence[Task | StackLevel
     return [*levels[:place], *map(as_level, new), *levels[place:]]
 
 
-def weighed(levels: list[StackLevel], name: str, weight: float) -> list[StackLevel]:
+def insert_at(new: Sequence[Task | StackLevel], level: str, behind: int, levels: list[StackLevel]) -> list[StackLevel]:
+    return insert(levels, place_of(levels, level) + behind, new)
+
+
+def insert_first(new: Sequence[Task | StackLevel], levels: list[StackLevel]) -> list[StackLevel]:
+    return insert(levels, 0, new)
+
+
+def insert_last(new: Sequence[Task | StackLevel], levels: list[StackLevel]) -> list[StackLevel]:
+    return insert(levels, len(levels), new)
+
+
+def remove(names: Sequence[str], levels: list[StackLevel]) -> list[StackLevel]:
+    places = {place_of(levels, name) for name in names}
+    return [level for place, level in enumerate(levels) if place not in places]
+
+
+def put(new: Sequence[Task | StackLevel], level: str, levels: list[StackLevel]) -> list[StackLevel]:
+    place = place_of(levels, level)
+    return insert(levels[:place] + levels[place + 1 :], place, new)
+
+
+def tune(task: str, weight: float | None, parameters: Mapping[str, Any], levels: list[StackLevel]) -> list[StackLevel]:
+    names = [each.task for level in levels for each in level.tasks]
+    if task not in names:
+        from surefoot_campaign.errors import valid_names
+
+        raise UnknownNameError(f"the stack has no task {task!r}; {valid_names(task, names)}")
+
+    def changed(each: Task) -> Task:
+        if each.task != task:
+            return each
+        made = copy.copy(each)
+        made.weight, made.parameters = each.weight if weight is None else weight, {**each.parameters, **parameters}
+        return made
+
+    return [replace(level, tasks=tuple(map(changed, level.tasks))) for level in levels]
+
+
+def weigh(name: str, weight: float, levels: list[StackLevel]) -> list[StackLevel]:
     place_of(levels, name)
 
     def of(task: Task) -> Task:

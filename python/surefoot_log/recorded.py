@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import json
+import math
 import os
 import pathlib
 from collections.abc import Iterator
@@ -13,9 +15,9 @@ import numpy.typing as npt
 import pyarrow as pa
 
 from surefoot._errors import told_as_error
-from surefoot_campaign.errors import valid_names
+from surefoot_campaign.errors import InputError, valid_names
 from surefoot_log.figures import figure_of
-from surefoot_log.log_file import LogFile
+from surefoot_log.log_file import SUMMARY, LogFile
 from surefoot_log.table import Table
 from surefoot_log.worlds import in_world, transforms, world_of
 
@@ -26,6 +28,18 @@ if TYPE_CHECKING:
 Array = npt.NDArray[Any]
 ERRORS = ["com", "height", "base", "heading"]  # of /alignment
 KEPT = 1 << 28  # bytes: of a larger topic only the channels asked for stay in memory
+
+
+def check_folder(path: str | os.PathLike[str]) -> None:
+    folder = pathlib.Path(path).absolute().parent
+    if not folder.is_dir():
+        raise InputError(f"path is {os.fspath(path)}, and there is no folder {folder}; one that exists would be valid")
+
+
+def nan_for_null(value: Any) -> Any:
+    if isinstance(value, dict):
+        return {name: nan_for_null(each) for name, each in value.items()}
+    return math.nan if value is None else value
 
 
 class Recorded:
@@ -60,6 +74,24 @@ class Recorded:
     def events(self) -> list[dict[str, Any]]:
         """What happened, in order."""
         return list(self._log.events)
+
+    @cached_property
+    def _summary(self) -> dict[str, Any]:
+        if SUMMARY not in self._log.attachments:
+            raise KeyError(f"{self._log.path} has no metrics: its run was cut off before it was judged")
+        found: dict[str, Any] = json.loads(self._log.attachments[SUMMARY])
+        return found
+
+    @property
+    def metrics(self) -> dict[str, Any]:
+        """How the run went, by name, as `Result.metrics`; None: not judged, NaN: not measured."""
+        judged = {name: self._summary["metrics"].get(name) for name in ("succeeded", "goal_reached")}
+        return {name: nan_for_null(value) for name, value in self._summary["metrics"].items()} | judged
+
+    @property
+    def criteria(self) -> list[dict[str, Any]]:
+        """Of the scenario: of each its metric, its limit, the value, and whether it passed; None: not judged."""
+        return list(self._summary["criteria"])
 
     @cached_property
     def time(self) -> Array:
@@ -146,6 +178,7 @@ class Recorded:
         with told_as_error():
             figure: Figure = figure_of(self, names or ("com_tracking",))
             if path is not None:
+                check_folder(path)
                 figure.savefig(os.fspath(path))
         return figure
 
@@ -162,8 +195,9 @@ class Recorded:
 
         with told_as_error():
             image = make_picture(self._log, time, size)
-        if path is not None:
-            image.save(os.fspath(path))
+            if path is not None:
+                check_folder(path)
+                image.save(os.fspath(path))
         return image
 
     def film(

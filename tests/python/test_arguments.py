@@ -284,6 +284,26 @@ def test_a_command_can_be_copied_and_pickled():
     assert user.velocity[0] == 0.1
 
 
+@pytest.mark.parametrize("robot", ["anymal_b", "hexapod"])
+def test_what_a_loop_passes_on_can_be_copied_and_pickled(robot):
+    scenario = surefoot.load_scenario("walk_flat", robot=robot)
+    plant = surefoot.Plant(scenario)
+    controller = surefoot.Controller(scenario, plant)
+    for _ in range(40):
+        plant.write(controller.step(plant.read(), surefoot.UserCommand(walk=True)))
+    passed = [plant.read(), plant.truth, controller.command, surefoot.ReachCommand(0, [0.5, 0, 0.6])]
+    passed += [controller.plan, controller.state, controller.model, controller.health, controller.plan.feet["LF"], controller.timing]
+    for one in passed:
+        for again in (copy.copy(one), copy.deepcopy(one), pickle.loads(pickle.dumps(one))):
+            assert repr(again) == repr(one) and again is not one
+    again = copy.deepcopy(controller.plan)
+    again.feet["LF"].p_WF[0] += 1.0
+    assert again.feet["LF"].p_WF[0] != controller.plan.feet["LF"].p_WF[0]
+    assert repr(copy.deepcopy(scenario)) == repr(scenario)
+    with pytest.raises(surefoot.Error, match=r"walk_flat can't be sent to another process; load_scenario\(\) there makes it"):
+        pickle.dumps(scenario)
+
+
 def test_help_shows_signature_and_text():
     assert str(inspect.signature(surefoot.Plant.push)).startswith("(self, force: 'collections.abc.Sequence[float]', body: 'str' = '', duration: 'float' = 0.1")
     assert surefoot.Plant.push.__doc__.startswith("Pushes a link of the URDF")

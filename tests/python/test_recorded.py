@@ -27,6 +27,16 @@ def test_figures_of_the_report_and_channels_are_plotted(log, tmp_path):
         run.plot("state.p_WB.x", "truth.p_SB.x")
     with pytest.raises(surefoot.Error, match="no channel or figure com_traking; did you mean"):
         run.plot("com_traking")
+    with pytest.raises(surefoot.Error, match="there is no folder .*/nowhere; one that exists would be valid"):
+        run.plot("com_tracking", path=tmp_path / "nowhere/com.pdf")
+
+
+def test_it_has_the_metrics_and_criteria_of_its_run(tmp_path):
+    result = surefoot.run("walk_flat_ideal", set=["duration=0.5"], record=tmp_path / "run.mcap")
+    run = surefoot.read(tmp_path / "run.mcap")
+    assert run.metrics.keys() == result.metrics.keys() and run.metrics["succeeded"] is None
+    np.testing.assert_equal(run.metrics, result.metrics)
+    assert len(run.criteria) == len(result.criteria) > 2 and run.criteria[0]["metric"] == "fell" and run.criteria[0]["passed"] is None
 
 
 def test_a_topic_is_a_data_frame_by_its_times(log):

@@ -1,10 +1,13 @@
 """Stacks put together in Python."""
 
+import copy
+import pickle
+
 import numpy as np
 import pytest
 
 import surefoot
-from surefoot import StackLevel, Stack, tasks
+from surefoot import StackLevel, Stack, Task, tasks
 
 
 @pytest.fixture
@@ -30,6 +33,29 @@ def test_each_place_can_be_chosen(stack):
     assert (last.damping, last.tasks[1].weight, last.tasks[0].parameters["joints"]) == (0.5, 0.1, "legs")
     assert [level.tasks[0].parameters["kp"] for level in made if level.name == "torso_yaw"] == [50]
     assert [level.tasks[0].parameters["kp"] for level in stack.tune("com_xy", kp=300) if level.name == "com_xy"] == [300]
+
+
+def test_levels_are_found_and_stacks_compared_copied_and_pickled(stack):
+    assert stack["com_xy"] == stack[4] and stack[-1].name == "contact_force_minimisation" and "com_xy" in stack and stack[4] in stack and "nothing" not in stack
+    with pytest.raises(surefoot.UnknownNameError, match="no level 'comxy'; did you mean \"com_xy\"?"):
+        stack["comxy"]
+    with pytest.raises(IndexError, match="no level 99; a name, or a place from 0 to"):
+        stack[99]
+    changed = stack.before("torso_yaw", tasks.Posture()).tune("com_xy", kp=300).without("torso_height").weighted_from("torso_yaw", torso_yaw=2)
+    assert changed != stack == Stack("terrain_adaptation") and len({stack, Stack("terrain_adaptation"), changed}) == 2
+    for again in (copy.copy(changed), copy.deepcopy(changed), pickle.loads(pickle.dumps(changed))):
+        assert again == changed and str(again) == str(changed)
+
+
+@pytest.mark.parametrize("make, said", [
+    (lambda: Task("com"), 'task com: unknown task "com"; valid are: '),
+    (lambda: tasks.ComXy(kp=float("nan")), 'task com_xy: kp: "NaN" is not a finite number'),
+    (lambda: tasks.ComXy(weight=-1), "task com_xy: weight"),
+    (lambda: Task("com_xy", kpp=1), 'kpp: the task com_xy has no such parameter; did you mean "kp"?'),
+])  # fmt: skip
+def test_a_task_that_no_stack_would_take_is_refused_where_it_is_made(make, said):
+    with pytest.raises(surefoot.Error, match=said):
+        make()
 
 
 def test_a_stack_of_nothing_but_tasks_is_one(tmp_path):
@@ -131,7 +157,7 @@ def test_a_registered_task_can_be_named_by_stack_files(tmp_path):
     (lambda s: s.before("torso_yaw"), "no level was given"),
     (lambda s: s.last(3), "new is 3; a Task or a StackLevel would be valid"),
     (lambda s: s.last(tasks.ComXy()), "two levels have the name 'com_xy'"),
-    (lambda s: s.last(tasks.ComXy("again", kp=-1)), "level again: kp: com_xy: kp is -1, but must be a number of at least 0"),
+    (lambda s: s.last(tasks.ComXy("again", kp=-1)), "task com_xy: kp: com_xy: kp is -1, but must be a number of at least 0"),
     (lambda s: s.tune("com_xy", kp=float("nan")), 'level com_xy: kp: "NaN" is not a finite number'),
     (lambda s: s.tune("com_xy", kpp=1), 'level com_xy: kpp: the task com_xy has no such parameter; did you mean "kp"?'),
     (lambda s: s.tune("com_x", kp=1), "has no task 'com_x'; did you mean \"com_xy\"?"),
