@@ -1,6 +1,7 @@
 #include "surefoot/config/robot_completion.hpp"
 
 #include "surefoot/base/formatted.hpp"
+#include "surefoot/model/placing_joints.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -309,30 +310,6 @@ std::vector<std::string> names_of(const std::vector<const model::UrdfJoint*>& jo
   return names;
 }
 
-/// The axis in B at angles of 0.
-Vec3 axis_of(const model::Urdf& urdf, const std::string& base, const model::UrdfJoint& joint) {
-  Vec3 axis = joint.R * joint.axis;
-  for (std::string link = joint.parent; link != base && link != urdf.root;) {
-    const auto above = std::ranges::find(urdf.joints, link, &model::UrdfJoint::child);
-    axis = (above->R * axis).eval();
-    link = above->parent;
-  }
-  return axis;
-}
-
-/// HAA, HFE and KFE by their axes; fewer where such a joint is missing.
-std::vector<std::string> placing_joints(const model::Urdf& urdf, const std::string& base,
-                                        const std::vector<const model::UrdfJoint*>& chain) {
-  std::vector<std::string> placing;
-  for (const model::UrdfJoint* joint : chain) {
-    Eigen::Index along = 0;
-    axis_of(urdf, base, *joint).cwiseAbs().maxCoeff(&along);
-    if (placing.size() < kJointsPerLeg && along == (placing.empty() ? 0 : 1))
-      placing.push_back(joint->name);
-  }
-  return placing;
-}
-
 std::string spaced(const std::vector<std::string>& names) {
   std::string text;
   for (const std::string& name : names) text += " " + name;
@@ -353,7 +330,8 @@ void complete_leg(const Section& top, const model::Urdf& urdf, const std::string
                         "; a leg that walks has three, HAA, HFE and KFE, or more, as fewer can't "
                         "place a foot in space: is this its foot?");
     }
-    leg.joints = names.size() == kJointsPerLeg ? names : placing_joints(urdf, base, chain);
+    leg.joints =
+        names.size() == kJointsPerLeg ? names : names_of(model::placing_joints(urdf, base, chain));
     if (leg.joints.size() < kJointsPerLeg) {
       top.fail(key, "of the joints between the base and \"" + leg.foot_frame + "\"," +
                         spaced(names) +

@@ -3,6 +3,7 @@
 #include "surefoot/doctor/found_feet.hpp"
 #include "surefoot/doctor/found_flat_legs.hpp"
 #include "surefoot/doctor/found_legs.hpp"
+#include "surefoot/model/placing_joints.hpp"
 
 #include <utility>
 
@@ -65,6 +66,41 @@ class LimbFinder {
   const std::map<std::string, model::Weld>& welds_;
 };
 
+/// Finds the joints that place the foot of a leg. Four limbs or more of as many hinges, and more
+/// than three, are legs if three joints of each can.
+void find_placing_joints(const model::Urdf& urdf, const std::string& base,
+                         std::vector<Limb>& limbs) {
+  for (Limb& limb : limbs) {
+    if (limb.no_leg.empty()) limb.placing = limb.joints;
+    const auto num_alike = std::ranges::count_if(limbs, [&](const Limb& other) {
+      return other.is_chain && other.joints.size() == limb.joints.size();
+    });
+    const bool is_long = limb.joints.size() > kJointsPerLeg && limb.joints.size() <= kMaxLegJoints;
+    if (!limb.is_chain || !is_long || num_alike < kNumLegs) continue;
+    std::vector<const model::UrdfJoint*> chain;
+    for (const model::UrdfJoint& joint : limb.joints) chain.push_back(&joint);
+    const std::vector<const model::UrdfJoint*> placing = model::placing_joints(urdf, base, chain);
+    if (placing.size() < kJointsPerLeg) continue;
+    for (const model::UrdfJoint* joint : placing) limb.placing.push_back(*joint);
+    limb.no_leg.clear();
+  }
+}
+
+/// As if the further joints of legs were fixed at 0.
+model::Urdf with_further_joints_held(model::Urdf urdf, const std::vector<Limb>& limbs) {
+  const auto is_among = [](const std::vector<model::UrdfJoint>& joints, const std::string& name) {
+    return std::ranges::find(joints, name, &model::UrdfJoint::name) != joints.end();
+  };
+  for (const Limb& limb : limbs) {
+    for (model::UrdfJoint& joint : urdf.joints) {
+      if (is_among(limb.joints, joint.name) && !limb.placing.empty() &&
+          !is_among(limb.placing, joint.name))
+        joint.type = "fixed";
+    }
+  }
+  return urdf;
+}
+
 std::string heaviest_link(const model::Urdf& urdf, const Anatomy& anatomy) {
   const model::UrdfLink* heaviest = urdf.find_link(anatomy.base);
   for (const model::UrdfLink& link : urdf.links) {
@@ -116,7 +152,8 @@ std::vector<Limb> chains_of(const Limb& limb, const std::map<std::string, model:
         limb.joints, [&](const auto& other) { return parent(other) == parent(joint); });
     const bool goes_on =
         siblings == 1 && !chains.empty() && chains.back().joints.back().child == parent(joint);
-    if (!goes_on) chains.push_back({.joints = {}, .no_leg = limb.no_leg, .is_chain = true});
+    if (!goes_on)
+      chains.push_back({.joints = {}, .placing = {}, .no_leg = limb.no_leg, .is_chain = true});
     chains.back().joints.push_back(joint);
   }
   return chains;
@@ -187,12 +224,17 @@ Anatomy find_anatomy(const model::Urdf& urdf, Findings& findings) {
   const LimbFinder finder(urdf, anatomy.welds);
   find_base(urdf, finder, anatomy, findings);
   anatomy.torso = heaviest_link(urdf, anatomy);
+  std::vector<Limb> limbs;
+  for (const model::UrdfJoint& joint : finder.moving_from(anatomy.base))
+    limbs.push_back(finder.limb(joint));
+  find_placing_joints(urdf, anatomy.base, limbs);
+  const model::Urdf held = with_further_joints_held(urdf, limbs);
+  const std::map<std::string, model::Weld> welds = model::welds(held);
+  const FootFinder feet(held, welds);
   std::vector<FoundLeg> legs;
-  const FootFinder feet(urdf, anatomy.welds);
-  for (const model::UrdfJoint& joint : finder.moving_from(anatomy.base)) {
-    Limb limb = finder.limb(joint);
+  for (Limb& limb : limbs) {
     if (limb.no_leg.empty()) {
-      legs.push_back(measured_leg(limb, anatomy.welds, feet));
+      legs.push_back(measured_leg(limb, welds, feet));
     } else {
       anatomy.others.push_back(std::move(limb));
     }
@@ -203,7 +245,7 @@ Anatomy find_anatomy(const model::Urdf& urdf, Findings& findings) {
   if (anatomy.flat_legs) {
     for (const FoundLeg& leg : legs) {
       anatomy.others.push_back(
-          {.joints = {leg.joints.begin(), leg.joints.end()}, .no_leg = "", .is_chain = true});
+          {.joints = leg.all_joints, .placing = {}, .no_leg = "", .is_chain = true});
     }
   } else {
     name_legs(legs, anatomy, of_legs);

@@ -15,10 +15,11 @@ namespace surefoot::doctor {
 
 /// The moving joints behind one joint that leaves the base.
 struct Limb {
-  std::vector<model::UrdfJoint> joints;  ///< from the base outward
-  std::string no_leg;                    ///< why it is none; empty: it may be one
-  bool is_chain = false;                 ///< hinges, one behind the other
-  bool is_arm = false;                   ///< a chain that is no leg
+  std::vector<model::UrdfJoint> joints;   ///< from the base outward
+  std::vector<model::UrdfJoint> placing;  ///< of a leg: HAA, HFE, KFE; the others are held
+  std::string no_leg;                     ///< why it is none; empty: it may be one
+  bool is_chain = false;                  ///< hinges, one behind the other
+  bool is_arm = false;                    ///< a chain that is no leg
 };
 
 /// What a foot's radius was guessed from where its link collides with nothing.
@@ -42,6 +43,7 @@ struct Foot {
 /// A leg and its measures.
 struct FoundLeg {
   std::array<model::UrdfJoint, kJointsPerLeg> joints;  ///< HAA, HFE, KFE
+  std::vector<model::UrdfJoint> all_joints;            ///< further ones, too; from the base outward
   Foot foot;
   model::LegChain chain;    ///< with the hip on the HFE axis
   Vec3 hip = Vec3::Zero();  ///< origin of the HFE joint in B at q = 0 [m]

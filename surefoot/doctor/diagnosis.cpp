@@ -57,6 +57,7 @@ void take_numbers(const model::RobotDescription& file, Anatomy& anatomy) {
   if (!anatomy.legs) return;
   for (FoundLeg& leg : *anatomy.legs) {
     for (model::UrdfJoint& joint : leg.joints) take_limits(file, joint);
+    for (model::UrdfJoint& joint : leg.all_joints) take_limits(file, joint);
     leg.foot.guessed_from.clear();
   }
 }

@@ -12,7 +12,7 @@ namespace surefoot::doctor {
 namespace {
 
 Limb limb_of(const FoundLeg& leg, const char* why) {
-  return {.joints = {leg.joints.begin(), leg.joints.end()}, .no_leg = why, .is_chain = true};
+  return {.joints = leg.all_joints, .placing = {}, .no_leg = why, .is_chain = true};
 }
 
 /// Limbs of as many hinges each, but not of three: legs of another build.
@@ -31,10 +31,10 @@ bool tell_other_legs(const Anatomy& anatomy, Findings& findings) {
         {Severity::error, Confidence::certain, "joint \"" + limb.joints.front().name + "\"",
          limb.joints.front().line,
          "here begins one of " + std::to_string(count) + " limbs of " + hinges +
-             " each; this check knows legs of three, HAA, HFE and KFE",
+             " each, of which no three turn about x, y and y of the base, as HAA, HFE and KFE",
          limb.joints.size() > kJointsPerLeg
-             ? "if they are legs, write the robot file by hand (docs/robots.md, further "
-               "joints), or make fixed what they can walk without:" +
+             ? "if they are legs, name by `joints` in the robot file those that place the foot "
+               "(docs/robots.md, further joints), or make fixed what they can walk without:" +
                    last
              : "if they are legs, they can't walk with this program"});
     return true;
@@ -95,6 +95,27 @@ void check_origin(const Anatomy& anatomy, Findings& findings) {
   }
 }
 
+/// Joints of legs that the program holds, and does not walk with.
+void tell_held(const Anatomy& anatomy, Findings& findings) {
+  std::string names;
+  int line = 0;
+  for (const FoundLeg& leg : *anatomy.legs) {
+    for (const model::UrdfJoint& joint : leg.all_joints) {
+      if (std::ranges::find(leg.joints, joint.name, &model::UrdfJoint::name) != leg.joints.end())
+        continue;
+      if (line == 0) line = joint.line;
+      names += " " + joint.name;
+    }
+  }
+  if (names.empty()) return;
+  findings.push_back({Severity::note, Confidence::likely, "joints", line,
+                      "three joints of each leg place its foot; the others are held at 0, or the "
+                      "limit next to it:" +
+                          names,
+                      "`further` in the robot file gives them a posture, `joints` says which three "
+                      "place the foot"});
+}
+
 void tell_quadrants(const std::vector<FoundLeg>& legs, Findings& findings) {
   std::string places;
   for (const FoundLeg& leg : legs) {
@@ -112,7 +133,8 @@ void tell_quadrants(const std::vector<FoundLeg>& legs, Findings& findings) {
 FoundLeg measured_leg(const Limb& limb, const std::map<std::string, model::Weld>& welds,
                       const FootFinder& feet) {
   FoundLeg leg;
-  std::ranges::copy(limb.joints, leg.joints.begin());
+  std::ranges::copy(limb.placing, leg.joints.begin());
+  leg.all_joints = limb.joints;
   for (std::size_t j = 0; j < kJointsPerLeg; ++j) {
     const model::UrdfJoint& joint = leg.joints[j];
     const model::Weld& parent = welds.at(joint.parent);
@@ -196,6 +218,7 @@ void name_legs(const std::vector<FoundLeg>& legs, Anatomy& anatomy, Findings& fi
   anatomy.legs.emplace(static_cast<int>(legs.size()), FoundLeg{});
   for (const Leg leg : found.legs()) (*anatomy.legs)[index(leg)] = *found[index(leg)];
   anatomy.loose.clear();
+  tell_held(anatomy, findings);
   check_heading(anatomy, findings);
   check_origin(anatomy, findings);
 }

@@ -21,6 +21,9 @@ void add_joints(JsonText& json, const Joints& joints) {
 void add_leg(JsonText& json, const FoundLeg& leg) {
   json.object();
   add_joints(json, leg.joints);
+  json.key("all_joints").array();
+  for (const model::UrdfJoint& joint : leg.all_joints) json.value(joint.name);
+  json.end_array();
   add_vector(json, "hip_m", leg.hip);
   json.member("thigh_m", leg.thigh).member("shank_m", leg.shank);
   json.member("knee_bends", name(knee_sides(leg)));

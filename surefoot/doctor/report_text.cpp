@@ -15,6 +15,17 @@ std::string joints_text(const std::vector<model::UrdfJoint>& joints) {
   return names;
 }
 
+/// "LF_HAA LF_HFE LF_KFE, held: LF_YAW"
+std::string joints_text(const FoundLeg& leg) {
+  std::vector<model::UrdfJoint> held;
+  for (const model::UrdfJoint& joint : leg.all_joints) {
+    if (std::ranges::find(leg.joints, joint.name, &model::UrdfJoint::name) == leg.joints.end())
+      held.push_back(joint);
+  }
+  return joints_text({leg.joints.begin(), leg.joints.end()}) +
+         (held.empty() ? "" : ", held: " + joints_text(held));
+}
+
 std::string base_text(const Diagnosis& robot) {
   const Anatomy& anatomy = robot.anatomy;
   const auto num_moving = std::ranges::count_if(
@@ -43,8 +54,7 @@ std::string legs_table(const PerLeg<FoundLeg>& legs) {
     rows.push_back({std::string(leg_name(leg, static_cast<int>(legs.size()))),
                     formatted("%.3f, %.3f m", found.hip.x(), found.hip.y()),
                     formatted("%.3f m", found.thigh), formatted("%.3f m", found.shank),
-                    name(knee_sides(found)), foot_text(found.foot),
-                    joints_text({found.joints.begin(), found.joints.end()})});
+                    name(knee_sides(found)), foot_text(found.foot), joints_text(found)});
   }
   return aligned(rows);
 }
@@ -65,7 +75,7 @@ std::string flat_legs_table(const FlatLegs& found) {
 std::string limbs_text(const Anatomy& anatomy) {
   std::string text;
   for (const FoundLeg& leg : anatomy.loose) {
-    text += "limb of three hinges: " + joints_text({leg.joints.begin(), leg.joints.end()}) +
+    text += "limb of three hinges: " + joints_text(leg) +
             formatted(", hip at x = %.3g, y = %.3g m, foot ", leg.hip.x(), leg.hip.y()) +
             leg.foot.link + "\n";
   }

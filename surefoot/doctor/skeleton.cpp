@@ -58,7 +58,7 @@ DrawnLimb drawn(const std::vector<model::UrdfJoint>& joints, const Frames& frame
 }
 
 DrawnLimb drawn(const FoundLeg& leg, const Frames& frames) {
-  DrawnLimb limb = drawn({leg.joints.begin(), leg.joints.end()}, frames);
+  DrawnLimb limb = drawn(leg.all_joints, frames);
   const Frame& foot = frames.of(leg.foot.link);
   limb.foot = leg.foot.link;
   limb.tip = foot.p + foot.R * leg.foot.center;

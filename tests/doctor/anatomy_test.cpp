@@ -105,13 +105,31 @@ TEST_F(Anatomy, takes_a_finger_that_others_follow_for_the_arms_last_joint) {
   EXPECT_FALSE(has_error(robot.findings)) << robot.findings.front().what;
 }
 
-TEST_F(Anatomy, of_legs_of_four_hinges_says_what_to_make_fixed) {
+TEST_F(Anatomy, of_legs_of_four_hinges_finds_those_that_place_the_foot) {
+  const Diagnosis three = diagnosis();
   replace_all("(name=\"(LF|RF|LH|RH)_ADAPTER_TO_FOOT\" type=)\"fixed\"", "$1\"revolute\"");
+  const Diagnosis robot = diagnosis();
+  ASSERT_TRUE(robot.anatomy.legs);
+  for (const Leg leg : robot.anatomy.legs->legs()) {
+    const FoundLeg& found = (*robot.anatomy.legs)[index(leg)];
+    const FoundLeg& before = (*three.anatomy.legs)[index(leg)];
+    EXPECT_EQ(found.joints[2].name, before.joints[2].name);
+    EXPECT_EQ(found.foot.link, before.foot.link);
+    EXPECT_NEAR(found.shank, before.shank, 1e-12);
+    EXPECT_EQ(found.all_joints.size(), 4U);
+  }
+  const Finding held = test::finding(robot, Severity::note, "the others are held at 0");
+  EXPECT_TRUE(test::holds(held.what, "LF_ADAPTER_TO_FOOT"));
+  EXPECT_FALSE(has(robot, Severity::note, "an arm begins here"));
+}
+
+TEST_F(Anatomy, of_four_limbs_that_no_three_joints_place_says_what_to_make_fixed) {
+  replace_all("(name=\"(LF|RF|LH|RH)_ADAPTER_TO_FOOT\" type=)\"fixed\"", "$1\"revolute\"");
+  replace_all("<axis xyz=\"(-?)1 0 0\"/>", "<axis xyz=\"0 0 1\"/>");
   const Diagnosis robot = diagnosis();
   const Finding legs = test::finding(robot, Severity::error, "one of 4 limbs of 4 hinges each");
   EXPECT_TRUE(test::holds(legs.remedy, "make fixed what they can walk without:"));
   EXPECT_TRUE(test::holds(legs.remedy, "LF_ADAPTER_TO_FOOT"));
-  EXPECT_FALSE(has(robot, Severity::note, "an arm begins here"));
 }
 
 TEST_F(Anatomy, takes_the_four_lowest_of_five_limbs_for_legs) {

@@ -44,6 +44,17 @@ def test_a_hip_that_yaws_does_what_others_do(scenario, tmp_path):
     assert run(tmp_path, scenario)["succeeded"]
 
 
+def test_the_doctor_finds_such_legs_and_its_file_walks(tmp_path):
+    write_robot(tmp_path, 4, "YAW", "TOE")
+    found = subprocess.run([PROGRAM, "doctor", tmp_path / "robot.urdf", "--out", tmp_path / "found.yaml"], capture_output=True, text=True)
+    assert found.returncode == 0, found.stdout + found.stderr
+    assert "LF_HAA LF_HFE LF_KFE, held: LF_YAW LF_TOE" in found.stdout
+    assert "the others are held at 0, or the limit next to it: LF_YAW LF_TOE RF_YAW" in found.stdout
+    assert subprocess.run([PROGRAM, "doctor", tmp_path / "found.yaml"], capture_output=True).returncode == 0
+    (tmp_path / "robot.yaml").write_text((tmp_path / "found.yaml").read_text())
+    assert run(tmp_path, "walk_flat", "duration=15", "criteria=none")["succeeded"]
+
+
 def test_what_is_left_of_a_leg_of_two_joints_is_told(tmp_path):
     write_robot(tmp_path, 4)
     file = tmp_path / "robot.yaml"
