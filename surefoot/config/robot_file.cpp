@@ -7,6 +7,7 @@
 #include "surefoot/config/data_file.hpp"
 #include "surefoot/config/description_file.hpp"
 #include "surefoot/config/field_reader.hpp"
+#include "surefoot/config/limb_chains.hpp"
 #include "surefoot/config/robot_completion.hpp"
 #include "surefoot/config/robot_plausibility.hpp"
 #include "surefoot/control/standing_torque.hpp"

@@ -52,7 +52,11 @@ def test_the_doctor_finds_such_legs_and_its_file_walks(tmp_path):
     assert "the others are held at 0, or the limit next to it: LF_YAW LF_TOE RF_YAW" in found.stdout
     assert subprocess.run([PROGRAM, "doctor", tmp_path / "found.yaml"], capture_output=True).returncode == 0
     (tmp_path / "robot.yaml").write_text((tmp_path / "found.yaml").read_text())
-    assert run(tmp_path, "walk_flat", "duration=15", "criteria=none")["succeeded"]
+    log = tmp_path / "run.mcap"
+    walked = subprocess.run([PROGRAM, "run", "walk_flat", "--record", log, "--set", f"robot={tmp_path}/robot.yaml", "duration=13", "criteria=none"])
+    assert walked.returncode == 0
+    assert "every torque is the same to the bit" in subprocess.run([PROGRAM, "replay", log, "--verify"], capture_output=True, text=True).stdout
+    assert "RF_KFE" in subprocess.run([PROGRAM, "explain", log, "--at", "12"], capture_output=True, text=True).stdout
 
 
 def test_what_is_left_of_a_leg_of_two_joints_is_told(tmp_path):
