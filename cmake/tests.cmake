@@ -59,6 +59,6 @@ add_test(NAME viewer/logic COMMAND ${SUREFOOT_NODE} ${viewer_source}/bundle.mjs 
 add_test(NAME checks/layers COMMAND ${SUREFOOT_PYTHON} ${PROJECT_SOURCE_DIR}/tools/check_layers.py)
 add_test(NAME checks/faults COMMAND ${SUREFOOT_PYTHON} ${PROJECT_SOURCE_DIR}/tools/faults.py --list)
 add_test(NAME checks/format COMMAND ${PROJECT_SOURCE_DIR}/tools/check_format.sh)
-add_test(NAME install/consumer COMMAND ${CMAKE_COMMAND} -D BUILD=${PROJECT_BINARY_DIR}
+add_test(NAME install/consumer COMMAND ${CMAKE_COMMAND} -D BUILD=${PROJECT_BINARY_DIR} -D VERSION=${PROJECT_VERSION}
          -D SOURCE=${PROJECT_SOURCE_DIR} -P ${PROJECT_SOURCE_DIR}/tests/install/run.cmake)
 set_tests_properties(install/consumer PROPERTIES LABELS slow)

@@ -7,6 +7,7 @@ file(REMOVE_RECURSE ${folder})
 
 function(configure source build)
   execute_process(COMMAND ${CMAKE_COMMAND} -S ${SOURCE}/tests/install${source} -B ${folder}/${build} -G Ninja
+                  -D VERSION=${VERSION}
                   -D CMAKE_BUILD_TYPE=Release ${ARGN} COMMAND_ERROR_IS_FATAL ANY)
 endfunction()
 function(build build)
