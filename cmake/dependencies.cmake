@@ -7,7 +7,8 @@ if(SKBUILD)  # pip builds a wheel, in an environment of its own
 endif()
 set(SUREFOOT_PYTHON ${default_python} CACHE FILEPATH "Python of the environment that holds Pinocchio and MuJoCo")
 if(NOT EXISTS ${SUREFOOT_PYTHON})
-  message(FATAL_ERROR "There is no ${SUREFOOT_PYTHON}: run tools/setup.sh first.")
+  message(FATAL_ERROR "There is no ${SUREFOOT_PYTHON}: run tools/setup.sh first, or name by -D SUREFOOT_PYTHON=PYTHON an environment that has \
+what dependencies/python.txt lists.")
 endif()
 
 execute_process(COMMAND ${SUREFOOT_PYTHON} -c "import cmeel, pathlib; print(pathlib.Path(cmeel.__file__).parents[1])"

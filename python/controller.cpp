@@ -1,23 +1,27 @@
 #include "python/controller.hpp"
 
 #include "python/bindings.hpp"
+#include "python/dynamics.hpp"
 #include "python/interrupt.hpp"
 #include "python/level_outcome.hpp"
 #include "python/numbers.hpp"
 #include "python/parts.hpp"
 #include "python/plant.hpp"
 #include "surefoot/base/formatted.hpp"
+#include "surefoot/config/hierarchy_json.hpp"
 #include "surefoot/config/loaded_gaits.hpp"
 #include "surefoot/config/stack_file.hpp"
 #include "surefoot/config/stack_text.hpp"
 #include "surefoot/control/stack_reach.hpp"
 #include "surefoot/simulation/make_estimator.hpp"
 
+#include <nanobind/stl/optional.h>
 #include <nanobind/stl/shared_ptr.h>
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/vector.h>
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -68,7 +72,7 @@ void BoundController::step(const SensorReading& reading, const NamedCommand& use
   changes.end_tick();
   raise_waiting_exit();
   if (const std::string fault = new_fault(); !fault.empty())
-    if (PyErr_WarnEx(PyExc_RuntimeWarning, fault.c_str(), 1) != 0) throw nb::python_error();
+    if (PyErr_WarnEx(PyExc_RuntimeWarning, fault.c_str(), 2) != 0) throw nb::python_error();
 }
 
 namespace {
@@ -129,6 +133,32 @@ bool switch_levels(BoundController& self, const std::vector<std::string>& add,
                     .body = {}},
                    self.ticks());
   return true;
+}
+
+std::optional<NamedDynamics> dynamics(const BoundController& self) {
+  const model::Dynamics* const now = self->dynamics();
+  if (now == nullptr) return std::nullopt;
+  return NamedDynamics{std::make_shared<Robot>(self.robot()), *now};
+}
+
+/// The levels of the last tick, as solve() takes them.
+nb::list problem(const BoundController& self) {
+  const solver::Hierarchy& hierarchy = self->hierarchy();
+  const auto row_name = [&](std::size_t level, Eigen::Index row) {
+    return self->row_name(static_cast<int>(level), hierarchy.level(level).id(row));
+  };
+  const std::string line = config::format_hierarchy(hierarchy, row_name, self->level_units());
+  const nb::object levels =
+      nb::module_::import_("json").attr("loads")(line)["levels"];  // None: no lower bound
+  for (const nb::handle each : levels) {
+    const auto level = nb::borrow<nb::dict>(each);
+    if (!level.contains("lower")) continue;
+    nb::list lower;
+    for (const nb::handle bound : level["lower"])
+      lower.append(bound.is_none() ? nb::object(nb::float_(-kInfinity)) : nb::borrow(bound));
+    level["lower"] = lower;
+  }
+  return nb::list(levels);
 }
 
 void set_friction(BoundController& self, double friction) {
@@ -238,6 +268,12 @@ void bind_controller(nb::module_& module) {
       .def_prop_ro(
           "model", [](const Self& self) { return self->record().model; },
           "centre of mass, feet and contact forces at the last tick")
+      .def_prop_ro("dynamics", &dynamics,
+                   "of the robot as believed at the last tick; None: nothing was solved")
+      .def_prop_ro("problem", &problem,
+                   nb::for_getter(nb::sig("def problem(self) -> list[dict[str, typing.Any]]")),
+                   "The hierarchy of the last tick that was solved: "
+                   "`surefoot.solve(controller.problem, certify=True)`.")
       .def_prop_ro(
           "command", [](const Self& self) { return self->record().command; }, "of the last tick")
       .def_prop_ro("timing", &Self::timing, "of the last tick")

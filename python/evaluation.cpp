@@ -57,6 +57,13 @@ void bind_criterion(nb::module_& module) {
 }
 
 /// Judges, and on request records, a run that is stepped by hand; `Evaluator` in Python.
+/// Throws Error unless both are of the same robot.
+void check_robots(const BoundPlant& plant, const BoundController& controller) {
+  if (plant.robot() != controller.robot().name)
+    throw Error("plant is of the robot " + plant.robot() + ", and the controller of " +
+                controller.robot().name + "; both of the same scenario would be valid");
+}
+
 class HandEvaluator {
  public:
   HandEvaluator(const config::Scenario& scenario, BoundPlant& plant, BoundController& controller,
@@ -73,6 +80,10 @@ class HandEvaluator {
              .terrain_height = [&](double x, double y) { return plant->terrain_height(x, y); },
              .hip_in_base = hips()}),
         stop_(scenario.robot) {
+    check_robots(plant, controller);
+    if (controller.robot().name != scenario.robot.name)
+      throw Error("scenario is of " + scenario.robot.name + ", and the controller of " +
+                  controller.robot().name);
     if (record) begin_log(*record);
     controller->explain_levels(record.has_value());
   }
@@ -205,8 +216,14 @@ void bind_evaluator(nb::module_& module) {
       .def("close", &Self::close, "Completes the log.");
 }
 
+/// `Aligner` in Python.
+struct BoundAligner {
+  evaluation::Aligner aligner;
+  bool has_begun = false;
+};
+
 void bind_aligner(nb::module_& module) {
-  nb::class_<evaluation::Aligner>(
+  nb::class_<BoundAligner>(
       module, "Aligner",
       "Compares a plant's truth, in S, with its controller's plan and estimate, in W. The two\n"
       "worlds lie elsewhere and drift apart: never subtract their numbers.",
@@ -214,8 +231,14 @@ void bind_aligner(nb::module_& module) {
       .def(nb::init<>())
       .def(
           "update",
-          [](evaluation::Aligner& self, const BoundPlant& plant, const BoundController& of) {
-            return self.update(plant->truth(), of->record());
+          [](BoundAligner& self, const BoundPlant& plant, const BoundController& of) {
+            check_robots(plant, of);
+            if (!self.has_begun && of.ticks() > 1)
+              throw Error("the controller has made " + std::to_string(of.ticks()) +
+                          " ticks already; an Aligner that is updated from the first on knows "
+                          "where the worlds lie");
+            self.has_begun = true;
+            return self.aligner.update(plant->truth(), of->record());
           },
           nb::arg("plant"), nb::arg("controller"),
           "The alignment and its errors after a tick: call it at every tick, from the first on,\n"

@@ -248,7 +248,9 @@ class FieldProperties {
     requires std::is_class_v<Struct>
   void add(const char* name, Place<Struct> place, const std::string& doc) {
     const auto get = [place](Self self) -> Struct& { return place.in(self); };
-    type_.def_prop_ro(name, get, nb::rv_policy::reference_internal, doc.c_str());
+    const auto set = [place](Self self, const Struct& value) { place.in(self) = value; };
+    type_.def_prop_rw(name, get, set, nb::for_getter(nb::rv_policy::reference_internal),
+                      doc.c_str());
   }
 
   nb::class_<T>& type_;

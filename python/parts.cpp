@@ -32,8 +32,11 @@ std::string one_line(const nb::python_error& error) {
   if (!error.traceback().is_valid()) return name + ": " + what;  // raised by C
   const nb::object frames = nb::module_::import_("traceback").attr("extract_tb")(error.traceback());
   if (nb::len(frames) == 0) return name + ": " + what;
-  const nb::object last = frames[-1];
-  const std::string file = text_of(last.attr("filename"));
+  // The innermost one in the user's file: where a library raised helps less.
+  const std::string file = text_of(nb::object(frames[0]).attr("filename"));
+  nb::object last = frames[0];
+  for (const nb::handle frame : frames)
+    if (text_of(frame.attr("filename")) == file) last = nb::borrow(frame);
   return name + ": " + what + " (" + file.substr(file.rfind('/') + 1) + ", line " +
          text_of(last.attr("lineno")) + ")";
 }
@@ -46,8 +49,6 @@ std::string wrong_result(nb::handle object, const char* method, nb::handle resul
 
 namespace {
 
-constexpr int kMostRows = 1000;  // of an own task
-
 // Estimator.
 
 /// A base class in Python that can ask the library's part, which is made anew with each controller.
@@ -57,16 +58,41 @@ struct BoundPart {
   std::unique_ptr<Part> library = make ? make() : nullptr;
 };
 
+/// Throws Error if the object has no update() of its own, and no library's to ask, or one that
+/// takes other arguments. `takes`: what is valid.
+void check_update(nb::handle object, nb::handle base, bool asks_library, const char* takes) {
+  const std::string name = text_of(object.type().attr("__name__"));
+  const nb::object update = object.attr("update");
+  if (nb::object(object.type().attr("update")).is(base.attr("update"))) {
+    if (asks_library) return;
+    throw Error(name + " has no update(self, " + takes + ")");
+  }
+  const std::string arguments =
+      "lambda f: __import__('inspect').signature(f).bind(" + std::string(takes) + ")";
+  nb::dict names;
+  for (const char* each : {"user", "state", "dynamics", "last", "reading", "context"})
+    names[each] = nb::none();
+  try {
+    (void)nb::module_::import_("builtins").attr("eval")(arguments, names)(update);
+  } catch (nb::python_error& error) {
+    if (!error.matches(PyExc_TypeError)) return;  // a compiled one does not tell
+    throw Error(name + ".update(): " + text_of(nb::borrow<nb::object>(error.value())) +
+                "; update(self, " + takes + ") would be valid");
+  }
+}
+
 /// Before a controller takes it: what it remembers of another run is gone.
 template <typename Bound>
-void begin_anew(const SharedObject& object) {
+void begin_anew(const SharedObject& object, const char* takes) {
   const nb::gil_scoped_acquire python;
   if (nb::inst_check(*object) && !nb::inst_ready(*object))
     throw Error(text_of((*object).type().attr("__name__")) +
                 ".__init__ must call super().__init__() first");
+  Bound* base = nullptr;
+  (void)nb::try_cast<Bound*>(*object, base);
+  check_update(*object, nb::type<Bound>(), base != nullptr && base->make, takes);
   (*object).attr("restart")();
-  if (Bound* base = nullptr; nb::try_cast<Bound*>(*object, base) && base != nullptr && base->make)
-    base->library = base->make();
+  if (base != nullptr && base->make) base->library = base->make();
 }
 
 /// `Estimator` in Python.
@@ -286,10 +312,10 @@ class PythonTask final : public tasks::Task {
     const nb::object& task = *object;
     name_ = nb::cast<std::string>(task.attr("task"));
     const nb::object most = task.attr("max_rows");
-    if (!nb::try_cast<int>(most, max_rows_) || max_rows_ < 1 || max_rows_ > kMostRows)
+    if (!nb::try_cast<int>(most, max_rows_) || max_rows_ < 1 || max_rows_ > tasks::Task::kMostRows)
       throw Error("task \"" + name_ + "\": max_rows is " + text_of(nb::repr(most)) +
                   "; the largest number of rows that rows() gives, from 1 to " +
-                  std::to_string(kMostRows) + ", is valid");
+                  std::to_string(tasks::Task::kMostRows) + ", is valid");
     row_names_ = nb::cast<std::vector<std::string>>(task.attr("row_names"));
   }
 
@@ -377,13 +403,13 @@ void bind_task_tick(nb::module_& module) {
 
 std::unique_ptr<estimation::StateEstimator> own_estimator(const SharedObject& object,
                                                           const model::RobotDescription&) {
-  begin_anew<BoundEstimator>(object);
+  begin_anew<BoundEstimator>(object, "reading, context");
   return std::make_unique<PythonEstimator>(object);
 }
 
 std::unique_ptr<gaits::MotionPlanner> own_planner(const SharedObject& object,
                                                   const model::RobotDescription& robot) {
-  begin_anew<BoundPlanner>(object);
+  begin_anew<BoundPlanner>(object, "user, state, dynamics, last");
   const nb::gil_scoped_acquire python;
   return std::make_unique<PythonPlanner>(object, robot);
 }

@@ -200,7 +200,7 @@ Result run(const config::Scenario& scenario, const std::optional<std::string>& r
   interrupt.raise();
   if (hook) hook->raise();
   if (const std::string& fault = result.run.fault; !fault.empty())
-    if (PyErr_WarnEx(PyExc_RuntimeWarning, fault.c_str(), 1) != 0) throw nb::python_error();
+    if (PyErr_WarnEx(PyExc_RuntimeWarning, fault.c_str(), 4) != 0) throw nb::python_error();
   return result;
 }
 

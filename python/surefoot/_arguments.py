@@ -225,7 +225,7 @@ def refuse_other_names(kind: type) -> None:
             object.__setattr__(self, name, value)
         except AttributeError:
             if hasattr(kind, name):
-                raise
+                raise AttributeError(f"{name} of a {kind.__name__} can't be replaced; what is in it can be written, if anything") from None
             names = [each for each, member in vars(kind).items() if isinstance(member, property) and member.fset is not None]
             near = difflib.get_close_matches(name, names, n=1)
             hint = f"did you mean {near[0]}? " if near else ""
@@ -246,4 +246,5 @@ def tell() -> None:
                 if isinstance(inner, property) and inner.fset is not None:
                     setattr(thing, member, property(inner.fget, told(inner.fset, f"{name}.{member}", member), doc=inner.__doc__))
                 elif type(inner).__name__ == "nb_method" and (member in ("__init__", "__getitem__") or member[0] != "_"):
-                    setattr(thing, member, told(inner, f"{name}.{member}" if member != "__init__" else name))
+                    shown_name = name.removesuffix("Base")
+                    setattr(thing, member, told(inner, f"{shown_name}.{member}" if member != "__init__" else shown_name))

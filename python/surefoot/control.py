@@ -49,8 +49,9 @@ def load_scenario(
 
 
 def robot_of(name: str | os.PathLike[str], seed: int, words: list[str], gaits: dict[str, Callable[[], Gait]]) -> Robot:
-    """By the scenario, which must be whole without the stack."""
-    return read_scenario(name, seed, words, registered_tasks(), gaits).robot_model
+    """By the scenario, which must be whole without the stack; other words may be about the stack."""
+    of_robot = [word for word in words if word.partition("=")[0] == "robot"]
+    return read_scenario(name, seed, of_robot, registered_tasks(), gaits).robot_model
 
 
 def read_scenario(

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import contextlib
+import hashlib
 import inspect
 import io
 import json
@@ -70,6 +71,7 @@ class Campaign:
 
     def __init__(self, folder: pathlib.Path, summary: dict[str, Any]) -> None:
         self.folder, self.summary = folder, summary
+        self._rows = (folder / "runs.parquet").read_bytes()  # another campaign may write there
 
     def __repr__(self) -> str:
         every, finished = self.summary["all"], self.summary["runs"]["finished"]
@@ -82,7 +84,7 @@ class Campaign:
         """A row a run: its parameters, outcome and metrics; `.to_pandas()` makes a data frame of it."""
         import pyarrow.parquet
 
-        return pyarrow.parquet.read_table(self.folder / "runs.parquet")
+        return pyarrow.parquet.read_table(pyarrow.BufferReader(self._rows))
 
     @property
     def frame(self) -> Any:
@@ -113,7 +115,7 @@ def campaign(spec: str | os.PathLike[str] | Mapping[str, Any], *, out: str | os.
 
     spec: a file, the name of one that ships, or its content as a dict: {"scenario": "walk_flat", "seeds": [1, 2, 3], "grid": {…}}. In a dict
         `stack` may be a Stack, made for the robot of the (first) scenario; one with tasks of your own can't run in other processes.
-    out: folder of the results, by default results/NAME; a campaign that was cut off goes on there. jobs: runs at once, one a core by default.
+    out: folder of the results, by default results/NAME, of a dict without `name` one of its own; a campaign that was cut off goes on there. jobs: runs at once, one a core by default.
     """
     from surefoot_campaign.cli import make_campaign
     from surefoot_campaign.command_line import WRONG_INPUT
@@ -124,6 +126,8 @@ def campaign(spec: str | os.PathLike[str] | Mapping[str, Any], *, out: str | os.
 
     if jobs is not None and jobs < 1:
         raise Error(f"jobs is {jobs}; a whole number above 0 would be valid")
+    if isinstance(spec, Mapping) and "name" not in spec:
+        spec = {**spec, "name": f"campaign_{hashlib.sha1(repr(spec_text(spec)).encode()).hexdigest()[:8]}"}
     program, workers = Program(), jobs or len(os.sched_getaffinity(0))
     arguments = SimpleNamespace(scheduler="local", jobs=workers, retry=False, no_plots=True, json=True)
     with told_as_error(), tempfile.TemporaryDirectory(prefix="surefoot_") as folder:
@@ -169,6 +173,15 @@ def with_stacks_as_files(spec: Mapping[str, Any], folder: pathlib.Path) -> Any:
         return str(file)
 
     return replaced(spec)
+
+
+def spec_text(value: Any) -> Any:
+    """The same for equal specs: each Stack as its file would be."""
+    if isinstance(value, Mapping):
+        return sorted((str(key), spec_text(each)) for key, each in value.items())
+    if isinstance(value, list | tuple):
+        return [spec_text(each) for each in value]
+    return value.text() if isinstance(value, Stack) else value
 
 
 def robot_in(spec: Mapping[str, Any]) -> Robot | None:

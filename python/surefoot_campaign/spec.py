@@ -203,12 +203,15 @@ class Reader:
         return Range(float(lower), float(upper))
 
     def plain(self, key, node):
-        """A value without maps in it."""
+        """A value: no map, but lists may have maps in them."""
         if isinstance(node.value, dict):
             self.fail(node.line, key, "must be a value; write keys below it with dots, path.to.key: value")
-        if isinstance(node.value, list):
-            return [self.plain(key, item) for item in node.value]
-        return node.value
+        return self.whole_tree(node)
+
+    def whole_tree(self, node):
+        if isinstance(node.value, dict):
+            return {key: self.whole_tree(entry) for key, entry in node.value.items()}
+        return [self.whole_tree(item) for item in node.value] if isinstance(node.value, list) else node.value
 
     def number(self, key, node):
         if not is_number(node.value) or not math.isfinite(node.value):

@@ -30,15 +30,15 @@ ERRORS = ["com", "height", "base", "heading"]  # of /alignment
 KEPT = 1 << 28  # bytes: of a larger topic only the channels asked for stay in memory
 
 
-def check_folder(path: str | os.PathLike[str]) -> None:
+def _check_folder(path: str | os.PathLike[str]) -> None:
     folder = pathlib.Path(path).absolute().parent
     if not folder.is_dir():
         raise InputError(f"path is {os.fspath(path)}, and there is no folder {folder}; one that exists would be valid")
 
 
-def nan_for_null(value: Any) -> Any:
+def _nan_for_null(value: Any) -> Any:
     if isinstance(value, dict):
-        return {name: nan_for_null(each) for name, each in value.items()}
+        return {name: _nan_for_null(each) for name, each in value.items()}
     return math.nan if value is None else value
 
 
@@ -86,7 +86,7 @@ class Recorded:
     def metrics(self) -> dict[str, Any]:
         """How the run went, by name, as `Result.metrics`; None: not judged, NaN: not measured."""
         judged = {name: self._summary["metrics"].get(name) for name in ("succeeded", "goal_reached")}
-        return {name: nan_for_null(value) for name, value in self._summary["metrics"].items()} | judged
+        return {name: _nan_for_null(value) for name, value in self._summary["metrics"].items()} | judged
 
     @property
     def criteria(self) -> list[dict[str, Any]]:
@@ -118,7 +118,18 @@ class Recorded:
 
         return data_frame(self.table(topic)).set_index("time")
 
+    def __contains__(self, name: object) -> bool:
+        return name == "time" or name in self.channels or any(each.startswith(f"{name}.") for each in self.channels)
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self.channels)
+
+    def __len__(self) -> int:
+        return len(self.channels)
+
     def __getitem__(self, name: str) -> Array:
+        if not isinstance(name, str):
+            raise TypeError(f"a channel is named by a text, as run[\"state.p_WB.x\"]; {name!r} was given")
         if name == "time":
             return self.time
         topic = name.partition(".")[0]
@@ -178,7 +189,7 @@ class Recorded:
         with told_as_error():
             figure: Figure = figure_of(self, names or ("com_tracking",))
             if path is not None:
-                check_folder(path)
+                _check_folder(path)
                 figure.savefig(os.fspath(path))
         return figure
 
@@ -196,7 +207,7 @@ class Recorded:
         with told_as_error():
             image = make_picture(self._log, time, size)
             if path is not None:
-                check_folder(path)
+                _check_folder(path)
                 image.save(os.fspath(path))
         return image
 

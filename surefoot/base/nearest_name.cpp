@@ -61,7 +61,9 @@ std::string valid_names(std::string_view given, const std::vector<std::string>& 
 
 std::string near_names(std::string_view given, const std::vector<std::string>& valid) {
   constexpr std::ptrdiff_t kMost = 6;
-  std::vector<std::string> nearest = valid;
+  std::vector<std::string> nearest;
+  for (const std::string& name : valid)
+    if (std::ranges::find(nearest, name) == nearest.end()) nearest.push_back(name);
   std::ranges::stable_sort(nearest, {}, [&](const std::string& name) {
     const bool is_part = lower_case(name).find(lower_case(given)) != std::string::npos;
     return edit_distance(lower_case(given), lower_case(name)) / (is_part ? 4 : 1);

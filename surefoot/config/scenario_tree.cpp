@@ -147,10 +147,19 @@ void check_assignments(const std::vector<std::string>& assignments) {
   }
 }
 
+void check_own_gaits(const gaits::OwnGaits& own) {
+  const std::vector<std::string> ours = list_data("gaits");
+  for (const std::string& name : own.names()) {
+    if (std::ranges::find(ours, name) != ours.end())
+      throw Error("there is a gait \"" + name + "\" already; give yours another name");
+  }
+}
+
 }  // namespace
 
 ScenarioTree read_scenario_tree(const ScenarioRequest& request, const fs::path& file) {
   check_assignments(request.assignments);
+  check_own_gaits(request.own_gaits);
   std::optional<model::RobotDescription> fitted = robot_of(file, request);
   const model::RobotDescription* const robot = fitted ? &*fitted : nullptr;
   Files files{.own_gaits = request.own_gaits};

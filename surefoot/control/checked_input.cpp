@@ -32,6 +32,12 @@ std::string_view what_is_wrong(const MotionPlan& plan, const model::RobotDescrip
   };
   if (!std::ranges::all_of(plan.feet, is_finite))
     return "the planner's plan has NaN or infinity in a foot";
+  const auto has_limits = [](const FootPlan& foot) {
+    return foot.friction >= 0.0 && foot.force_max >= 0.0 && foot.force_min <= foot.force_max;
+  };
+  if (!std::ranges::all_of(plan.feet, has_limits))
+    return "the planner's plan has a foot with friction or force_max below 0, or with force_min "
+           "above force_max";
   const auto stands = [](const FootPlan& foot) { return foot.phase == LegPhase::stance; };
   const auto carries = [](const FootPlan& foot) { return foot.force_max > 0.0; };
   if (std::ranges::any_of(plan.feet, stands) && std::ranges::none_of(plan.feet, carries))

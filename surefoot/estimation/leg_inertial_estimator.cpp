@@ -1,5 +1,6 @@
 #include "surefoot/estimation/leg_inertial_estimator.hpp"
 
+#include "surefoot/base/error.hpp"
 #include "surefoot/base/fields.hpp"
 #include "surefoot/math/rotation.hpp"
 #include "surefoot/model/body_tree.hpp"
@@ -8,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 namespace surefoot::estimation {
 namespace {
@@ -25,11 +27,14 @@ LegInertialEstimator::LegInertialEstimator(const model::RobotDescription& robot,
                                            const LegInertialOptions& options, double period)
     : options_(options),
       period_(period),
+      num_joints_(robot.num_joints()),
       errors_(no_errors(robot.num_legs())),
       filter_(options.filter, robot.num_legs()),
       feet_(robot.num_legs(), Foot{}),
       standing_start_(period, robot.num_leg_joints(), robot.scale),
       tree_(model::make_body_tree(robot, model::read_urdf(robot))) {
+  if (!(period > 0.0) || !std::isfinite(period))
+    throw Error("period is " + std::to_string(period) + " s; valid is a time > 0, such as 0.0025");
   described_.resize(static_cast<int>(tree_.legs.size()));
   for (const Leg leg : feet_.legs()) {
     const std::size_t k = index(leg);
@@ -56,6 +61,10 @@ void LegInertialEstimator::take_further_joints(const JointVector& q) noexcept {
 
 const RobotState& LegInertialEstimator::update(const SensorReading& reading,
                                                const TickContext& context) noexcept {
+  if (reading.q.size() != num_joints_) {  // of another robot
+    state_.q = state_.qd = state_.torque = JointVector::Constant(num_joints_, kNaN);
+    return state_;
+  }
   if (reading.q.allFinite()) take_further_joints(reading.q);
   const bool is_complete =
       reading.q.allFinite() && reading.gyro.allFinite() && reading.accelerometer.allFinite();

@@ -46,7 +46,8 @@ struct LegInertialOptions {
 /// a second, which smooths touchdowns. Does not allocate after construction.
 class LegInertialEstimator final : public StateEstimator {
  public:
-  /// Throws Error if the URDF can't be read. `period` of the control loop [s].
+  /// Throws Error if the URDF can't be read, and on a period that is none. `period` of the control
+  /// loop [s].
   LegInertialEstimator(const model::RobotDescription& robot, const LegInertialOptions& options,
                        double period);
 
@@ -94,6 +95,7 @@ class LegInertialEstimator final : public StateEstimator {
 
   LegInertialOptions options_;
   double period_;
+  Eigen::Index num_joints_;
   PerLeg<model::LegChain> described_, chains_;  // of the URDF, and as estimated
   std::vector<model::LimbChain> limbs_;         // instead, of a robot that only stands
   KinematicErrors errors_;

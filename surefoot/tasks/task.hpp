@@ -33,7 +33,8 @@ class Task {
   /// then sits down.
   virtual void write(const TaskInput& input, solver::Level& level) const = 0;
 
-  /// Largest number of rows in a tick.
+  static constexpr int kMostRows = 1000;
+  /// Largest number of rows in a tick, up to `kMostRows`.
   [[nodiscard]] virtual int max_rows() const = 0;
   /// The name in stack files.
   [[nodiscard]] virtual std::string_view name() const = 0;

@@ -26,9 +26,10 @@ void check_sizes(const Task& task, std::string_view name) {
     throw Error(who + "has the name() \"" + std::string(task.name()) +
                 "\"; give the name of its definition");
   }
-  if (task.max_rows() < 0) {
+  if (task.max_rows() < 0 || task.max_rows() > Task::kMostRows) {
     throw Error(who + "has max_rows() " + std::to_string(task.max_rows()) +
-                "; give the largest number of rows in a tick, 0 or more");
+                "; give the largest number of rows in a tick, from 0 to " +
+                std::to_string(Task::kMostRows));
   }
   if (task.num_ids() < task.max_rows()) {
     throw Error(who + "has num_ids() " + std::to_string(task.num_ids()) + " and max_rows() " +

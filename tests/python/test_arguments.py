@@ -231,7 +231,7 @@ def test_nan_that_was_written_into_a_vector_is_refused_before_the_tick(world):
 def test_a_field_that_is_not_there_is_told_with_the_nearest():
     with pytest.raises(AttributeError, match="a UserCommand has no velocty; did you mean velocity\\? it has walk, velocity"):
         surefoot.UserCommand().velocty = [1, 0]
-    with pytest.raises(AttributeError, match="no setter"):
+    with pytest.raises(AttributeError, match="can't be replaced"):
         surefoot.MotionPlan().feet = {}
 
 
@@ -302,6 +302,14 @@ def test_what_a_loop_passes_on_can_be_copied_and_pickled(robot):
     assert repr(copy.deepcopy(scenario)) == repr(scenario)
     with pytest.raises(surefoot.Error, match=r"walk_flat can't be sent to another process; load_scenario\(\) there makes it"):
         pickle.dumps(scenario)
+
+
+def test_a_reach_is_written_as_a_whole():
+    user = surefoot.UserCommand()
+    user.reach = surefoot.ReachCommand(0, [0.5, 0, 0.6])
+    assert user.reach.arm == 0 and user.reach.position[0] == 0.5
+    with pytest.raises(AttributeError, match="feet of a MotionPlan can't be replaced"):
+        surefoot.MotionPlan().feet = {}
 
 
 def test_help_shows_signature_and_text():

@@ -199,6 +199,38 @@ def test_a_plan_in_which_nothing_carries_the_robot_is_told():
         assert not surefoot.run("walk_flat_ideal", set=["duration=1"], planner=Empty()).succeeded
 
 
+@pytest.mark.parametrize("change", [{"friction": -1.0}, {"force_max": -3.0}, {"force_min": 900.0, "force_max": 10.0}])
+def test_feet_whose_limits_make_no_sense_are_told(change):
+    class Odd(Still):
+        def update(self, user, state, dynamics, last):
+            plan = super().update(user, state, dynamics, last)
+            for name, value in change.items():
+                setattr(plan.feet["LF"], name, value)
+            return plan
+
+    with pytest.warns(RuntimeWarning, match="a foot with friction or force_max below 0, or with force_min above force_max"):
+        assert not surefoot.run("walk_flat_ideal", set=["duration=1"], planner=Odd())["fell"]
+
+
+@pytest.mark.parametrize("methods, said", [
+    ({"updat": lambda self, user, state, dynamics, last: None}, r"Mine has no update\(self, user, state, dynamics, last\)"),
+    ({"update": lambda self, user, state: None}, r"Mine.update\(\): too many positional arguments; update\(self, user, state, dynamics, last\) would be valid"),
+])  # fmt: skip
+def test_a_planner_without_the_right_update_is_refused(methods, said):
+    with pytest.raises(surefoot.Error, match=said):
+        surefoot.run("walk_flat_ideal", planner=type("Mine", (surefoot.Planner,), methods)())
+
+
+def test_what_a_library_raises_is_told_by_the_users_own_line():
+    class Singular(Height):
+        def rows(self, tick):
+            return np.linalg.inv(np.zeros((1, 1))), [0.0]
+
+    with pytest.warns(RuntimeWarning, match=r"Singular matrix \(test_own_parts.py, line \d+\)") as warned:
+        surefoot.run(standing(Singular("singular"), duration=0.1))
+    assert warned[0].filename == __file__
+
+
 @pytest.mark.parametrize("base, part", [(surefoot.Planner, "planner"), (surefoot.Estimator, "estimator")])
 def test_a_part_whose_base_was_not_made_is_told_how(base, part):
     made = type("Mine", (base,), {"__init__": lambda self: None})()

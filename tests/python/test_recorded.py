@@ -31,6 +31,14 @@ def test_figures_of_the_report_and_channels_are_plotted(log, tmp_path):
         run.plot("com_tracking", path=tmp_path / "nowhere/com.pdf")
 
 
+def test_its_channels_are_a_collection(log):
+    run = surefoot.read(log)
+    assert "state.p_WB" in run and "state.p_WB.x" in run and "time" in run and "state.p_W" not in run
+    assert list(run) == list(run.channels) and len(run) == len(run.channels)
+    with pytest.raises(TypeError, match=r"a channel is named by a text, as run\[\"state.p_WB.x\"\]; \['a', 'b'\] was given"):
+        run[["a", "b"]]
+
+
 def test_it_has_the_metrics_and_criteria_of_its_run(tmp_path):
     result = surefoot.run("walk_flat_ideal", set=["duration=0.5"], record=tmp_path / "run.mcap")
     run = surefoot.read(tmp_path / "run.mcap")

@@ -155,6 +155,16 @@ def test_of_a_campaign_runs_that_are_not_judged_are_told(tmp_path, criteria, tol
     assert repr(surefoot.campaign(spec, out=tmp_path / "results", jobs=1)).startswith(f"<campaign short: {told}: ")
 
 
+def test_campaigns_without_a_name_do_not_get_into_each_others_way(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    spec = {"scenario": "walk_flat_ideal", "seeds": [1, 2], "set": {"duration": 0.05, "user": [{"time": 0, "velocity": [0.1, 0]}]}}
+    first, second = surefoot.campaign(spec, jobs=1), surefoot.campaign(spec | {"seeds": [3]}, jobs=1)
+    assert first.folder != second.folder and first.frame["seed"].tolist() == [1, 2] and second.frame["seed"].tolist() == [3]
+    assert surefoot.campaign(spec, jobs=1).folder == first.folder
+    named = [surefoot.campaign(spec | {"name": "mine", "seeds": [seed]}, jobs=1) for seed in (4, 5)]
+    assert [one.frame["seed"].tolist() for one in named] == [[4], [5]]
+
+
 def test_a_campaign_compares_stacks(tmp_path):
     stack = surefoot.Stack("terrain_adaptation")
     spec = {"scenario": "walk_flat_ideal", "seeds": [1], "set": {"duration": 0.3}, "cases": {"as it is": {"stack": stack}, "soft": {"stack": stack.tune("com_xy", kp=20)}}}
@@ -196,6 +206,32 @@ def test_what_belongs_to_another_robot_is_refused(scenario):
         controller.step(surefoot.SensorReading(18), surefoot.UserCommand())
 
 
+def test_an_evaluator_and_an_aligner_are_of_one_robot_and_from_the_first_tick_on(scenario):
+    plant, other = surefoot.Plant(scenario), surefoot.Plant(surefoot.load_scenario("walk_flat_ideal", robot="go1"))
+    controller = surefoot.Controller(scenario, plant)
+    plant.write(controller.step(plant.read(), scenario.user(0)))
+    for call in (lambda: surefoot.Evaluator(scenario, other, controller), lambda: surefoot.Aligner().update(other, controller)):
+        with pytest.raises(surefoot.Error, match="plant is of the robot go1, and the controller of anymal_b"):
+            call()
+    controller.step(plant.read(), scenario.user(0))
+    with pytest.raises(surefoot.Error, match="the controller has made 2 ticks already"):
+        surefoot.Aligner().update(plant, controller)
+
+
+def test_the_hierarchy_of_a_tick_is_solved_again_and_certified(scenario):
+    plant = surefoot.Plant(scenario)
+    controller = surefoot.Controller(scenario, plant)
+    assert controller.dynamics is None
+    for _ in range(5):
+        command = controller.step(plant.read(), scenario.user(plant.time))
+        truth = plant.truth
+        plant.write(command)
+    solution = surefoot.solve(controller.problem, certify=True)
+    assert [level.name for level in solution.levels] == controller.level_names and max(level.certificate for level in solution.levels) < 1e-9
+    np.testing.assert_allclose(solution.x[-12:], command.torque, atol=1e-6)
+    np.testing.assert_allclose(controller.dynamics.com.p[2], truth.p_SCom[2], atol=0.02)
+
+
 def test_a_plant_of_a_run_is_for_no_second_controller(scenario):
     def second(tick):
         with pytest.raises(surefoot.Error, match=r"that of a run.* a Plant\(scenario\) would be valid"):
@@ -234,6 +270,8 @@ def test_a_command_names_its_gait(gait, walked):
 
 
 def test_gaits_that_are_not_there_are_refused_with_those_that_are():
+    with pytest.raises(surefoot.Error, match='there is a gait "crawl" already; give yours another name'):
+        surefoot.load_scenario("walk_flat", gaits={"crawl": surefoot.Gait})
     with pytest.raises(surefoot.Error, match='gaits has "sway": 3; a class derived from surefoot.Gait, or a function that makes one'):
         surefoot.load_scenario("walk_flat", gaits={"sway": 3})
     scenario = surefoot.load_scenario("walk_flat_ideal", set=["gaits=[crawl, trot]"])

@@ -58,9 +58,9 @@ def test_every_public_class_and_function_of_the_module_is_described(site):
     import surefoot
 
     page = (site / "reference/python.html").read_text()
-    for name in [name for name in surefoot.__all__ if name != "tasks"] + ["Recorded.in_W", "Recorded.aligned_error", "Stack.before", "ControllerBase.step"]:
+    for name in [name for name in surefoot.__all__ if name != "tasks"] + ["Recorded.in_W", "Recorded.aligned_error", "Stack.before", "Controller.step"]:
         assert re.search(rf'id="(\w+)?{name.lower().replace(".", "")}"', page), name
-    for name in ("stack.insert", "stack.yaml_of", "running.data_frame", "control.robot_of", "read_scenario", "parse_stack"):
+    for name in ("surefoot.insert", "surefoot.yaml_of", "surefoot.data_frame", "surefoot.robot_of", "surefoot.check_folder", "read_scenario", "parse_stack"):
         assert f">{name}" not in page, name
 
 

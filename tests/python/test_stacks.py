@@ -193,6 +193,12 @@ def test_a_scenario_and_a_controller_have_the_stack_and_take_another(stack):
         surefoot.load_scenario("walk_flat", stack=stack.tune("limb_extension_limits", max=3))
 
 
+def test_a_scenario_is_changed_by_what_only_the_stack_knows(stack):
+    mine = stack.before("torso_yaw", tasks.FramePosition("LF_SHANK", name="shank"))
+    for word in ("user=[{time: 0, reach: {frame: LF_SHANK, position: [0.4, 0.2, -0.2]}}]", "tasks.frame_position.kp=10", "stack_switches=[{time: 1, remove: [shank]}]"):
+        assert surefoot.load_scenario("walk_flat_ideal", stack=mine, set=[word]).name == "walk_flat_ideal"
+
+
 def test_levels_are_taken_off_and_put_back_while_it_walks(stack):
     scenario = surefoot.load_scenario("walk_flat_ideal", stack=stack)
     plant = surefoot.Plant(scenario)

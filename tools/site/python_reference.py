@@ -21,7 +21,7 @@ def pages(root):
     text += module("surefoot", [stub, root / "python/surefoot_log/recorded.py", package / "__init__.py"], lambda name: name not in calls_only(init))
     shared = set(taken_from_modules(init))
     for file in sorted(package.glob("[!_]*.py")):
-        text += module(f"surefoot.{file.stem}", [file], lambda name: name in shared)
+        text += module("surefoot", [file], lambda name: name in shared, file.stem)
     return {"reference/python.md": text + module("surefoot.tasks", [stub.with_name("tasks.py")], lambda name: True)}
 
 
@@ -31,14 +31,14 @@ def calls_only(init):
     return set(names) - {"ControllerBase"}
 
 
-def module(name, files, is_meant):
+def module(name, files, is_meant, part=""):
     trees = [ast.parse(file.read_text()) for file in files]
     about = [text for tree in trees if (text := ast.get_docstring(tree))][-1:]  # the package's says what that of its compiled part does
     elsewhere = {name for tree in trees for name in taken_from_modules(tree)}
     entries = [entry for tree in trees for entry in members(tree) if is_public(entry) and name_of(entry) not in elsewhere and is_meant(name_of(entry))]
     order = {ast.ClassDef: 0, ast.FunctionDef: 1}
     entries.sort(key=lambda entry: order.get(type(entry), 2))
-    parts = [f"\n## {name}\n", *(prose.to_html(text) + "\n" for text in about)]
+    parts = [f"\n## {name}{part and f': {part}'}\n", *(prose.to_html(text) + "\n" for text in about)]
     return "\n".join(parts + [described(entry, 3, name) for entry in entries])
 
 
@@ -77,10 +77,11 @@ def a_class(entry, depth, parent):
     bases = ", ".join(ast.unparse(base) for base in entry.bases)
     head = f"{'#' * depth} {entry.name}\n\n```python\nclass {entry.name}{f'({bases})' if bases else ''}\n```\n\n{about(entry)}\n"
     inside = [member for member in members(entry) if is_public(member)]
+    name = entry.name.removesuffix("Base")  # of a compiled base: users call it by the class that they have
     fields = [member for member in inside if isinstance(member, ast.AnnAssign) or is_property(member)]
     methods = [member for member in inside if member not in fields]
-    return head + "\n" + "".join(described(member, depth + 1, entry.name) for member in fields) + "\n" + "\n".join(
-        described(member, depth + 1, entry.name) for member in methods)  # fmt: skip
+    return head + "\n" + "".join(described(member, depth + 1, name) for member in fields) + "\n" + "\n".join(
+        described(member, depth + 1, name) for member in methods)  # fmt: skip
 
 
 def decorators(entry):
