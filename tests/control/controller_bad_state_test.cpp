@@ -31,6 +31,19 @@ std::vector<std::function<double&(RobotState&)>> numbers_of_a_state() {
   return numbers;
 }
 
+TEST(Controller, AReadingOfAnotherRobotIsToldAndGivesALegalCommand) {
+  test::Statue statue;
+  statue.run(20);
+  SensorReading reading = statue.reading;
+  for (int i = 1; i < 400; ++i) {
+    reading.time += statue.period;
+    reading.q = reading.torque = JointVector::Zero(18);
+    test::expect_legal(statue.controller.step(reading, statue.user));
+  }
+  EXPECT_EQ(statue.controller.fault(), "the reading does not have the robot's number of joints");
+  EXPECT_NE(statue.controller.record().command.mode, CommandMode::optimal);
+}
+
 TEST(Controller, EveryReadingThatIsNotANumberGivesALegalCommandAndIsForgottenAtOnce) {
   test::Statue statue;
   statue.user = {.walk = true, .velocity = {0.05, 0.0}};

@@ -1,5 +1,7 @@
 #include "surefoot/estimation/leg_inertial_estimator.hpp"
 
+#include "surefoot/base/error.hpp"
+#include "surefoot/math/numbers.hpp"
 #include "surefoot/math/rotation.hpp"
 #include "surefoot/math/smoothstep.hpp"
 #include "tests/support/malloc_counter.hpp"
@@ -452,6 +454,18 @@ TEST(LegInertialEstimator, SetDownItKeepsWhatItKnowsOfTheGyroscopeAndOfTheTilt) 
   state = estimator.update(reading, context);
   EXPECT_LT((reading.gyro - state.w_WB_B - bias).norm(), 0.002);
   EXPECT_LT(state.R_WB().row(2).cross(R_WB.row(2)).norm(), 1e-9);
+}
+
+TEST(LegInertialEstimator, OfAnotherRobotsReadingSaysNothing) {
+  TurningRobot robot(KinematicErrors{}, kStill);
+  for (const double period : {0.0, -1.0, kNaN})
+    EXPECT_THROW(LegInertialEstimator(robot.description(), {}, period), Error);
+  LegInertialEstimator estimator(robot.description(), {}, TurningRobot::kPeriod);
+  SensorReading reading = robot.reading();
+  reading.q = reading.torque = JointVector::Zero(18);
+  const RobotState state = estimator.update(reading, standing());
+  EXPECT_EQ(state.q.size(), 12);
+  EXPECT_TRUE(state.q.array().isNaN().all());
 }
 
 // 4 m/s² for a tenth of a second, as hands set it down.

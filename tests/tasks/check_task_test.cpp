@@ -3,6 +3,7 @@
 #include "surefoot/base/error.hpp"
 #include "surefoot/math/numbers.hpp"
 #include "surefoot/tasks/catalog.hpp"
+#include "surefoot/tasks/task_rows.hpp"
 #include "tests/control/own_task.hpp"
 #include "tests/support/anymal_b.hpp"
 #include "tests/support/hexapod.hpp"
@@ -55,6 +56,28 @@ TEST(CheckTask, FindsWhatIsWrongAndNamesTheTask) {
             }),
             std::vector<std::string>{R"(task "own": write() allocates; make its memory in the )"
                                      "constructor or in fixed-size matrices"});
+}
+
+/// With a number of rows that the user mistyped.
+class ManyRows final : public Task {
+ public:
+  explicit ManyRows(int rows) : rows_(rows) {}
+  void write(const TaskInput&, solver::Level&) const override {}
+  [[nodiscard]] int max_rows() const override { return rows_; }
+  [[nodiscard]] std::string_view name() const override { return "many"; }
+  [[nodiscard]] std::string row_name(int) const override { return "row"; }
+
+ private:
+  int rows_;
+};
+
+TEST(CheckTask, RefusesMoreRowsThanATickCanHave) {
+  EXPECT_NO_THROW(check_sizes(ManyRows(Task::kMostRows), "many"));
+  for (const int rows : {-1, Task::kMostRows + 1, 100'000'000}) {
+    const ManyRows task(rows);
+    EXPECT_TRUE(test::holds(test::message_of([&] { check_sizes(task, "many"); }),
+                            "give the largest number of rows in a tick, from 0 to 1000"));
+  }
 }
 
 TEST(OwnTasks, RefusesWhatCantBeNamed) {
