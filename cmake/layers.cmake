@@ -75,6 +75,7 @@ SUREFOOT_ROBOT_PACKAGES=\"${SUREFOOT_ROBOT_PACKAGES}\"")
 if(SKBUILD)
   set(built_folders "SUREFOOT_SOURCE_DATA=\"\";SUREFOOT_INSTALLED_DATA=\"\";SUREFOOT_ROBOT_PACKAGES=\"\"")
 endif()
+set_property(DIRECTORY ${PROJECT_SOURCE_DIR} APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS dependencies/robots.txt)
 file(STRINGS ${PROJECT_SOURCE_DIR}/dependencies/robots.txt robot_requirements REGEX "^[^#].*==")
 list(JOIN robot_requirements " " robot_requirements)
 set_source_files_properties(${PROJECT_SOURCE_DIR}/surefoot/base/build_info.cpp PROPERTIES

@@ -83,9 +83,7 @@ std::unique_ptr<estimation::StateEstimator> estimator(const config::Scenario& sc
   const double period = scenario.controller.period;
   if (plant != nullptr && !plant->is_own())
     throw Error("plant is that of a run, which has a controller; a Plant(scenario) would be valid");
-  if (plant != nullptr && plant->robot() != scenario.robot.name)
-    throw Error("plant is of the robot " + plant->robot() + ", and the controller of " +
-                scenario.robot.name + "; a Plant of the same scenario would be valid");
+  if (plant != nullptr) plant->check_controller_of(scenario.robot.name);
   if (plant != nullptr)
     return simulation::make_estimator(scenario.estimation,
                                       {scenario.robot, period, **plant, scenario.estimator});
@@ -138,11 +136,13 @@ bool switch_levels(BoundController& self, const std::vector<std::string>& add,
 std::optional<NamedDynamics> dynamics(const BoundController& self) {
   const model::Dynamics* const now = self->dynamics();
   if (now == nullptr) return std::nullopt;
-  return NamedDynamics{std::make_shared<Robot>(self.robot()), *now};
+  return NamedDynamics{self.shared_robot(), *now};
 }
 
 /// The levels of the last tick, as solve() takes them.
 nb::list problem(const BoundController& self) {
+  if (self->dynamics() == nullptr)
+    throw Error("no hierarchy was solved at the last tick; after a step() one would be there");
   const solver::Hierarchy& hierarchy = self->hierarchy();
   const auto row_name = [&](std::size_t level, Eigen::Index row) {
     return self->row_name(static_cast<int>(level), hierarchy.level(level).id(row));
@@ -178,11 +178,10 @@ void bind_changes(nb::class_<BoundController>& type) {
           "set_stack",
           [](nb::handle_t<Self> self, const nb::object& stack, double duration) {
             const Self& controller = nb::cast<Self&>(self);
-            return nb::cast<bool>(
-                nb::module_::import_("surefoot.control")
-                    .attr("change_stack")(self, stack, duration,
-                                          std::make_shared<Robot>(controller.robot()),
-                                          controller.options()));
+            return nb::cast<bool>(nb::module_::import_("surefoot.control")
+                                      .attr("change_stack")(self, stack, duration,
+                                                            controller.shared_robot(),
+                                                            controller.options()));
           },
           nb::arg("stack").none(), nb::arg("duration") = 0.3,
           nb::sig("def set_stack(self, stack: typing.Any, duration: float = 0.3) -> bool"),

@@ -3,6 +3,7 @@
 #include "python/changes.hpp"
 #include "python/lent.hpp"
 #include "python/named_command.hpp"
+#include "python/robot.hpp"
 #include "surefoot/config/scenario.hpp"
 #include "surefoot/control/controller.hpp"
 #include "surefoot/runtime/stage_timer.hpp"
@@ -32,6 +33,11 @@ class BoundController : public Lent<control::Controller> {
         gaits_(gaits_of(scenario)) {}
 
   [[nodiscard]] const model::RobotDescription& robot() const { return robot_; }
+  /// The same as Python's, made when it is asked for.
+  [[nodiscard]] std::shared_ptr<Robot> shared_robot() const {
+    if (!shared_robot_) shared_robot_ = std::make_shared<Robot>(robot_);
+    return shared_robot_;
+  }
   /// The scenario's, as JSON.
   [[nodiscard]] const std::string& options() const { return options_; }
   /// With the interpreter's lock. Throws Error on a command that makes no sense.
@@ -57,6 +63,7 @@ class BoundController : public Lent<control::Controller> {
   [[nodiscard]] static std::vector<std::string> gaits_of(const config::Scenario& scenario);
 
   model::RobotDescription robot_;
+  mutable std::shared_ptr<Robot> shared_robot_;
   std::string options_;
   std::vector<std::string> gaits_;
   std::unique_ptr<runtime::StageTimer> timer_;

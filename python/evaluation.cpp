@@ -57,13 +57,6 @@ void bind_criterion(nb::module_& module) {
 }
 
 /// Judges, and on request records, a run that is stepped by hand; `Evaluator` in Python.
-/// Throws Error unless both are of the same robot.
-void check_robots(const BoundPlant& plant, const BoundController& controller) {
-  if (plant.robot() != controller.robot().name)
-    throw Error("plant is of the robot " + plant.robot() + ", and the controller of " +
-                controller.robot().name + "; both of the same scenario would be valid");
-}
-
 class HandEvaluator {
  public:
   HandEvaluator(const config::Scenario& scenario, BoundPlant& plant, BoundController& controller,
@@ -80,7 +73,7 @@ class HandEvaluator {
              .terrain_height = [&](double x, double y) { return plant->terrain_height(x, y); },
              .hip_in_base = hips()}),
         stop_(scenario.robot) {
-    check_robots(plant, controller);
+    plant.check_controller_of(controller.robot().name);
     if (controller.robot().name != scenario.robot.name)
       throw Error("scenario is of " + scenario.robot.name + ", and the controller of " +
                   controller.robot().name);
@@ -122,7 +115,7 @@ class HandEvaluator {
                                                       .version = std::string(build_info().version),
                                                       .goal_reached = goal_.reached()});
     metrics.succeeded = evaluation::all_passed(criteria(metrics));
-    if (stop_.has_stopped()) metrics.succeeded = false;
+    if (stop_.has_stopped() || !controller_->fault().empty()) metrics.succeeded = false;
     return metrics;
   }
   [[nodiscard]] std::vector<CriterionResult> criteria(const evaluation::Metrics& metrics) const {
@@ -134,7 +127,8 @@ class HandEvaluator {
   /// So far.
   [[nodiscard]] std::string reason() const {
     if (stop_.has_stopped()) return stop_.reason(evaluator_.fall());
-    return evaluator_.fell() ? evaluator_.fall() : "stepped by hand";
+    return closed_loop::with_fault(evaluator_.fell() ? evaluator_.fall() : "stepped by hand",
+                                   controller_->fault());
   }
   void close() {
     if (!recorder_) return;
@@ -211,7 +205,8 @@ void bind_evaluator(nb::module_& module) {
       .def_prop_ro("fell", &Self::fell, "so far")
       .def_prop_ro(
           "succeeded", [](const Self& self) { return self.metrics().succeeded; },
-          "so far: all criteria hold, and the controller has not stopped; None: not judged yet")
+          "so far: all criteria hold, the controller has not stopped, and no part of your own has "
+          "failed; None: not judged yet")
       .def_prop_ro("reason", &Self::reason, "why it stopped for safety, or fell")
       .def("close", &Self::close, "Completes the log.");
 }
@@ -232,11 +227,12 @@ void bind_aligner(nb::module_& module) {
       .def(
           "update",
           [](BoundAligner& self, const BoundPlant& plant, const BoundController& of) {
-            check_robots(plant, of);
-            if (!self.has_begun && of.ticks() > 1)
-              throw Error("the controller has made " + std::to_string(of.ticks()) +
-                          " ticks already; an Aligner that is updated from the first on knows "
-                          "where the worlds lie");
+            plant.check_controller_of(of.robot().name);
+            if (!self.has_begun && plant->time() > kTimeRounding)
+              throw Error(
+                  formatted("the run is at %g s already; an Aligner that is updated from the first "
+                            "tick on knows where the worlds lie",
+                            plant->time()));
             self.has_begun = true;
             return self.aligner.update(plant->truth(), of->record());
           },

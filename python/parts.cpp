@@ -63,22 +63,12 @@ struct BoundPart {
 void check_update(nb::handle object, nb::handle base, bool asks_library, const char* takes) {
   const std::string name = text_of(object.type().attr("__name__"));
   const nb::object update = object.attr("update");
-  if (nb::object(object.type().attr("update")).is(base.attr("update"))) {
+  const nb::object function = nb::getattr(update, "__func__", update);
+  if (function.is(base.attr("update"))) {
     if (asks_library) return;
     throw Error(name + " has no update(self, " + takes + ")");
   }
-  const std::string arguments =
-      "lambda f: __import__('inspect').signature(f).bind(" + std::string(takes) + ")";
-  nb::dict names;
-  for (const char* each : {"user", "state", "dynamics", "last", "reading", "context"})
-    names[each] = nb::none();
-  try {
-    (void)nb::module_::import_("builtins").attr("eval")(arguments, names)(update);
-  } catch (nb::python_error& error) {
-    if (!error.matches(PyExc_TypeError)) return;  // a compiled one does not tell
-    throw Error(name + ".update(): " + text_of(nb::borrow<nb::object>(error.value())) +
-                "; update(self, " + takes + ") would be valid");
-  }
+  nb::module_::import_("surefoot._arguments").attr("check_takes")(name + ".update", update, takes);
 }
 
 /// Before a controller takes it: what it remembers of another run is gone.

@@ -20,7 +20,12 @@ class BoundPlant : public Lent<simulation::Plant> {
   BoundPlant(const config::Scenario& scenario, simulation::Plant& of_run)
       : Lent(of_run, "plant"), robot_(scenario.robot.name), base_(scenario.robot.base_link) {}
 
-  [[nodiscard]] const std::string& robot() const { return robot_; }
+  /// Throws Error unless a controller is of the same robot.
+  void check_controller_of(const std::string& robot) const {
+    if (robot == robot_) return;
+    throw Error("plant is of the robot " + robot_ + ", and the controller of " + robot +
+                "; both of the same scenario would be valid");
+  }
   [[nodiscard]] const std::string& base() const { return base_; }
   Changes changes;
 

@@ -49,7 +49,9 @@ void bind_result(nb::module_& module) {
   nb::class_<Self>(module, "Result", "How a run went.")
       .def_prop_ro(
           "succeeded", [](const Self& self) { return self.run.metrics.succeeded; },
-          "all criteria held, and the controller did not stop; None: not judged")
+          "all criteria held, the controller did not stop, and no part of your own failed; None: "
+          "not "
+          "judged")
       .def_prop_ro(
           "reason", [](const Self& self) { return self.run.metrics.reason; }, "why it ended")
       .def_prop_ro(

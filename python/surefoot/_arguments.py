@@ -143,6 +143,16 @@ def checked(given: F) -> F:
     return call  # type: ignore[return-value]
 
 
+def check_takes(name: str, function: Callable[..., Any], names: str) -> None:
+    """Of a function that the library calls with these arguments, "user, state"."""
+    try:
+        inspect.signature(function).bind(*names.split(", "))
+    except TypeError as error:
+        raise Error(f"{name}(): {error}; a function of {names} would be valid") from None
+    except ValueError:  # a compiled one does not tell
+        pass
+
+
 def unbound(name: str, error: str, signature: inspect.Signature, kwargs: Mapping[str, Any]) -> ArgumentError:
     takes = [one for one in signature.parameters if one != "self"]
     near = next((found[0] for each in kwargs if each not in takes and (found := difflib.get_close_matches(each, takes, n=1))), None)

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import contextlib
 import hashlib
-import inspect
 import io
 import json
 import os
@@ -17,7 +16,7 @@ from typing import TYPE_CHECKING, Any
 
 from surefoot import _core
 from surefoot._core import Error, Estimator, Gait, Planner, Result, Robot, Scenario, Tick
-from surefoot._arguments import checked
+from surefoot._arguments import check_takes, checked
 from surefoot._errors import told_as_error
 from surefoot.control import load_scenario
 from surefoot.stack import Stack
@@ -52,18 +51,9 @@ def run(
     if isinstance(scenario, Scenario) and (seed, [*set], robot, stack, gaits) != (0, [], None, None, None):
         raise Error("seed, set, robot, stack and gaits are for a scenario's name: give them to load_scenario()")
     if every_tick is not None:
-        check_takes_a_tick(every_tick)
+        check_takes("every_tick", every_tick, "tick")
     given = scenario if isinstance(scenario, Scenario) else load_scenario(scenario, seed, set, robot=robot, stack=stack, gaits=gaits)
     return _core.run_scenario(given, None if record is None else os.fspath(record), every_tick, estimator, planner)
-
-
-def check_takes_a_tick(function: Callable[[Tick], None]) -> None:
-    try:
-        inspect.signature(function).bind(None)
-    except TypeError as error:
-        raise Error(f"every_tick is called with the run's Tick: {error}; a function of one argument would be valid") from None
-    except ValueError:  # a compiled one does not tell
-        pass
 
 
 class Campaign:
@@ -134,7 +124,7 @@ def campaign(spec: str | os.PathLike[str] | Mapping[str, Any], *, out: str | os.
         path = pathlib.Path(folder) / "campaign.yaml" if isinstance(spec, Mapping) else pathlib.Path(spec)
         try:
             if isinstance(spec, Mapping):
-                stacks = pathlib.Path(out or pathlib.Path("results") / str(spec.get("name", path.stem))).absolute() / "stacks"
+                stacks = pathlib.Path(out or pathlib.Path("results") / str(spec["name"])).absolute() / "stacks"
                 path.write_text(json.dumps(with_stacks_as_files(spec, stacks)))  # JSON is YAML
             loaded = load_spec(path)
             plan = make_plan(loaded, program, workers)

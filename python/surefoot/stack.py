@@ -46,7 +46,9 @@ class Task:
         return made
 
     def __eq__(self, other: object) -> bool:
-        return isinstance(other, Task) and not isinstance(self, OwnTask) and yaml_of(as_level(self)) == yaml_of(as_level(other)) or self is other
+        if isinstance(self, OwnTask) or not isinstance(other, Task) or isinstance(other, OwnTask):
+            return self is other
+        return (self.task, self.name, self.weight, self.parameters) == (other.task, other.name, other.weight, other.parameters)
 
     def __hash__(self) -> int:
         return hash((self.task, self.name))
@@ -54,7 +56,7 @@ class Task:
     def __getattr__(self, name: str) -> Any:
         if name in ("task", "name", "weight", "parameters"):
             raise Error(f"{type(self).__name__}.__init__ must call super().__init__(name) first")
-        raise AttributeError(f"a {type(self).__name__} has no {name}")
+        return object.__getattribute__(self, name)  # raises again what a property raised
 
     def __repr__(self) -> str:
         words = [repr(self.task)] + [repr(self.name)] * (self.name != self.task)
@@ -271,10 +273,12 @@ class Stack:
         return level in self.level_names or level in self._parsed()
 
     def __eq__(self, other: object) -> bool:
-        return isinstance(other, Stack) and self.text() == other.text() and self.own_tasks == other.own_tasks
+        if not isinstance(other, Stack):
+            return False
+        return (self.name, self._weighted_from, self.levels()) == (other.name, other._weighted_from, other.levels())
 
     def __hash__(self) -> int:
-        return hash(self.text())
+        return hash((self.name, self._weighted_from, tuple(level.name for level in self.levels())))
 
     def __len__(self) -> int:
         return len(self._parsed())

@@ -78,7 +78,7 @@ class Recorded:
     @cached_property
     def _summary(self) -> dict[str, Any]:
         if SUMMARY not in self._log.attachments:
-            raise KeyError(f"{self._log.path} has no metrics: its run was cut off before it was judged")
+            raise KeyError(f"{self._log.path} has no metrics, as of a run that was cut off")
         found: dict[str, Any] = json.loads(self._log.attachments[SUMMARY])
         return found
 
@@ -187,9 +187,10 @@ class Recorded:
         """A figure of the report, as "com_tracking" (the paper's Fig. 4) or "terrain_adaptation" (Fig. 6), or channels over time, those of one unit
         in one plot. path: where to write it too, as .pdf, .svg or .png. Without a name it draws "com_tracking"."""
         with told_as_error():
-            figure: Figure = figure_of(self, names or ("com_tracking",))
             if path is not None:
                 _check_folder(path)
+            figure: Figure = figure_of(self, names or ("com_tracking",))
+            if path is not None:
                 figure.savefig(os.fspath(path))
         return figure
 
@@ -205,9 +206,10 @@ class Recorded:
         from surefoot_log.pictures import make_picture
 
         with told_as_error():
-            image = make_picture(self._log, time, size)
             if path is not None:
                 _check_folder(path)
+            image = make_picture(self._log, time, size)
+            if path is not None:
                 image.save(os.fspath(path))
         return image
 

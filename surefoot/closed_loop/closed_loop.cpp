@@ -214,8 +214,8 @@ class ClosedLoop {
     result.fault = controller_.fault();
     if (result.safety_stop && !is_cut) {
       result.metrics.reason = stop_.reason(evaluator_.fall());
-    } else if (!result.fault.empty() && !is_cut) {
-      result.metrics.reason += ", and a part of your own failed: " + result.fault;
+    } else if (!is_cut) {
+      result.metrics.reason = with_fault(result.metrics.reason, result.fault);
     }
     const bool is_short =
         ending == Ending::finished && result.metrics.duration_s < scenario_.judged_after - 1e-9;

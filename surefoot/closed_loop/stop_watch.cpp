@@ -6,6 +6,10 @@
 
 namespace surefoot::closed_loop {
 
+std::string with_fault(const std::string& reason, const std::string& fault) {
+  return fault.empty() ? reason : reason + ", and a part of your own failed: " + fault;
+}
+
 StopWatch::StopWatch(const model::RobotDescription& robot)
     : joints_(told_joints(robot.joint_names(), robot.num_legs())) {}
 

@@ -9,6 +9,9 @@
 
 namespace surefoot::closed_loop {
 
+/// A run's reason with what a part of the user's own did wrong, if anything.
+[[nodiscard]] std::string with_fault(const std::string& reason, const std::string& fault);
+
 /// When a controller stopped for safety, and why.
 class StopWatch {
  public:

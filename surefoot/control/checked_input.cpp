@@ -38,10 +38,9 @@ std::string_view what_is_wrong(const MotionPlan& plan, const model::RobotDescrip
   if (!std::ranges::all_of(plan.feet, has_limits))
     return "the planner's plan has a foot with friction or force_max below 0, or with force_min "
            "above force_max";
-  const auto stands = [](const FootPlan& foot) { return foot.phase == LegPhase::stance; };
-  const auto carries = [](const FootPlan& foot) { return foot.force_max > 0.0; };
-  if (std::ranges::any_of(plan.feet, stands) && std::ranges::none_of(plan.feet, carries))
-    return "the planner's plan has standing feet, but each has force_max 0: none may carry weight";
+  const auto is_at_first = [&](const FootPlan& foot) { return foot.p_WF == plan.feet[0].p_WF; };
+  if (std::ranges::all_of(plan.feet, is_at_first))
+    return "the planner's plan is empty: it has all feet at one place";
   const TorsoPlan& torso = plan.torso;
   const bool is_torso_known = torso.q_WB.coeffs().allFinite() && torso.w_WB.allFinite() &&
                               torso.wdot_WB.allFinite() && std::isfinite(torso.height) &&

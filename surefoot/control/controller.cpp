@@ -102,11 +102,8 @@ void Controller::Implementation::begin_tick(const SensorReading& reading,
   if (observer != nullptr) observer->tick_begins();
   record.reading = reading;
   const auto num_joints = static_cast<Eigen::Index>(model.description().num_joints());
-  if (reading.q.size() != num_joints || reading.torque.size() != num_joints) {
-    record.reading.q = record.reading.torque = JointVector::Constant(num_joints, kNaN);
-    fault.clear();
+  if (reading.q.size() != num_joints || reading.torque.size() != num_joints)
     fault.set("the reading does not have the robot's number of joints");
-  }
   size_joints(record, model.description().num_joints(), model.description().num_legs());
   record.user = limited(user);
 }

@@ -114,8 +114,9 @@ class Controller {
   [[nodiscard]] std::string row_name(int level, int id) const;
   /// A copy of all row names, by level and id.
   [[nodiscard]] std::vector<std::vector<std::string>> row_names() const;
-  /// What a part of your own did wrong last, naming it: "task "my_task" threw: ..."; empty if
-  /// nothing. If it goes on, the controller sits down with `StopCause::own_part`.
+  /// What a part of your own did wrong last, naming it: "task "my_task" threw: ...", or that a
+  /// reading is of another robot; empty if nothing. If it goes on, the controller sits down with
+  /// `StopCause::own_part`.
   [[nodiscard]] std::string fault() const;
   /// The user's own among its parts: "estimator", "planner", "gait my_gait", "task my_task".
   [[nodiscard]] std::vector<std::string> own_parts() const;

@@ -66,23 +66,31 @@ class LimbFinder {
   const std::map<std::string, model::Weld>& welds_;
 };
 
-/// Finds the joints that place the foot of a leg. Four limbs or more of as many hinges, and more
-/// than three, are legs if three joints of each can.
+/// Four limbs or more of as many hinges, and more than three, are legs if three joints of each can
+/// place its foot.
 void find_placing_joints(const model::Urdf& urdf, const std::string& base,
                          std::vector<Limb>& limbs) {
-  for (Limb& limb : limbs) {
-    if (limb.no_leg.empty()) limb.placing = limb.joints;
-    const auto num_alike = std::ranges::count_if(limbs, [&](const Limb& other) {
-      return other.is_chain && other.joints.size() == limb.joints.size();
-    });
-    const bool is_long = limb.joints.size() > kJointsPerLeg && limb.joints.size() <= kMaxLegJoints;
-    if (!limb.is_chain || !is_long || num_alike < kNumLegs) continue;
-    std::vector<const model::UrdfJoint*> chain;
-    for (const model::UrdfJoint& joint : limb.joints) chain.push_back(&joint);
-    const std::vector<const model::UrdfJoint*> placing = model::placing_joints(urdf, base, chain);
-    if (placing.size() < kJointsPerLeg) continue;
-    for (const model::UrdfJoint* joint : placing) limb.placing.push_back(*joint);
-    limb.no_leg.clear();
+  for (std::size_t num_joints = kJointsPerLeg + 1; num_joints <= kMaxLegJoints; ++num_joints) {
+    std::vector<Limb*> alike;
+    for (Limb& limb : limbs)
+      if (limb.is_chain && limb.joints.size() == num_joints) alike.push_back(&limb);
+    if (alike.size() < kNumLegs) continue;
+    for (Limb* limb : alike) {
+      std::vector<const model::UrdfJoint*> chain;
+      for (const model::UrdfJoint& joint : limb->joints) chain.push_back(&joint);
+      limb->placing.clear();
+      for (const model::UrdfJoint* joint : model::placing_joints(urdf, base, chain))
+        limb->placing.push_back(*joint);
+    }
+    const auto can_place = [](const Limb* limb) { return limb->placing.size() == kJointsPerLeg; };
+    const bool are_legs = std::ranges::all_of(alike, can_place);
+    for (Limb* limb : alike) {
+      if (are_legs) {
+        limb->no_leg.clear();
+      } else if (!can_place(limb)) {
+        limb->no_leg += ", and no three turn about x, y and y of the base";
+      }
+    }
   }
 }
 
@@ -99,6 +107,14 @@ model::Urdf with_further_joints_held(model::Urdf urdf, const std::vector<Limb>& 
     }
   }
   return urdf;
+}
+
+/// From the other limbs to the legs those that have further joints.
+void take_long_legs(const model::Urdf& urdf, Anatomy& anatomy, std::vector<Limb>& legs) {
+  find_placing_joints(urdf, anatomy.base, anatomy.others);
+  for (const Limb& limb : anatomy.others)
+    if (limb.no_leg.empty()) legs.push_back(limb);
+  std::erase_if(anatomy.others, [](const Limb& limb) { return limb.no_leg.empty(); });
 }
 
 std::string heaviest_link(const model::Urdf& urdf, const Anatomy& anatomy) {
@@ -225,23 +241,20 @@ Anatomy find_anatomy(const model::Urdf& urdf, Findings& findings) {
   find_base(urdf, finder, anatomy, findings);
   anatomy.torso = heaviest_link(urdf, anatomy);
   std::vector<Limb> limbs;
-  for (const model::UrdfJoint& joint : finder.moving_from(anatomy.base))
-    limbs.push_back(finder.limb(joint));
-  find_placing_joints(urdf, anatomy.base, limbs);
+  for (const model::UrdfJoint& joint : finder.moving_from(anatomy.base)) {
+    Limb limb = finder.limb(joint);
+    if (limb.no_leg.empty()) limb.placing = limb.joints;
+    (limb.no_leg.empty() ? limbs : anatomy.others).push_back(std::move(limb));
+  }
+  if (limbs.size() < kNumLegs) find_flat_legs(urdf, anatomy);
+  if (!anatomy.flat_legs) take_long_legs(urdf, anatomy, limbs);
   const model::Urdf held = with_further_joints_held(urdf, limbs);
   const std::map<std::string, model::Weld> welds = model::welds(held);
   const FootFinder feet(held, welds);
   std::vector<FoundLeg> legs;
-  for (Limb& limb : limbs) {
-    if (limb.no_leg.empty()) {
-      legs.push_back(measured_leg(limb, welds, feet));
-    } else {
-      anatomy.others.push_back(std::move(limb));
-    }
-  }
+  for (const Limb& limb : limbs) legs.push_back(measured_leg(limb, welds, feet));
   keep_lowest(legs, anatomy);
   Findings of_legs;
-  if (legs.size() < kNumLegs) find_flat_legs(urdf, anatomy);
   if (anatomy.flat_legs) {
     for (const FoundLeg& leg : legs) {
       anatomy.others.push_back(

@@ -4,6 +4,7 @@
 #include "surefoot/model/leg_chain.hpp"
 #include "surefoot/model/urdf.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
@@ -50,6 +51,15 @@ struct FoundLeg {
   Vec3 tip = Vec3::Zero();  ///< centre of the foot sphere in B at q = 0 [m]
   double thigh = 0.0;       ///< HFE axis to KFE axis [m]
   double shank = 0.0;       ///< KFE axis to sphere centre [m]
+
+  /// Those of all joints that do not place the foot, and are held.
+  [[nodiscard]] std::vector<model::UrdfJoint> further() const {
+    std::vector<model::UrdfJoint> held;
+    for (const model::UrdfJoint& joint : all_joints)
+      if (std::ranges::find(joints, joint.name, &model::UrdfJoint::name) == joints.end())
+        held.push_back(joint);
+    return held;
+  }
 };
 
 /// One of two legs with flat feet.

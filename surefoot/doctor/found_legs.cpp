@@ -23,15 +23,20 @@ bool tell_other_legs(const Anatomy& anatomy, Findings& findings) {
     };
     const auto count = std::ranges::count_if(anatomy.others, is_alike);
     if (!limb.is_chain || count < kNumLegs) continue;
-    std::string last;
-    for (const Limb& other : anatomy.others)
-      if (is_alike(other)) last += " " + other.joints.back().name;
+    std::string last, wrong;
+    for (const Limb& other : anatomy.others) {
+      if (!is_alike(other)) continue;
+      last += " " + other.joints.back().name;
+      if (other.placing.size() < kJointsPerLeg) wrong += " " + other.joints.front().name;
+    }
     const std::string hinges = std::to_string(limb.joints.size()) + " hinges";
     findings.push_back(
         {Severity::error, Confidence::certain, "joint \"" + limb.joints.front().name + "\"",
          limb.joints.front().line,
          "here begins one of " + std::to_string(count) + " limbs of " + hinges +
-             " each, of which no three turn about x, y and y of the base, as HAA, HFE and KFE",
+             " each; no three of them turn about x, y and y of the base, as HAA, HFE and KFE, in "
+             "those that begin with" +
+             wrong,
          limb.joints.size() > kJointsPerLeg
              ? "if they are legs, name by `joints` in the robot file those that place the foot "
                "(docs/robots.md, further joints), or make fixed what they can walk without:" +
@@ -100,9 +105,7 @@ void tell_held(const Anatomy& anatomy, Findings& findings) {
   std::string names;
   int line = 0;
   for (const FoundLeg& leg : *anatomy.legs) {
-    for (const model::UrdfJoint& joint : leg.all_joints) {
-      if (std::ranges::find(leg.joints, joint.name, &model::UrdfJoint::name) != leg.joints.end())
-        continue;
+    for (const model::UrdfJoint& joint : leg.further()) {
       if (line == 0) line = joint.line;
       names += " " + joint.name;
     }

@@ -6,7 +6,7 @@ namespace surefoot::doctor {
 
 class FootFinder;
 
-/// A limb of three hinges, with its foot and its lengths.
+/// A limb that three joints place, with its foot and its lengths; the others are held at 0.
 [[nodiscard]] FoundLeg measured_leg(const Limb& limb,
                                     const std::map<std::string, model::Weld>& welds,
                                     const FootFinder& feet);

@@ -17,11 +17,7 @@ std::string joints_text(const std::vector<model::UrdfJoint>& joints) {
 
 /// "LF_HAA LF_HFE LF_KFE, held: LF_YAW"
 std::string joints_text(const FoundLeg& leg) {
-  std::vector<model::UrdfJoint> held;
-  for (const model::UrdfJoint& joint : leg.all_joints) {
-    if (std::ranges::find(leg.joints, joint.name, &model::UrdfJoint::name) == leg.joints.end())
-      held.push_back(joint);
-  }
+  const std::vector<model::UrdfJoint> held = leg.further();
   return joints_text({leg.joints.begin(), leg.joints.end()}) +
          (held.empty() ? "" : ", held: " + joints_text(held));
 }
@@ -75,7 +71,7 @@ std::string flat_legs_table(const FlatLegs& found) {
 std::string limbs_text(const Anatomy& anatomy) {
   std::string text;
   for (const FoundLeg& leg : anatomy.loose) {
-    text += "limb of three hinges: " + joints_text(leg) +
+    text += "limb like a leg: " + joints_text(leg) +
             formatted(", hip at x = %.3g, y = %.3g m, foot ", leg.hip.x(), leg.hip.y()) +
             leg.foot.link + "\n";
   }

@@ -19,7 +19,8 @@ constexpr ShownUnit kRealTime{"× real time"};
 
 std::vector<Metric> all_metrics() {
   return {
-      {"succeeded", &M::succeeded, kNone, none, varies, "all criteria hold", kTitle},
+      {"succeeded", &M::succeeded, kNone, none, varies,
+       "all criteria hold, no stop, no failed own part", kTitle},
       {"reason", &M::reason, kNone, none, varies, "why the run ended", kTitle},
       {"goal_reached", &M::goal_reached, kNone, none, grows, "the scenario's goal was reached"},
       {"fell", &M::fell, kNone, none, grows,

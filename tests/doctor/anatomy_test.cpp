@@ -132,6 +132,16 @@ TEST_F(Anatomy, of_four_limbs_that_no_three_joints_place_says_what_to_make_fixed
   EXPECT_TRUE(test::holds(legs.remedy, "LF_ADAPTER_TO_FOOT"));
 }
 
+TEST_F(Anatomy, of_four_long_legs_names_the_one_that_no_three_joints_place) {
+  replace_all("(name=\"(LF|RF|LH|RH)_ADAPTER_TO_FOOT\" type=)\"fixed\"", "$1\"revolute\"");
+  change("<joint name=\"RH_HAA\"", "<axis xyz=\"1 0 0\"/>", "<axis xyz=\"0 0 1\"/>");
+  const Diagnosis robot = diagnosis();
+  EXPECT_FALSE(robot.anatomy.legs);
+  const Finding legs = test::finding(robot, Severity::error, "one of 4 limbs of 4 hinges each");
+  EXPECT_TRUE(test::holds(legs.what, "in those that begin with RH_HAA"));
+  EXPECT_FALSE(test::holds(legs.what, "LF_HAA"));
+}
+
 TEST_F(Anatomy, takes_the_four_lowest_of_five_limbs_for_legs) {
   change("</robot>", "</robot>", arm_with("") + "</robot>");
   const Diagnosis robot = diagnosis();
@@ -199,6 +209,14 @@ TEST_F(AnatomyOfG1, has_two_legs_with_flat_feet_and_three_arms) {
   ASSERT_EQ(robot.anatomy.others.size(), 3u);
   for (const Limb& limb : robot.anatomy.others) EXPECT_TRUE(limb.is_arm);
   EXPECT_TRUE(has(robot, Severity::note, "but does not walk"));
+}
+
+TEST_F(AnatomyOfG1, has_two_legs_also_if_its_arms_have_as_many_joints) {
+  replace_all("(name=\"(left|right)_wrist_yaw_joint\" type=)\"revolute\"", "$1\"fixed\"");
+  const Diagnosis robot = diagnosis();
+  EXPECT_FALSE(robot.anatomy.legs);
+  ASSERT_TRUE(robot.anatomy.flat_legs);
+  EXPECT_EQ(robot.anatomy.flat_legs->legs[0].foot, "left_ankle_roll_link");
 }
 
 TEST_F(AnatomyOfG1, with_a_leg_of_another_length_has_no_legs) {

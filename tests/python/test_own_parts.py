@@ -190,12 +190,12 @@ def hierarchy_outcome():
     return kept[0]
 
 
-def test_a_plan_in_which_nothing_carries_the_robot_is_told():
+def test_an_empty_plan_is_told():
     class Empty(surefoot.Planner):
         def update(self, user, state, dynamics, last):
             return surefoot.MotionPlan()
 
-    with pytest.warns(RuntimeWarning, match="standing feet, but each has force_max 0: none may carry weight"):
+    with pytest.warns(RuntimeWarning, match="the planner's plan is empty: it has all feet at one place"):
         assert not surefoot.run("walk_flat_ideal", set=["duration=1"], planner=Empty()).succeeded
 
 
@@ -214,7 +214,7 @@ def test_feet_whose_limits_make_no_sense_are_told(change):
 
 @pytest.mark.parametrize("methods, said", [
     ({"updat": lambda self, user, state, dynamics, last: None}, r"Mine has no update\(self, user, state, dynamics, last\)"),
-    ({"update": lambda self, user, state: None}, r"Mine.update\(\): too many positional arguments; update\(self, user, state, dynamics, last\) would be valid"),
+    ({"update": lambda self, user, state: None}, r"Mine.update\(\): too many positional arguments; a function of user, state, dynamics, last would be valid"),
 ])  # fmt: skip
 def test_a_planner_without_the_right_update_is_refused(methods, said):
     with pytest.raises(surefoot.Error, match=said):

@@ -214,7 +214,7 @@ def test_an_evaluator_and_an_aligner_are_of_one_robot_and_from_the_first_tick_on
         with pytest.raises(surefoot.Error, match="plant is of the robot go1, and the controller of anymal_b"):
             call()
     controller.step(plant.read(), scenario.user(0))
-    with pytest.raises(surefoot.Error, match="the controller has made 2 ticks already"):
+    with pytest.raises(surefoot.Error, match="the run is at 0.0025 s already; an Aligner that is updated from the first tick on"):
         surefoot.Aligner().update(plant, controller)
 
 
@@ -222,6 +222,8 @@ def test_the_hierarchy_of_a_tick_is_solved_again_and_certified(scenario):
     plant = surefoot.Plant(scenario)
     controller = surefoot.Controller(scenario, plant)
     assert controller.dynamics is None
+    with pytest.raises(surefoot.Error, match="no hierarchy was solved at the last tick"):
+        controller.problem
     for _ in range(5):
         command = controller.step(plant.read(), scenario.user(plant.time))
         truth = plant.truth
