@@ -9,6 +9,7 @@
 #include "surefoot/control/stack_reach.hpp"
 #include "surefoot/control/standing_torque.hpp"
 #include "surefoot/control/task_stack.hpp"
+#include "surefoot/gaits/parts/calibration_motion.hpp"
 #include "surefoot/model/frames.hpp"
 #include "surefoot/model/urdf.hpp"
 
@@ -122,6 +123,22 @@ JointVector read_posture(const ConfigNode& tree, const model::RobotModel& model,
   } catch (const Error& error) {
     fail_at(place_of_stance(tree), "", error.what());
   }
+}
+
+void check_calibration(const ConfigNode& tree, const Scenario& scenario) {
+  const gaits::CalibrationOptions& o = scenario.controller.planner.calibration;
+  const double least = gaits::CalibrationMotion::shortest_duration(o, scenario.robot.scale);
+  if (!scenario.robot.can_walk() || o.duration == 0.0 || o.duration >= least) return;
+  const ConfigNode* where = &tree;
+  for (const char* key : {"planner", "calibration", "duration"}) {
+    const ConfigNode* inside = where->find(key);
+    if (inside == nullptr) break;
+    where = inside;
+  }
+  fail_at(*where, "planner.calibration.duration",
+          formatted("%g s is too short for a turn by these angles; expected at least %g s, or 0 "
+                    "for none",
+                    o.duration, std::ceil(100.0 * least) / 100.0));
 }
 
 void fit_to_standing(const ConfigNode& tree, Scenario& scenario) {

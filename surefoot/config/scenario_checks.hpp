@@ -25,6 +25,8 @@ void check_reach(const ConfigNode& tree, const model::RobotModel& model,
 /// Of the stance, which the legs must reach.
 [[nodiscard]] JointVector read_posture(const ConfigNode& tree, const model::RobotModel& model,
                                        const gaits::StanceOptions& stance);
+/// A faster turn than legs of this size can make would let the robot fall.
+void check_calibration(const ConfigNode& tree, const Scenario& scenario);
 /// What a robot with flat feet can't do. Its legs have no names in a scenario, and its plan is for
 /// two.
 void fit_to_standing(const ConfigNode& tree, Scenario& scenario);

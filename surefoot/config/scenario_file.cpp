@@ -240,6 +240,7 @@ Scenario load_scenario(const ScenarioRequest& request) {
   scenario.plant.seed = request.seed;
   check_pushes(tree, scenario);
   find_reaches(tree, scenario);
+  check_calibration(tree, scenario);
   fit_to_standing(tree, scenario);
   scenario.notes = scenario_notes(tree, scenario);
   model::RobotModel model(scenario.robot);

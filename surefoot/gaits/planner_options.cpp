@@ -2,7 +2,6 @@
 
 #include "surefoot/base/fields.hpp"
 #include "surefoot/base/formatted.hpp"
-#include "surefoot/gaits/parts/calibration_motion.hpp"
 #include "surefoot/gaits/parts/com_planner.hpp"
 
 #include <algorithm>
@@ -275,16 +274,6 @@ Group fields(FootholdOptions& o) {
       {"void_radius", &o.void_radius, kPositive, "m", "around where a foot found no ground"}};
 }
 
-/// A faster turn would make the robot fall.
-void check_duration(const CalibrationOptions& o, const Given& given) {
-  const double least = CalibrationMotion::shortest_duration(o);
-  if (o.duration == 0.0 || o.duration >= least) return;
-  given.fail("duration",
-             formatted("%g s is too short for a turn by these angles; expected at least %g s, or 0 "
-                       "for none",
-                       o.duration, std::ceil(100.0 * least) / 100.0));
-}
-
 Group fields(CalibrationOptions& o) {
   return Group{{"duration", &o.duration, kNotNegative, "s",
                 "of turning on the spot before the first step; 0: none; a payload's height needs "
@@ -292,8 +281,7 @@ Group fields(CalibrationOptions& o) {
                {"settle", &o.settle, kNotNegative, "s", "standing still before it"},
                {"roll", &o.roll, kTilt, "rad", "amplitude, under a window that rises and falls"},
                {"pitch", &o.pitch, kTilt, "rad", "amplitude"},
-               {"yaw", &o.yaw, kTilt, "rad", "amplitude"}}
-      .with([&o](const Given& given) { check_duration(o, given); });
+               {"yaw", &o.yaw, kTilt, "rad", "amplitude"}};
 }
 
 Group fields(PushOptions& o) {

@@ -65,6 +65,8 @@ TEST(CalibrationMotion, InItsShortestDurationItsAccelerationsStayBounded) {
     for (double t = 0.0; t < 3.0; t += 0.0025)
       most = std::max(most, motion.at(t).a.cwiseAbs().maxCoeff());
     EXPECT_LT(most, 50.0) << trial;
+    EXPECT_NEAR(CalibrationMotion::shortest_duration(options, {.length = 4.0}),
+                2.0 * options.duration, 1e-12);
   }
 }
 

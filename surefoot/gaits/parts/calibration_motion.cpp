@@ -6,6 +6,7 @@
 namespace surefoot::gaits {
 namespace {
 
+// Of a robot of scale 1.
 constexpr double kWeighingDuration = 1.3;  // [s]
 constexpr double kFollowDuration = 1.0;    // until the COM has moved to its corrected place [s]
 constexpr double kMinTurnDuration = 1.0;   // [s]
@@ -35,9 +36,9 @@ CalibrationMotion::CalibrationMotion(const CalibrationOptions& options, const Sc
       weighing_(scale.time() * kWeighingDuration),
       following_(scale.time() * kFollowDuration) {}
 
-double CalibrationMotion::shortest_duration(const CalibrationOptions& options) {
+double CalibrationMotion::shortest_duration(const CalibrationOptions& options, const Scale& scale) {
   const double most = amplitudes_of(options).cwiseProduct(kPeriods.cwiseAbs2()).maxCoeff();
-  return std::max(kMinTurnDuration, 2.0 * kPi * std::sqrt(most / kMaxAcceleration));
+  return scale.time() * std::max(kMinTurnDuration, 2.0 * kPi * std::sqrt(most / kMaxAcceleration));
 }
 
 double CalibrationMotion::duration() const {

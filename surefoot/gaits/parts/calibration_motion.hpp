@@ -26,7 +26,8 @@ class CalibrationMotion {
 
   /// Shortest duration in which legs and ground can turn the torso by the options' amplitudes [s]:
   /// accelerations are about (2π n / T)² A.
-  [[nodiscard]] static double shortest_duration(const CalibrationOptions& options);
+  [[nodiscard]] static double shortest_duration(const CalibrationOptions& options,
+                                                const Scale& scale = {});
 
   /// From the beginning of the first stage to the end of the last [s]; 0 without a motion.
   [[nodiscard]] double duration() const;
