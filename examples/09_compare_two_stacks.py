@@ -21,7 +21,7 @@ with tempfile.TemporaryDirectory() as folder:
             "scenario": "walk_flat_ideal",
             "seeds": list(range(1, SEEDS + 1)),
             "cases": {name: {"stack": str(file)} for name, file in files.items()},
-            "set": {"duration": 3.0, "judged_after": 3.0, "disturbances.pushes.side.time": 1.5, "disturbances.pushes.side.force.y": 60.0},
+            "set": {"duration": 3.0, "criteria": None, "disturbances.pushes.side.time": 1.5, "disturbances.pushes.side.force.y": 60.0},
             "judge": "com_error_max_m",
         },
         out=pathlib.Path(folder) / "results",

@@ -120,7 +120,10 @@ class HandEvaluator {
   }
   [[nodiscard]] std::vector<CriterionResult> criteria(const evaluation::Metrics& metrics) const {
     const bool has_ended = evaluator_.fell() || stop_.has_stopped() || goal_.reached() == true;
-    const bool is_short = !has_ended && metrics.duration_s < scenario_.judged_after - 1e-9;
+    // A loop by hand may stop before the scenario does.
+    const double needed =
+        std::isnan(scenario_.judged_after) ? scenario_.duration : scenario_.judged_after;
+    const bool is_short = !has_ended && metrics.duration_s < needed - 1e-9;
     return evaluation::evaluate(scenario_.criteria, metrics,
                                 is_short ? evaluation::Extent::part : evaluation::Extent::whole);
   }

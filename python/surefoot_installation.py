@@ -27,7 +27,7 @@ def other_python() -> str | None:
     modules = {file.name for file in (SITE / "surefoot").glob("_core.*so")}
     if modules and not modules & {f"_core{suffix}" for suffix in importlib.machinery.EXTENSION_SUFFIXES}:
         return (f"{SITE} has Surefoot for another Python ({', '.join(modules)}), and this is {this_python()}: "
-                f"install it with `{sys.executable} -m pip install surefoot`")  # fmt: skip
+                f"install a wheel for it: `{sys.executable} -m pip install FILE.whl`")  # fmt: skip
     return None
 
 

@@ -41,7 +41,7 @@ were refused by the program; 2 the input is wrong, or the campaign was interrupt
 
 Examples:
   surefoot campaign step_down_height --dry-run
-  surefoot campaign campaigns/step_down_height.yaml --jobs 2 --out results/steps
+  surefoot campaign step_down_height --jobs 2 --out results/steps
 """
 
 

@@ -21,6 +21,8 @@ from surefoot_campaign.text import aligned, asked_of, in_words, pretty, printabl
 
 SEEDS, JOBS = 10, 2
 FIRST = "step_down"  # its pictures come first
+REPORT, PICTURES = 4.0, 4.0  # what a run's report takes, and its pictures, in the run's own time
+CUT = "cut off"  # the verdict of an experiment that lacks seeds
 DEFAULT_FOLDER = pathlib.Path("results/demo")
 MOST_SEEDS, MOST_JOBS = 1_000_000, 1000
 EPILOG = f"""Experiments, each with a report:
@@ -31,7 +33,7 @@ With --view one of them is shown instead, walking down the step; the other optio
 with it: --no-wait, --port, --listen, --token and --view-clients.
 
 Exit codes: 0 every experiment came out as it must, 1 one did not, 2 the input is wrong or the demo
-was interrupted (experiments that were whole by then stay, with their index).
+was interrupted (runs that were reported by then stay, with their index).
 
 Examples:
   surefoot demo --seeds 3 --jobs 2 --out out
@@ -41,7 +43,7 @@ Examples:
 
 @dataclass
 class Row:
-    """A line of the demo's table."""
+    """A line of the demo's table, and a card of its page."""
 
     name: str
     description: str
@@ -51,7 +53,7 @@ class Row:
     measured: str  # all
     seeds: str
     paper: str
-    verdict: str  # "✓", "✗", or "as found"
+    verdict: str  # "✓", "✗", "as found" or CUT
     report: str  # path of its report, relative to the page; empty: none
     picture: str = ""  # of a picture of it
 
@@ -108,7 +110,7 @@ def measured(experiment, run):
     return ", ".join(texts)
 
 
-def summarise(experiment, about, rows, out):
+def summarise(experiment, about, rows, out, is_whole):
     """The experiment's line, from its rows: nominal, then seeds."""
     nominal, *seeds = rows
     passed = nominal["succeeded"] and enough_succeeded(about, seeds)
@@ -121,7 +123,7 @@ def summarise(experiment, about, rows, out):
         measured=measured(experiment, nominal),
         seeds=seeds_line(about, seeds_json(about, seeds)) if seeds else "",
         paper=", ".join(f"{metric} {figure}" for metric, figure in about["paper"].items() if metric in experiment.shown),
-        verdict="as found" if experiment.as_found else "✓" if passed else "✗",
+        verdict=CUT if not is_whole else "as found" if experiment.as_found else "✓" if passed else "✗",
         report="" if "crashed" in nominal else f"{experiment.name}/index.html",
         picture=picture_of(out, experiment),
     )
@@ -147,6 +149,24 @@ def remove_results(experiment, out):
     shutil.rmtree(folder / "figures", ignore_errors=True)
 
 
+class Links:
+    """Lines of nominal runs with the links to their reports, FIRST's before all others."""
+
+    def __init__(self, out):
+        self.out, self.waiting, self.has_begun = out, [], False
+
+    def __call__(self, name, seed, row):
+        if seed:
+            return []
+        self.waiting.append(f"{name}: {row['reason']}{link_to(self.out / name, row)}")
+        if name == FIRST:
+            self.waiting.insert(0, self.waiting.pop())
+            self.has_begun = True
+        lines = self.waiting if self.has_begun else []
+        self.waiting = [] if self.has_begun else self.waiting
+        return lines
+
+
 def make_demo(program, arguments, out):
     jobs = arguments.jobs or JOBS
     for result in ("index.html", "results.json"):
@@ -157,26 +177,29 @@ def make_demo(program, arguments, out):
         about = dict(zip([one.name for one in EXPERIMENTS], pool.map(lambda one: program.about(one.words()), EXPERIMENTS)))
     of = {experiment.name: tasks_of(experiment, program, arguments, out) for experiment in EXPERIMENTS}
     tasks = sorted((task for of_one in of.values() for task in of_one), key=lambda task: (task.id[1] > 0, task.id[0] != FIRST))
-    seconds = sum(about[task.id[0]]["cost"]["wall_time_s"] for task in tasks) / jobs
+    reported = 1.0 + REPORT + PICTURES * (not arguments.no_pictures)
+    seconds = sum(about[task.id[0]]["cost"]["wall_time_s"] * (1.0 if task.id[1] else reported) for task in tasks) / jobs
     print(f"{len(of)} experiments of the paper in {len(tasks)} runs, {jobs} at a time: about {duration_text(seconds)}, {FIRST} first; "
           f"reports go to {out}", file=sys.stderr)  # fmt: skip
-    found = run_rows("experiments", tasks, jobs, lambda name, seed, row: [] if seed else [f"{name}: {row['reason']}{link_to(out / name, row)}"])
-    whole = [one for one in EXPERIMENTS if all(task.id in found for task in of[one.name])]
-    for experiment in (one for one in EXPERIMENTS if one not in whole):
+    found = run_rows("experiments", tasks, jobs, Links(out))
+    begun = [one for one in EXPERIMENTS if (one.name, 0) in found]
+    for experiment in (one for one in EXPERIMENTS if one not in begun):
         remove_results(experiment, out)
         remove_if_empty(out / experiment.name)
-    if not whole:
+    if not begun:
         return tell("interrupted: no results")
-    rows_of = {one.name: [found[task.id] for task in of[one.name]] for one in whole}
-    rows = [summarise(one, about[one.name], rows_of[one.name], out) for one in whole]
+    rows_of = {one.name: [found[task.id] for task in of[one.name] if task.id in found] for one in begun}
+    whole = [one for one in begun if len(rows_of[one.name]) == len(of[one.name])]
+    rows = [summarise(one, about[one.name], rows_of[one.name], out, one in whole) for one in begun]
     print_rows(rows)
     (out / "results.json").write_text(json.dumps(sum(rows_of.values(), []), indent=1, ensure_ascii=False) + "\n")
     cut = "" if len(whole) == len(of) else "interrupted; "
-    page = demo_page(rows, f"{cut}Bellicoso et al., Humanoids 2016, in simulation; surefoot {about[whole[0].name]['version']}", FIRST)
+    page = demo_page(rows, f"{cut}Bellicoso et al., Humanoids 2016, in simulation; surefoot {about[begun[0].name]['version']}", FIRST)
     (out / "index.html").write_text(page)
     print(f"\nreport: {out / 'index.html'}", flush=True)
     if cut:
-        return tell(f"interrupted: {len(whole)} of {len(of)} experiments are whole")
+        lacking = len(begun) - len(whole)
+        return tell(f"interrupted: {len(whole)} of {len(of)} experiments are whole" + (f", {lacking} lack seeds" if lacking else ""))
     return FAILED if any(row.verdict == "✗" for row in rows) else PASSED
 
 

@@ -33,7 +33,7 @@ article img { width: 100%; aspect-ratio: 2; object-fit: cover; object-position: 
 <p>A four-legged robot that does not see the ground walks, steps down and up, and is pushed: simulated just now, with the paper's figure below each
 of ours. Green came out as it must; a picture leads to the run's report.</p>
 """
-STYLES = {"✓": ("ok", "✓ as it must be"), "✗": ("bad", "✗ not as it must be")}
+STYLES = {"✓": ("ok", "✓ as it must be"), "✗": ("bad", "✗ not as it must be"), "cut off": ("found", "seeds cut off")}
 AS_FOUND = ("found", "as found")  # any result is one
 
 
@@ -55,8 +55,9 @@ def in_order(rows, first):
 
 
 def counted(rows):
-    good, bad = (sum(row.verdict == sign for row in rows) for sign in STYLES)
-    return f"{good} as they must be" + (f", {bad} not" if bad else "") + f"; {len(rows) - good - bad} show what happens, as found"
+    good, bad, cut = (sum(row.verdict == verdict for row in rows) for verdict in STYLES)
+    return (f"{good} as they must be" + (f", {bad} not" if bad else "") + (f", {cut} cut off" if cut else "")
+            + f"; {len(rows) - good - bad - cut} show what happens, as found")  # fmt: skip
 
 
 def demo_page(rows, summary, first=""):

@@ -118,9 +118,11 @@ def arrow_column(values):
     import pyarrow
 
     present = [value for value in values if value is not None]
-    if present and all(isinstance(value, bool) for value in present):
+    if not present:
+        return pyarrow.nulls(len(values), pyarrow.float64())
+    if all(isinstance(value, bool) for value in present):
         return pyarrow.array(values, pyarrow.bool_())
-    if present and all(is_number(value) for value in present):
+    if all(is_number(value) for value in present):
         return pyarrow.array([None if value is None else float(value) for value in values], pyarrow.float64())
     texts = [value if value is None or isinstance(value, str) else csv_text(value) for value in values]
     return pyarrow.array([None if text is None else str(text) for text in texts], pyarrow.string())

@@ -263,10 +263,11 @@ def data_folder():
 
 def load_spec(name_or_path):
     """Reads a file, or a campaign that ships, by its name."""
-    path = pathlib.Path(name_or_path)
+    path, shipped = pathlib.Path(name_or_path), data_folder() / "campaigns"
+    names = [file.stem for file in sorted(shipped.glob("*.yaml"))]
+    if path.suffix == ".yaml" and not path.exists() and path.stem in names:
+        raise InputError(f"there is no {path} here; did you mean {path.stem}, which ships?")
     if path.suffix != ".yaml" and not path.exists():
-        shipped = data_folder() / "campaigns"
-        names = [file.stem for file in sorted(shipped.glob("*.yaml"))]
         if str(path) not in names:
             raise InputError(f'"{path}" is no file, and no campaign that ships; {valid_names(str(path), names)}')
         path = shipped / f"{path}.yaml"

@@ -20,7 +20,7 @@ from surefoot_campaign.journal import Journal, read_rows
 from surefoot_campaign.outcome import ended_from_outside, judge
 from surefoot_campaign.plan import explain
 from surefoot_campaign.plots import curve_figure, map_figure
-from surefoot_campaign.results import Record
+from surefoot_campaign.results import Record, arrow_column
 from surefoot_campaign.scheduler import LocalScheduler, Task, make_scheduler
 from surefoot_campaign.spec import load_spec, yaml_text
 from surefoot_campaign.statistics import Z, median, median_interval, quantile, wilson_interval
@@ -411,3 +411,16 @@ def test_a_fall_leaves_the_other_medians_readable(tmp_path):
 def test_a_figure_of_a_campaign_without_values_is_made(tmp_path):
     upper, lower = curves(tmp_path, [])
     assert upper.get_xlim() == (1, 9) and intervals_seen(upper) == intervals_seen(lower) == []
+
+
+def test_a_column_without_a_value_is_one_of_numbers():
+    import pyarrow
+
+    assert arrow_column([None, None]).type == pyarrow.float64() and arrow_column([None, True]).type == pyarrow.bool_()
+    assert arrow_column([1, None]).to_pylist() == [1.0, None] and arrow_column(["a", None, 2.5]).to_pylist() == ["a", None, "2.5"]
+
+
+def test_a_campaign_that_ships_is_told_where_its_file_is_asked_for(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    with pytest.raises(InputError, match="there is no campaigns/step_down_height.yaml here; did you mean step_down_height, which ships"):
+        load_spec("campaigns/step_down_height.yaml")

@@ -5,7 +5,7 @@ import re
 import subprocess
 
 from program import PROGRAM, SHORT, run_result
-from surefoot_campaign.demo import Row, headline, measured
+from surefoot_campaign.demo import Links, Row, headline, measured
 from surefoot_campaign.demo_page import demo_page
 from surefoot_campaign.experiments import EXPERIMENTS
 from surefoot_campaign.program import Program
@@ -61,6 +61,14 @@ def test_its_figures_are_told_in_words_and_the_papers_experiment_stands_first():
     rows = [Row(name, "", "", "", "", "", "", "", "✓", "") for name in ("walk_flat", "step_down")]
     page = demo_page(rows, "", first="step_down")
     assert page.index("<h2>step_down") < page.index("<h2>walk_flat")
+
+
+def test_the_links_of_the_papers_experiment_come_first(tmp_path):
+    links, row = Links(tmp_path), {"reason": "goal reached"}
+    assert links("walk_flat", 0, row) == [] and links("push", 3, row) == []
+    first, second = links("step_down", 0, row)
+    assert first.startswith("step_down: goal reached file://") and second.startswith("walk_flat: ")
+    assert [line.partition(":")[0] for line in links("push", 0, row)] == ["push"]
 
 
 def test_it_says_how_long_it_will_take_before_anything_has_run(tmp_path):

@@ -116,11 +116,11 @@ def test_an_interrupt_shows_the_seeds_that_are_finished_and_no_cut_log_looks_who
 
 def test_an_interrupted_demo_leaves_whole_experiments_and_their_index(tmp_path):
     out = tmp_path / "demo"
-    code, printed, err = interrupt("demo", "--out", out, "--seeds", 1, "--jobs", 2, words="walk_flat: ")
+    code, printed, err = interrupt("demo", "--out", out, "--seeds", 1, "--jobs", 2, words="step_down: ")
     assert code == 2 and "experiments are whole" in err.splitlines()[-1]
     folders = {entry.name for entry in out.iterdir() if entry.is_dir()}
     index = (out / "index.html").read_text()
-    assert "walk_flat" in folders and "interrupted" in index
+    assert "step_down" in folders and "interrupted" in index
     for folder in folders:
         assert f'href="{folder}/index.html"' in index and (out / folder / "index.html").exists()
         assert {file.name for file in (out / folder).iterdir()} == {"index.html", "run.mcap", "figures"}

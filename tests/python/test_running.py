@@ -218,6 +218,18 @@ def test_an_evaluator_and_an_aligner_are_of_one_robot_and_from_the_first_tick_on
         surefoot.Aligner().update(plant, controller)
 
 
+def test_a_loop_by_hand_that_stops_early_is_not_judged():
+    scenario = surefoot.load_scenario("walk_flat")
+    plant = surefoot.Plant(scenario)
+    controller = surefoot.Controller(scenario)
+    evaluator = surefoot.Evaluator(scenario, plant, controller)
+    for _ in range(40):
+        command = controller.step(plant.read(), scenario.user(plant.time))
+        evaluator.add()
+        plant.write(command)
+    assert evaluator.succeeded is None and {one.passed for one in evaluator.criteria} == {None}
+
+
 def test_the_hierarchy_of_a_tick_is_solved_again_and_certified(scenario):
     plant = surefoot.Plant(scenario)
     controller = surefoot.Controller(scenario, plant)
