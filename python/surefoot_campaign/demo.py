@@ -21,7 +21,7 @@ from surefoot_campaign.text import aligned, asked_of, in_words, pretty, printabl
 
 SEEDS, JOBS = 10, 2
 FIRST = "step_down"  # its pictures come first
-REPORT, PICTURES = 4.0, 4.0  # what a run's report takes, and its pictures, in the run's own time
+REPORT, PICTURES = 4.0, 7.0  # what a run's report takes, and its pictures, in the run's own time
 CUT = "cut off"  # the verdict of an experiment that lacks seeds
 DEFAULT_FOLDER = pathlib.Path("results/demo")
 MOST_SEEDS, MOST_JOBS = 1_000_000, 1000
