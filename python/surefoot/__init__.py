@@ -29,11 +29,13 @@ if _trouble := _installation.two_versions():
 
 from surefoot import _arguments as _arguments
 from surefoot import _copies as _copies
+from surefoot import _named as _named
 from surefoot import _printed as _printed
 from surefoot import _worlds as _worlds
 
 _worlds.tell()
 _arguments.tell()
+_named.tell()
 _printed.tell()
 _copies.tell()
 

@@ -8,6 +8,14 @@ class InputError(Exception):
 
 
 def valid_names(given, names):
+    return f"{hint(given, names)}valid are: {', '.join(names)}"
+
+
+def near_names(given, names):
+    """The same where there are many: the nearest alone."""
+    return f"{hint(given, names)}near are: {', '.join(difflib.get_close_matches(str(given), names, n=6, cutoff=0.0))}"
+
+
+def hint(given, names):
     near = difflib.get_close_matches(str(given), names, n=1, cutoff=0.6)
-    hint = f'did you mean "{near[0]}"? ' if near else ""
-    return f"{hint}valid are: {', '.join(names)}"
+    return f'did you mean "{near[0]}"? ' if near else ""

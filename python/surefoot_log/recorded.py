@@ -15,6 +15,7 @@ import numpy.typing as npt
 import pyarrow as pa
 
 from surefoot._errors import told_as_error
+from surefoot._named import named
 from surefoot_campaign.errors import InputError, valid_names
 from surefoot_log.figures import figure_of
 from surefoot_log.log_file import SUMMARY, LogFile
@@ -52,7 +53,7 @@ class Recorded:
         self._log = LogFile(path)
         self._tables: dict[str, pa.Table] = {}
         self._columns: dict[str, Array] = {}
-        self.header: dict[str, Any] = self._log.header
+        self.header: dict[str, Any] = named(self._log.header)
 
     def __repr__(self) -> str:
         return f"<run of {self.header['scenario']}, seed {self.header['seed']}, {len(self.channels)} channels: {self._log.path}>"
@@ -68,12 +69,13 @@ class Recorded:
     @cached_property
     def channels(self) -> dict[str, str]:
         """Each name with its unit; "" where it has none."""
-        return {field.name: field.metadata[b"unit"].decode() for field in Table(self._log).schema}
+        units: dict[str, str] = named({field.name: field.metadata[b"unit"].decode() for field in Table(self._log).schema})
+        return units
 
     @property
     def events(self) -> list[dict[str, Any]]:
         """What happened, in order."""
-        return list(self._log.events)
+        return [named(each) for each in self._log.events]
 
     @cached_property
     def _summary(self) -> dict[str, Any]:
@@ -86,12 +88,13 @@ class Recorded:
     def metrics(self) -> dict[str, Any]:
         """How the run went, by name, as `Result.metrics`; None: not judged, NaN: not measured."""
         judged = {name: self._summary["metrics"].get(name) for name in ("succeeded", "goal_reached")}
-        return {name: _nan_for_null(value) for name, value in self._summary["metrics"].items()} | judged
+        found: dict[str, Any] = named({name: _nan_for_null(value) for name, value in self._summary["metrics"].items()} | judged)
+        return found
 
     @property
     def criteria(self) -> list[dict[str, Any]]:
         """Of the scenario: of each its metric, its limit, the value, and whether it passed; None: not judged."""
-        return list(self._summary["criteria"])
+        return [named(each) for each in self._summary["criteria"]]
 
     @cached_property
     def time(self) -> Array:
