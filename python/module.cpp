@@ -36,7 +36,9 @@ NB_MODULE(_core, module) {
   bind_stack(module);
   bind_scenario(module);
   bind_plant(module);
-  bind_parts(module);
+  bind_estimator(module);
+  bind_planner(module);
+  bind_task_tick(module);
   bind_gaits(module);
   bind_controller(module);
   bind_evaluation(module);
