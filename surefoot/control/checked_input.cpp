@@ -1,5 +1,6 @@
 #include "surefoot/control/checked_input.hpp"
 
+#include "surefoot/base/formatted.hpp"
 #include "surefoot/math/rotation.hpp"
 
 #include <algorithm>
@@ -12,6 +13,17 @@ double clamp_finite(double value, double limit) {
   return std::isfinite(value) ? std::clamp(value, -limit, limit) : 0.0;
 }
 
+std::string what_is_wrong(const FootPlan& foot) {
+  const bool is_finite = foot.p_WF.allFinite() && foot.v_WF.allFinite() && foot.a_WF.allFinite() &&
+                         std::isfinite(foot.force_min + foot.force_max + foot.friction);
+  if (!is_finite) return "NaN or infinity";
+  if (foot.friction < 0.0) return formatted("friction %g, which is below 0,", foot.friction);
+  if (foot.force_max < 0.0) return formatted("force_max %g N, which is below 0,", foot.force_max);
+  if (foot.force_min > foot.force_max)
+    return formatted("force_min %g N above force_max %g N", foot.force_min, foot.force_max);
+  return {};
+}
+
 }  // namespace
 
 UserCommand limited(const UserCommand& user) {
@@ -20,24 +32,21 @@ UserCommand limited(const UserCommand& user) {
   for (double& d : result.shift) d = clamp_finite(d, UserCommand::kMostHeight);
   result.yaw_rate = clamp_finite(user.yaw_rate, UserCommand::kFastest);
   result.height = clamp_finite(user.height, UserCommand::kMostHeight);
+  const bool is_finite = user.velocity.allFinite() && user.shift.allFinite() &&
+                         std::isfinite(user.yaw_rate) && std::isfinite(user.height);
+  if (!is_finite) result.gait = UserCommand::kNoGait;
   return result;
 }
 
-std::string_view what_is_wrong(const MotionPlan& plan, const model::RobotDescription& robot) {
+std::string what_is_wrong(const MotionPlan& plan, const model::RobotDescription& robot) {
   if (static_cast<int>(plan.feet.size()) != robot.num_legs())
     return "the planner's plan does not have the robot's number of feet";
-  const auto is_finite = [](const FootPlan& foot) {
-    return foot.p_WF.allFinite() && foot.v_WF.allFinite() && foot.a_WF.allFinite() &&
-           std::isfinite(foot.force_min + foot.force_max + foot.friction);
-  };
-  if (!std::ranges::all_of(plan.feet, is_finite))
-    return "the planner's plan has NaN or infinity in a foot";
-  const auto has_limits = [](const FootPlan& foot) {
-    return foot.friction >= 0.0 && foot.force_max >= 0.0 && foot.force_min <= foot.force_max;
-  };
-  if (!std::ranges::all_of(plan.feet, has_limits))
-    return "the planner's plan has a foot with friction or force_max below 0, or with force_min "
-           "above force_max";
+  for (const Leg leg : plan.feet.legs()) {
+    const std::string wrong = what_is_wrong(plan.feet[index(leg)]);
+    if (!wrong.empty())
+      return "the planner's plan has " + wrong + " in foot " +
+             std::string(leg_name(leg, robot.num_legs()));
+  }
   const auto is_at_first = [&](const FootPlan& foot) { return foot.p_WF == plan.feet[0].p_WF; };
   if (std::ranges::all_of(plan.feet, is_at_first))
     return "the planner's plan is empty: it has all feet at one place";

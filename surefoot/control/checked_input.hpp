@@ -4,15 +4,15 @@
 #include "surefoot/signals/motion_plan.hpp"
 #include "surefoot/signals/user_command.hpp"
 
-#include <string_view>
+#include <string>
 
 namespace surefoot::control {
 
-/// Limits the command; values that are not finite become 0.
+/// Limits the command; values that are not finite become 0, and its gait `kNoGait`.
 [[nodiscard]] UserCommand limited(const UserCommand& user);
 
-/// What is wrong with a plan of the user's own; empty if nothing.
-[[nodiscard]] std::string_view what_is_wrong(const MotionPlan& plan,
-                                             const model::RobotDescription& robot);
+/// What is wrong with a plan of the user's own; empty if nothing. Allocates only for what is wrong.
+[[nodiscard]] std::string what_is_wrong(const MotionPlan& plan,
+                                        const model::RobotDescription& robot);
 
 }  // namespace surefoot::control

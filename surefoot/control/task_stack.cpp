@@ -152,7 +152,7 @@ void TaskStack::write_own(const LevelTasks& tasks, const tasks::TaskInput& input
     const tasks::Task& task = *tasks.tasks[i];
     const Eigen::Index first = level.num_rows();
     if (!runs([&] { task.write(input, level); }, fault_, "task \"", task.name(), "\"")) continue;
-    const std::string_view wrong = tasks::what_is_wrong(task, level, first);
+    const std::string wrong = tasks::what_is_wrong(task, level, first);
     if (!wrong.empty()) {
       fault_.set("task \"", task.name(), "\" ", wrong);
     } else if (tasks.weights[i] != 1.0) {

@@ -36,6 +36,7 @@ enum class PlanEvent : int {
   stands_up = 25,   ///< back on its feet, or began lying: gets up
   gait_changed = 26,
   too_fast = 27,  ///< the command is faster than the gait can go
+  unclear = 28,   ///< the command has NaN, or a gait that there is not
 };
 
 [[nodiscard]] constexpr std::string_view name(PlanEvent event) {
@@ -96,6 +97,8 @@ enum class PlanEvent : int {
       return "gait changed";
     case PlanEvent::too_fast:
       return "too fast for this gait: walking slower than commanded";
+    case PlanEvent::unclear:
+      return "command has NaN, which counts as 0, or an unknown gait: the gait stays";
   }
   return "unknown";
 }

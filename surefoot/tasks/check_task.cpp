@@ -90,8 +90,8 @@ std::string fault_of(const Task& task, const TaskInput& input) {
   } catch (const std::exception& error) {
     return "write() threw: " + std::string(error.what());
   }
-  const std::string_view wrong = what_is_wrong(task, first, 0);
-  if (!wrong.empty()) return std::string(wrong);
+  const std::string wrong = what_is_wrong(task, first, 0);
+  if (!wrong.empty()) return wrong;
   if (!are_same(first, second)) return "wrote other rows for the same input; keep no state";
   return "";
 }

@@ -2,6 +2,7 @@
 
 #include "surefoot/tasks/task.hpp"
 
+#include <string>
 #include <string_view>
 
 namespace surefoot::tasks {
@@ -10,8 +11,8 @@ namespace surefoot::tasks {
 void check_sizes(const Task& task, std::string_view name);
 
 /// What is wrong with the rows that a task has just written from row `first` on; empty if nothing.
-/// Does not allocate.
-[[nodiscard]] std::string_view what_is_wrong(const Task& task, const solver::Level& level,
-                                             Eigen::Index first);
+/// Allocates only for what is wrong.
+[[nodiscard]] std::string what_is_wrong(const Task& task, const solver::Level& level,
+                                        Eigen::Index first);
 
 }  // namespace surefoot::tasks

@@ -71,22 +71,26 @@ TEST(OwnTask, ThatFailsEndsInTheSafetyLadderUnderItsName) {
       {[](const auto&, const auto&, auto&) { throw 7; },
        R"(task "own" threw something that is no std::exception)"},
       {[](const OwnTask& task, const auto&, auto& level) { write_row(task, level, kNaN, kNaN); },
-       R"(task "own" wrote a row whose bounds are NaN, or whose lower bound is above the upper)"},
+       R"(task "own" wrote row 0 (base upward) with the bounds nan and nan; two numbers, the lower )"
+       "first, would be valid"},
       {[](const OwnTask& task, const auto&, auto& level) { write_row(task, level, 1.0, 0.0); },
-       R"(task "own" wrote a row whose bounds are NaN, or whose lower bound is above the upper)"},
+       R"(task "own" wrote row 0 (base upward) with the bounds 1 and 0; two numbers, the lower )"
+       "first, would be valid"},
       {[](const OwnTask& task, const auto&, auto& level) {
          (void)task;
          level.add(1, task.first_id()).A(0, 3) = kNaN;
        },
-       R"(task "own" wrote NaN or infinity into A)"},
+       R"(task "own" wrote row 0 (base upward) with NaN or infinity in A)"},
       {[](const OwnTask& task, const auto&, auto& level) { write_row(task, level, 1e200, 1e200); },
-       R"(task "own" wrote a number above 1e100, with which no solver can calculate)"},
+       R"(task "own" wrote row 0 (base upward) with a number above 1e100, with which no solver )"
+       "can calculate"},
       {[](const OwnTask& task, const auto&, auto& level) {
          for (int i = 0; i < 2; ++i) write_row(task, level, 0.0, 0.0);
        },
        R"(task "own" wrote more rows than its max_rows())"},
       {[](const OwnTask& task, const auto&, auto& level) { write_row(task, level, 0.0, 0.0, 1); },
-       R"(task "own" wrote a row whose id is not from first_id() to first_id() + num_ids() - 1)"},
+       R"(task "own" wrote row 0 with an id that is not from first_id() to first_id() + num_ids() )"
+       "- 1"},
   };
   for (const Wrong& wrong : wrongs) {
     bool fails = false;
@@ -209,7 +213,11 @@ TEST(OwnPlanner, ThatFailsEndsInTheSafetyLadderUnderItsName) {
       {[](MotionPlan& plan) { plan.feet.resize(6); },
        "the planner's plan does not have the robot's number of feet"},
       {[](MotionPlan& plan) { plan.feet[1].p_WF.x() = kNaN; },
-       "the planner's plan has NaN or infinity in a foot"},
+       "the planner's plan has NaN or infinity in foot RF"},
+      {[](MotionPlan& plan) { plan.feet[2].friction = -1.0; },
+       "the planner's plan has friction -1, which is below 0, in foot LH"},
+      {[](MotionPlan& plan) { plan.feet[3].force_min = 2.0 + plan.feet[3].force_max; },
+       "the planner's plan has force_min 402 N above force_max 400 N in foot RH"},
       {[](MotionPlan& plan) { plan.torso.height = kNaN; },
        "the planner's plan has NaN or infinity in the torso"},
       {[](MotionPlan& plan) { plan.com.a.x() = kNaN; },

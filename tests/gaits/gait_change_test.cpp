@@ -98,6 +98,26 @@ TEST(GaitChange, waits_until_the_robot_is_slow_enough_for_the_next_gait) {
   EXPECT_LT(speed, 0.31);
 }
 
+TEST(GaitChange, that_can_not_be_is_told_once_and_the_gait_stays) {
+  for (const int unknown : {7, -5, UserCommand::kNoGait}) {
+    test::Puppet puppet = walker(kCrawl, 0.1);
+    puppet.run(4.0);
+    ASSERT_TRUE(puppet.happenings(PlanEvent::unclear).empty());
+    puppet.user.gait = unknown;
+    puppet.run(2.0);
+    EXPECT_EQ(puppet.plan().gait, kCrawl);
+    EXPECT_EQ(puppet.happenings(PlanEvent::unclear).size(), 1u) << unknown;
+    for (const int known : {UserCommand::kOwnGait, kCrawl, UserCommand::kAutoGait}) {
+      puppet.user.gait = known;
+      puppet.run(0.1);
+    }
+    EXPECT_EQ(puppet.happenings(PlanEvent::unclear).size(), 1u) << unknown;
+    puppet.user.gait = unknown;
+    puppet.run(0.1);
+    EXPECT_EQ(puppet.happenings(PlanEvent::unclear).size(), 2u) << "asked for once more";
+  }
+}
+
 TEST(GaitChange, follows_the_speed_if_the_user_wants_it_so) {
   test::Puppet puppet = walker(UserCommand::kAutoGait, 0.1);
   puppet.run(4.0);

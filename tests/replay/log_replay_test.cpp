@@ -2,6 +2,7 @@
 
 #include "surefoot/closed_loop/closed_loop.hpp"
 #include "surefoot/closed_loop/run_log.hpp"
+#include "surefoot/closed_loop/run_steering.hpp"
 #include "surefoot/config/scenario_file.hpp"
 #include "surefoot/logging/recorder.hpp"
 #include "surefoot/replay/log_verification.hpp"
@@ -10,6 +11,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -149,6 +151,46 @@ TEST(LogReplay, also_behind_a_tick_at_which_the_controller_was_not_called) {
   EXPECT_EQ(result.ticks, 799);
   EXPECT_TRUE(result.is_same() && result.is_all() && result.is_whole()) << result.problem;
   EXPECT_EQ(result.clock.count, 1u);
+}
+
+/// Commands NaN or an unknown gait for a tenth of a second each.
+class GarbledCommands final : public closed_loop::RunSteering {
+ public:
+  void begin(const closed_loop::RunParts&) override {}
+  closed_loop::RunOrder before_tick(double time) override {
+    time_ = time;
+    return closed_loop::RunOrder::tick;
+  }
+  UserCommand user(const UserCommand& planned) override {
+    UserCommand given = planned;
+    if (time_ > 1.0 && time_ < 1.1) given.velocity.x() = kNaN;
+    if (time_ > 2.0 && time_ < 2.1) given.gait = 7;
+    return given;
+  }
+  void after_tick(const TickRecord&, const simulation::GroundTruth&, const TickTiming&) override {}
+
+ private:
+  double time_ = 0.0;
+};
+
+TEST(LogReplay, also_of_a_run_with_garbled_commands_which_are_told_once_each) {
+  const test::TemporaryFolder folder;
+  GarbledCommands garbled;
+  closed_loop::ClosedLoopOptions options;
+  options.record_path = folder / "run.mcap";
+  options.steering = &garbled;
+  const closed_loop::RunResult result = closed_loop::run_closed_loop(
+      config::load_scenario({"walk_flat_ideal", 0, {"duration=3"}}), options);
+  EXPECT_FALSE(result.metrics.fell);
+  const auto told =
+      std::ranges::find(result.events, PlanEvent::unclear, &evaluation::EventCount::event);
+  ASSERT_NE(told, result.events.end());
+  EXPECT_EQ(told->count, 2);
+  EXPECT_NEAR(told->first, 1.0, 0.006);
+  const Verification verification = verify_log(folder / "run.mcap");
+  EXPECT_TRUE(verification.is_same() && verification.is_whole());
+  for (const MessageDifferences& topic : verification.messages)
+    EXPECT_EQ(topic.ticks, 0) << topic.topic;
 }
 
 }  // namespace

@@ -42,8 +42,8 @@ TEST(CheckTask, FindsWhatIsWrongAndNamesTheTask) {
             std::vector<std::string>{R"(task "own": write() threw: oh)"});
   EXPECT_EQ(
       faults_of([&](const auto& task, const auto&, auto& level) { row(task, level, kNaN); }),
-      std::vector<std::string>{R"(task "own": wrote a row whose bounds are NaN, or whose lower )"
-                               "bound is above the upper"});
+      std::vector<std::string>{R"(task "own": wrote row 0 (base upward) with the bounds nan and )"
+                               "nan; two numbers, the lower first, would be valid"});
   EXPECT_EQ(faults_of([&](const auto& task, const auto&, auto& level) {
               static int count = 0;
               row(task, level, ++count);
