@@ -3,6 +3,7 @@
 #include "surefoot/base/build_info.hpp"
 #include "surefoot/closed_loop/change_log.hpp"
 #include "surefoot/closed_loop/goal_watch.hpp"
+#include "surefoot/closed_loop/own_part_times.hpp"
 #include "surefoot/closed_loop/run_log.hpp"
 #include "surefoot/closed_loop/stop_watch.hpp"
 #include "surefoot/evaluation/evaluator.hpp"
@@ -174,6 +175,7 @@ class ClosedLoop {
     events_.add(timing.time, record.plan.events);
     troubles_.add(timing.time, record, plant_.truth());
     evaluator_.add(timing);
+    own_part_times_.add(timing);
     if (options_.steering != nullptr) {
       options_.steering->after_tick(controller_.record(), plant_.truth(), timing);
     }
@@ -230,6 +232,7 @@ class ClosedLoop {
     result.torques_hash = torques_.value();
     result.drawn = scenario_.drawn;
     result.notes = notes();
+    std::ranges::copy(own_part_times_.notes(), std::back_inserter(result.notes));
     if (!result.fault.empty()) result.notes.push_back(result.fault);
     if (options_.steering != nullptr) result.changes = changes_;
     if (recorder_) close_log(result);
@@ -257,6 +260,7 @@ class ClosedLoop {
                            scenario_.robot.scale};
   evaluation::TorqueHash torques_;
   runtime::StageTimer timer_;
+  OwnPartTimes own_part_times_{controller_.own_parts(), scenario_.controller.period};
   std::optional<logging::Recorder> recorder_;
   std::optional<evaluation::TruthLog> truth_log_;
   std::optional<ChangeLog> change_log_;

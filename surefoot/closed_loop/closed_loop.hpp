@@ -49,7 +49,7 @@ struct RunResult {
   std::vector<evaluation::EventCount> events;  ///< notable ones of the walk
   std::vector<TroubleCount> troubles;          ///< with sensors and torques
   std::vector<config::RandomDraw> drawn;
-  std::vector<std::string> notes;  ///< as run_notes() gives them
+  std::vector<std::string> notes;  ///< run_notes(), and own parts that take too long
   std::string fault;               ///< what a part of your own did wrong last; also a note
   std::uint64_t torques_hash = 0;  ///< of all commanded torques, as TorqueHash makes it
   std::optional<int> changes;      ///< from outside, as in its log; empty without steering

@@ -1,5 +1,8 @@
 """Tasks, planners and estimators written in Python, and what becomes of a walk when they go wrong."""
 
+import re
+import time
+
 import numpy as np
 import pytest
 
@@ -106,6 +109,31 @@ def test_of_a_run_the_reason_names_the_task():
         result = surefoot.run(standing(never, duration=0.2))
     assert '"never"' in result.fault
     assert result["fallback_ticks"] == 80 and any('"never"' in note for note in result.notes)
+
+
+def test_parts_that_take_longer_than_a_tick_are_told():
+    class Slow(Height):
+        pause = 0.004
+
+        def rows(self, tick):
+            time.sleep(self.pause)
+            return super().rows(tick)
+
+    class SlowPlanner(surefoot.Planner):
+        def update(self, user, state, dynamics, last):
+            time.sleep(0.004)
+            return super().update(user, state, dynamics, last)
+
+    def notes(task, **parts):
+        return [note for note in surefoot.run(standing(task, duration=0.1), **parts).notes if "in the median" in note]
+
+    fast = Slow("fast")
+    fast.pause = 0
+    assert notes(fast) == []
+    [note] = notes(Slow("slow"))
+    assert re.fullmatch(r"your own task slow: \S+ ms in the median, and a tick has 2.5 ms", note)
+    [note] = notes(fast, planner=SlowPlanner(standing(fast)))
+    assert note.startswith("your own planner: ")
 
 
 @pytest.mark.parametrize("make, said", [
