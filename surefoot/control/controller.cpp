@@ -1,4 +1,4 @@
-#include "surefoot/base/error.hpp"
+#include "surefoot/base/checked_period.hpp"
 #include "surefoot/control/checked_input.hpp"
 #include "surefoot/control/controller_implementation.hpp"
 #include "surefoot/control/lying_posture.hpp"
@@ -23,11 +23,6 @@ JointVector turned_inertia(model::RobotModel& model) {
   const model::RobotDescription& robot = model.description();
   const MatX inverse = model.update(level_at_rest(robot.q_nominal), Vec3::UnitZ()).M.inverse();
   return inverse.diagonal().tail(robot.num_joints()).cwiseInverse();
-}
-
-double checked_period(double period) {
-  if (period > 0.0 && std::isfinite(period)) return period;
-  throw Error("period is " + std::to_string(period) + " s; valid is a time > 0, such as 0.0025");
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
 #include "surefoot/estimation/leg_inertial_estimator.hpp"
 
-#include "surefoot/base/error.hpp"
+#include "surefoot/base/checked_period.hpp"
 #include "surefoot/base/fields.hpp"
 #include "surefoot/math/rotation.hpp"
 #include "surefoot/model/body_tree.hpp"
@@ -26,15 +26,13 @@ Vec3 angles(const JointVector& q, Leg leg) { return q.segment<kJointsPerLeg>(fir
 LegInertialEstimator::LegInertialEstimator(const model::RobotDescription& robot,
                                            const LegInertialOptions& options, double period)
     : options_(options),
-      period_(period),
+      period_(checked_period(period)),
       num_joints_(robot.num_joints()),
       errors_(no_errors(robot.num_legs())),
       filter_(options.filter, robot.num_legs()),
       feet_(robot.num_legs(), Foot{}),
       standing_start_(period, robot.num_leg_joints(), robot.scale),
       tree_(model::make_body_tree(robot, model::read_urdf(robot))) {
-  if (!(period > 0.0) || !std::isfinite(period))
-    throw Error("period is " + std::to_string(period) + " s; valid is a time > 0, such as 0.0025");
   described_.resize(static_cast<int>(tree_.legs.size()));
   for (const Leg leg : feet_.legs()) {
     const std::size_t k = index(leg);
