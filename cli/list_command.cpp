@@ -10,6 +10,7 @@
 #include "surefoot/config/config_json.hpp"
 #include "surefoot/config/config_tree.hpp"
 #include "surefoot/config/data_file.hpp"
+#include "surefoot/config/description_file.hpp"
 #include "surefoot/config/json_schema.hpp"
 #include "surefoot/config/option_list.hpp"
 #include "surefoot/config/robot_file.hpp"
@@ -39,10 +40,10 @@ std::vector<std::string> described_robot(const std::string& name) {
             std::to_string(robot.num_joints()) + " joints",
             formatted("%.3g kg", model::proportions_of(model).mass), robot.urdf_path};
   } catch (const Error& error) {
+    const auto* missing = dynamic_cast<const config::MissingDescription*>(&error);
+    if (missing != nullptr && !missing->remedy().empty())
+      return {name, "not here; " + missing->remedy()};
     const std::string text = error.what();
-    const std::size_t remedy = std::min(text.find("`pip install"), text.size());
-    if (remedy < text.size())
-      return {name, "not here; " + text.substr(remedy, text.find(';', remedy) - remedy)};
     return {name, text.substr(0, text.find("; "))};
   }
 }

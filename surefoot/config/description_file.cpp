@@ -1,6 +1,5 @@
 #include "surefoot/config/description_file.hpp"
 
-#include "surefoot/base/error.hpp"
 #include "surefoot/config/data_directory.hpp"
 #include "surefoot/model/mesh_files.hpp"
 #include "surefoot/model/urdf_reader.hpp"
@@ -12,7 +11,9 @@ std::string find_description(const std::string& name, const std::filesystem::pat
   // It is looked for as its meshes are.
   const model::MeshFolders folders{.packages = package_directories(), .urdf = folder};
   const std::filesystem::path found = model::find_mesh(name, folders);
-  if (found.empty()) throw FileError(model::missing_text(name, folders));
+  if (found.empty())
+    throw MissingDescription(model::missing_text(name, folders),
+                             model::installed_by(name, folders));
   return found.string();
 }
 

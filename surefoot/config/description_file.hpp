@@ -1,9 +1,24 @@
 #pragma once
 
+#include "surefoot/base/error.hpp"
+
 #include <filesystem>
 #include <string>
+#include <utility>
 
 namespace surefoot::config {
+
+/// A robot's description is not there.
+class MissingDescription : public FileError {
+ public:
+  MissingDescription(const std::string& message, std::string remedy)
+      : FileError(message), remedy_(std::move(remedy)) {}
+  /// What installs it; empty if that is not known.
+  [[nodiscard]] const std::string& remedy() const { return remedy_; }
+
+ private:
+  std::string remedy_;
+};
 
 /// A robot's URDF or MJCF.
 struct DescriptionFile {
@@ -11,8 +26,8 @@ struct DescriptionFile {
   std::string urdf;  ///< made from an MJCF; empty: the file is a URDF
 };
 
-/// Finds a file by its `package://` name, or by its path from `folder`. Throws FileError, with the
-/// places tried, if there is none.
+/// Finds a file by its `package://` name, or by its path from `folder`. Throws MissingDescription,
+/// with the places tried, if there is none.
 [[nodiscard]] std::string find_description(const std::string& name,
                                            const std::filesystem::path& folder);
 

@@ -41,6 +41,12 @@ model::Urdf read_description(const Section& top, const char* key, RobotInFile& g
     robot.urdf_path = find_description(name, std::filesystem::absolute(file).parent_path());
     if (!given.mjcf.empty()) robot.urdf_text = urdf_of_mjcf_named(name, robot.urdf_path);
     return model::read_urdf(robot);
+  } catch (const MissingDescription& error) {
+    try {
+      top.fail(key, error.what());
+    } catch (const Error& placed) {
+      throw MissingDescription(placed.what(), error.remedy());
+    }
   } catch (const Error& error) {
     top.fail(key, error.what());
   }

