@@ -336,6 +336,10 @@ std::string unknown_option(const CLI::App& command) {
   const auto found =
       std::ranges::find_if(unknown, [](const std::string& word) { return word.starts_with('-'); });
   const std::string name = found == unknown.end() ? unknown.front() : *found;
+  const bool is_assignment = name.find('=') != std::string::npos && !name.starts_with('-');
+  if (is_assignment && command.get_option_no_throw("--set") != nullptr)
+    return "unknown argument \"" + name + "\" of " + command.get_name() + "; did you mean --set " +
+           name + "?";
   return "unknown argument \"" + name + "\" of " + command.get_name() + "; " +
          valid_names(name, valid);
 }

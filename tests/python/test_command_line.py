@@ -178,6 +178,12 @@ def test_a_scenario_that_is_wrong_gives_one_message_that_helps(scenario, text, e
     assert all(part in message for part in expected)
 
 
+def test_a_key_without_its_option_is_asked_about():
+    for given in (["run", "step_down", "duration=3"], ["dump", "walk_flat", "duration=3"]):
+        assert f'unknown argument "duration=3" of {given[0]}; did you mean --set duration=3?' in complaint(*given)
+    assert "unknown argument \"--duratoin=3\" of run; " in complaint("run", "step_down", "--duratoin=3")
+
+
 def test_a_check_tells_what_is_left_out_of_the_urdf(robot):
     file = robot(urdf_change=('<dynamics damping="0.0" friction="0.0"/>', '<dynamics damping="0.1" friction="0.0"/>'))
     assert "note: <dynamics> of 12 joints is ignored: the simulated drives have their own friction" in answer("run", file, "--check")
