@@ -61,22 +61,14 @@ nb::typed<nb::dict, std::string, std::string> scenarios() {
 void bind_scenario(nb::module_& module) {
   nb::class_<config::Scenario>(module, "Scenario",
                                "An experiment, complete: everything that a run is made from.",
-                               nb::type_slots(kNoVectorcall))
+                               nb::type_slots(kNoVectorcall), nb::is_weak_referenceable())
       .def("__repr__",
            [](const config::Scenario& self) {
              return "<scenario " + self.name + " of " + self.robot.name + ", seed " +
                     std::to_string(self.seed) + ">";
            })
-      .def("__copy__", [](const config::Scenario& self) { return self; })
-      .def("__deepcopy__", [](const config::Scenario& self, nb::handle) { return self; })
-      .def(
-          "__reduce__",
-          [](const config::Scenario& self) -> nb::object {
-            throw Error("the scenario " + self.name +
-                        " can't be sent to another process; load_scenario() there makes it, with "
-                        "the same name, seed and options");
-          },
-          nb::sig("def __reduce__(self) -> tuple[typing.Any, ...]"))
+      .def("__copy__", [](nb::handle_t<config::Scenario> self) { return self; })
+      .def("__deepcopy__", [](nb::handle_t<config::Scenario> self, nb::handle) { return self; })
       .def_ro("name", &config::Scenario::name, "of its file")
       .def_ro("description", &config::Scenario::description, "what it shows")
       .def_ro("file", &config::Scenario::file, "that it was read from")

@@ -117,7 +117,8 @@ def shown(value: object) -> str:
 def complaint(misfits: list[tuple[str, Any, str]]) -> ArgumentError:
     """Of one argument, by what each of a function's forms would take."""
     name, value, _ = misfits[0]
-    return ArgumentError(f"{name} is {shown(value)}; {' or '.join(dict.fromkeys(text for _, _, text in misfits))} would be valid")
+    how = f": its place, robot.frames.index({value!r})" if name == "frame" and isinstance(value, str) else ""
+    return ArgumentError(f"{name} is {shown(value)}; {' or '.join(dict.fromkeys(text for _, _, text in misfits))} would be valid{how}")
 
 
 def checked(given: F) -> F:

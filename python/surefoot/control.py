@@ -2,17 +2,21 @@
 
 from __future__ import annotations
 
+import copyreg
 import json
 import os
 import pathlib
 import tempfile
+import weakref
 from collections.abc import Callable, Mapping, Sequence
+from typing import Any
 
 from surefoot import _core
 from surefoot._arguments import ArgumentError, checked
 from surefoot._core import Error, Estimator, Gait, Planner, Plant, Robot, Scenario
 from surefoot.stack import OwnTask, Stack, registered_tasks
 
+_made_of: weakref.WeakKeyDictionary[Scenario, tuple[Any, ...]] = weakref.WeakKeyDictionary()
 PLAIN = "walk_flat"  # whose options a controller of a robot alone has
 
 
@@ -33,33 +37,57 @@ def load_scenario(
     robot, stack: others than the file's.
     gaits: your own, {"sway": Sway}, which `gait:` and commands may then name; each controller makes one.
     Raises Error, naming file, line and key, on everything that is unknown or out of range."""
-    words, own_gaits = list(set), dict(gaits or {})
-    if robot is not None:
-        robot = Robot(robot) if isinstance(robot, str) else robot
-        words.append(f"robot={robot.file}")
-    if not isinstance(stack, Stack):
-        return read_scenario(name, seed, words + [f"stack={stack}"] * (stack is not None), registered_tasks(), own_gaits)
+    words = list(set) + [f"stack={stack}"] * isinstance(stack, str)
+    return made(os.fspath(name), seed, words, robot, stack if isinstance(stack, Stack) else None, dict(gaits or {}), registered_tasks())
+
+
+def made(
+    name: str,
+    seed: int,
+    words: list[str],
+    robot: Robot | str | None,
+    stack: Stack | None,
+    gaits: dict[str, Callable[[], Gait]],
+    registered: list[OwnTask],
+) -> Scenario:
+    """As load_scenario(); `words`: as the program's --set takes them."""
+    robot = Robot(robot) if isinstance(robot, str) else robot
+    all_words = words + ([] if robot is None else [f"robot={robot.file}"])
+    scenario = read(name, seed, all_words, robot, stack, gaits, registered)
+    place = os.path.abspath(name) if name.endswith(".yaml") else name
+    _made_of[scenario] = (place, seed, words, robot and robot.file, stack, gaits, [] if stack else registered)
+    return scenario
+
+
+def again(scenario: Scenario) -> tuple[Any, ...]:
+    """For pickle: another process reads the scenario from the same files."""
+    return made, _made_of[scenario]
+
+
+def read(
+    name: str, seed: int, words: list[str], robot: Robot | None, stack: Stack | None, gaits: dict[str, Callable[[], Gait]], registered: list[OwnTask]
+) -> Scenario:
+    if stack is None:
+        return read_scenario(name, seed, words, registered, gaits)
     with tempfile.TemporaryDirectory(prefix="surefoot_") as folder:
         file = pathlib.Path(folder) / f"{stack.name}.yaml"
-        file.write_text(stack.text(robot or robot_of(name, seed, words, own_gaits)))
+        file.write_text(stack.text(robot or robot_of(name, seed, words, gaits)))
         try:
-            return read_scenario(name, seed, [*words, f"stack={file}"], stack.own_tasks, own_gaits)
+            return read_scenario(name, seed, [*words, f"stack={file}"], stack.own_tasks, gaits)
         except Error as error:
             raise type(error)(str(error).replace(str(file), f"stack {stack.name}")) from None
 
 
-def robot_of(name: str | os.PathLike[str], seed: int, words: list[str], gaits: dict[str, Callable[[], Gait]]) -> Robot:
+def robot_of(name: str, seed: int, words: list[str], gaits: dict[str, Callable[[], Gait]]) -> Robot:
     """By the scenario, which must be whole without the stack; other words may be about the stack."""
     of_robot = [word for word in words if word.partition("=")[0] == "robot"]
     return read_scenario(name, seed, of_robot, registered_tasks(), gaits).robot_model
 
 
-def read_scenario(
-    name: str | os.PathLike[str], seed: int, words: list[str], own: list[OwnTask], gaits: dict[str, Callable[[], Gait]]
-) -> Scenario:
+def read_scenario(name: str, seed: int, words: list[str], own: list[OwnTask], gaits: dict[str, Callable[[], Gait]]) -> Scenario:
     """What the program says of its option --set is told of the argument that the word came from."""
     try:
-        return _core.read_scenario(os.fspath(name), seed, words, own, gaits)
+        return _core.read_scenario(name, seed, words, own, gaits)
     except Error as error:
         text = str(error)
         for word in words:
@@ -67,6 +95,9 @@ def read_scenario(
             told = f"{key} {pathlib.Path(value).stem}: " if key in ("stack", "robot") else f"set has {word!r}: "
             text = text.replace(f"--set {word}: ", told).replace(f"{told}{key}: ", told)
         raise type(error)(text) from None
+
+
+copyreg.pickle(Scenario, again)
 
 
 @checked

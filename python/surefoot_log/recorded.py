@@ -58,6 +58,10 @@ class Recorded:
     def __repr__(self) -> str:
         return f"<run of {self.header['scenario']}, seed {self.header['seed']}, {len(self.channels)} channels: {self._log.path}>"
 
+    def __fspath__(self) -> str:
+        """So that what takes a log's path takes this: `surefoot.explain(run, 3.0)`."""
+        return str(self.path)
+
     @property
     def path(self) -> pathlib.Path:
         return pathlib.Path(self._log.path)

@@ -31,6 +31,7 @@ def test_a_tick_of_a_log_is_explained_as_the_program_does(steps_down):
         ours = surefoot.explain(steps_down, 13.0, exact=exact)
         assert ours.facts["time"] == 13.0 and ours.facts["costs_are_exact"] is exact and len(ours.facts["gave_way"]) > 1
     assert ours.text == answer("explain", steps_down, "--at", 13)
+    assert surefoot.explain(surefoot.read(steps_down), 13.0, exact=True).text == ours.text
     assert ours.facts == of_json("explain", steps_down, "--at", 13)
 
 

@@ -1,5 +1,7 @@
 """Runs, campaigns and controllers without a plant, from Python."""
 
+import multiprocessing
+import pickle
 import sys
 import threading
 
@@ -21,6 +23,27 @@ def by_hand(scenario, controller, plant, evaluator=None):
         if evaluator is not None:
             evaluator.add()
         plant.write(command)
+
+
+def hash_of(scenario):
+    return surefoot.run(scenario).torques_hash
+
+
+def test_a_scenario_can_be_sent_to_another_process(tmp_path, monkeypatch):
+    file = tmp_path / "mine.yaml"
+    file.write_text("base: walk_flat_ideal\nduration: 0.3\n")
+    monkeypatch.chdir(tmp_path)
+    stack = surefoot.Stack("terrain_adaptation").tune("com_xy", kp=77)
+    scenarios = [
+        surefoot.load_scenario("walk_flat_mismatch", seed=7, set=["duration=0.3"], stack="regular"), surefoot.load_scenario("mine.yaml"),
+        surefoot.load_scenario("walk_flat_ideal", set=["duration=0.3"], robot="hexapod"),
+        surefoot.load_scenario("walk_flat_ideal", set=["duration=0.3"], robot=surefoot.Robot("go2"), stack=stack),
+    ]  # fmt: skip
+    monkeypatch.chdir("/")
+    with multiprocessing.get_context("spawn").Pool(1) as pool:
+        assert pool.map(hash_of, scenarios) == [hash_of(each) for each in scenarios]
+    again = pickle.loads(pickle.dumps(pickle.loads(pickle.dumps(scenarios[0]))))
+    assert repr(again) == repr(scenarios[0]) and again.options_json == scenarios[0].options_json and again.drawn == scenarios[0].drawn != {}
 
 
 def test_a_run_is_that_of_the_program_to_the_bit(scenario):
