@@ -48,7 +48,10 @@ KinematicCalibration::KinematicCalibration(const model::RobotDescription& robot,
       sum_HWy_(Errors::Zero(num_errors_)),
       before_(sum_HWy_),
       after_(sum_HWy_),
+      imu_covariance_before_(kZeroPrior * kZeroPrior * Mat3::Identity()),
+      imu_covariance_after_(imu_covariance_before_),
       in_use_(no_errors(num_legs_)) {
+  in_use_.imu_covariance = imu_covariance_after_;
   const model::BodyTree tree = model::make_body_tree(robot, model::read_urdf(robot));
   chains_.resize(num_legs_);
   for (const Leg leg : chains_.legs()) {
@@ -165,7 +168,13 @@ void KinematicCalibration::finish() noexcept {
   Information A = sum_HWH_ - sum_H_.transpose() * W_ * sum_H_ / samples_;
   const Errors b = sum_HWy_ - sum_H_.transpose() * (W_ * sum_y_) / samples_;
   for (int i = 0; i < num_errors_; ++i) A(i, i) += 1.0 / (prior(i) * prior(i));
-  const Errors found = -A.ldlt().solve(b);
+  const auto factors = A.ldlt();
+  const Errors found = -factors.solve(b);
+  using ImuColumns = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::ColMajor, kMaxErrors, 3>;
+  ImuColumns imu = ImuColumns::Zero(num_errors_, 3);
+  imu.middleRows<3>(imu_).setIdentity();
+  imu_covariance_before_ = imu_covariance_after_;
+  imu_covariance_after_ = factors.solve(imu).middleRows<3>(imu_);
   knows_legs_ = true;
   before_ = after_;
   share_ = 0.0;
@@ -186,6 +195,8 @@ void KinematicCalibration::fade() noexcept {
     in_use_.zero.segment<kJointsPerLeg>(first_joint(leg)) = now.segment<3>(first + 2);
   }
   in_use_.imu = now.segment<3>(imu_);
+  in_use_.imu_covariance = imu_covariance_before_ +
+                           smoothstep(share_) * (imu_covariance_after_ - imu_covariance_before_);
 }
 
 }  // namespace surefoot::estimation

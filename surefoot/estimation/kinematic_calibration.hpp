@@ -96,6 +96,7 @@ class KinematicCalibration {
   Information sum_HWH_;
   Errors sum_HWy_;
   Errors before_, after_;
+  Mat3 imu_covariance_before_, imu_covariance_after_;
   double share_ = 1.0;  // of the way from before to after
   KinematicErrors in_use_;
 };

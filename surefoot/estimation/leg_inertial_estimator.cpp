@@ -219,6 +219,7 @@ void LegInertialEstimator::advance(const SensorReading& reading, double dt, bool
 // Corrected leg lengths or IMU mounting must not move the robot: its feet shift instead.
 void LegInertialEstimator::take_over(const KinematicErrors& errors, const JointVector& q) {
   for (Foot& foot : feet_) foot.shift.setZero();
+  errors_.imu_covariance = errors.imu_covariance;
   if (errors == errors_) return;
   JointVector q_before = q;
   q_before.head(errors.zero.size()) =
@@ -304,13 +305,15 @@ void LegInertialEstimator::write_base(const SensorReading& reading) {
   state_.q_WB = Quat(filter_.R_WB());
   state_.v_WB = filter_.v_WB();
   state_.w_WB_B = reading.gyro - filter_.gyro_bias();
-  // By the filter's error ξ: R̂ᵀ v̂ = Rᵀ v + R̂ᵀ ξ_v, and R̂ = exp(θ) R.
+  // By the filter's error ξ: R̂ᵀ v̂ = Rᵀ v + R̂ᵀ ξ_v, and R̂ = exp(θ) R. The filter knows the IMU's
+  // orientation, and B is as far off it as the mounting.
   using Filter = InvariantFilter;
   const Mat3 R_BW = filter_.R_WB().transpose();
   const auto& P = filter_.covariance();
   state_.velocity_covariance.noalias() =
       R_BW * P.block<3, 3>(Filter::kVelocity, Filter::kVelocity) * filter_.R_WB();
   state_.orientation_covariance = P.block<3, 3>(Filter::kTheta, Filter::kTheta);
+  state_.orientation_covariance.noalias() += R_BW.transpose() * errors_.imu_covariance * R_BW;
 }
 
 void LegInertialEstimator::predict(const TickContext& context) {

@@ -12,6 +12,7 @@ struct KinematicErrors {
   LegJointVector zero = LegJointVector::Zero(kNumLegJoints);
   /// Mounting error of the IMU: its readings, turned by this vector, are in B [rad].
   Vec3 imu = Vec3::Zero();
+  Mat3 imu_covariance = Mat3::Zero();  ///< of what is left of it, in B [rad²]
 
   [[nodiscard]] bool operator==(const KinematicErrors&) const = default;
 };

@@ -5,6 +5,7 @@
 #include "tests/support/random_motion.hpp"
 #include "tests/support/turning_robot.hpp"
 
+#include <Eigen/LU>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -71,6 +72,7 @@ struct Bench {
   TurningRobot robot;
   model::RobotModel model;
   KinematicCalibration calibration{robot.description(), TurningRobot::kPeriod};
+  KinematicErrors at_first = calibration.errors();
   RobotState state;
   Quat tilt = Quat::Identity();  // by which the orientation is believed askew
   Vec3 bias = Vec3::Zero();      // of the gyroscope
@@ -117,17 +119,21 @@ TEST(KinematicCalibration, NeedsNoVerticalAndNoGyroscopeWithoutBias) {
 TEST(KinematicCalibration, FindsHowTheImuIsMounted) {
   const Vec3 imu = 0.0087 * Vec3(1.0, -0.8, 0.6);
   constexpr unsigned kNumRobots = 8;
-  double square = 0.0;
+  double square = 0.0, nees = 0.0;
   for (unsigned seed = 21; seed < 21 + kNumRobots; ++seed) {
     Bench bench(some_errors(seed, 0.01, 0.0087));
     bench.imu = imu;
     const double before = error_between_feet(bench.robot, KinematicErrors{});
     bench.run(kAll);
     const KinematicErrors& found = bench.calibration.errors();
-    square += (found.imu - imu).squaredNorm() / kNumRobots;
+    const Vec3 left = imu - found.imu;
+    square += left.squaredNorm() / kNumRobots;
+    nees += left.dot(found.imu_covariance.inverse() * left) / (3.0 * kNumRobots);
     EXPECT_LT(error_between_feet(bench.robot, found), 0.35 * before) << seed;
   }
   EXPECT_LT(std::sqrt(square), 0.35 * imu.norm());
+  EXPECT_GT(nees, 0.1);
+  EXPECT_LT(nees, 2.0) << "what is left is as large as believed";
 }
 
 TEST(KinematicCalibration, BearsAGyroscopeThatIsLate) {
@@ -162,6 +168,7 @@ TEST(KinematicCalibration, ARobotThatStandsStillLearnsNothing) {
   bench.run(kAll);
   const KinematicErrors& found = bench.calibration.errors();
   EXPECT_LT(found.zero.cwiseAbs().maxCoeff(), 1e-4);
+  EXPECT_GT(found.imu_covariance.trace(), 3.0 * 0.0045 * 0.0045);
   for (const Leg leg : kLegs) EXPECT_NEAR(found.thigh[index(leg)], 0.0, 1e-4);
 }
 
@@ -172,7 +179,7 @@ TEST(KinematicCalibration, WhatItFindsComesIntoUseLittleByLittle) {
   while (bench.robot.time() < kAll) {
     bench.tick();
     const KinematicErrors& now = bench.calibration.errors();
-    EXPECT_TRUE(now == KinematicErrors{} || bench.robot.stage() != CalibrationStage::turning);
+    EXPECT_TRUE(now == bench.at_first || bench.robot.stage() != CalibrationStage::turning);
     largest = std::max(largest, (now.zero - before.zero).cwiseAbs().maxCoeff());
     before = now;
   }
@@ -185,7 +192,7 @@ TEST(KinematicCalibration, ForgetsAMotionInWhichAFootDidNotStay) {
   bench.run(5.5);
   bench.calibration.forget();  // what is left of the turning is too little
   bench.run(kAll);
-  EXPECT_EQ(bench.calibration.errors(), KinematicErrors{});
+  EXPECT_EQ(bench.calibration.errors(), bench.at_first);
   EXPECT_FALSE(bench.calibration.knows_legs());
   const KinematicErrors truth = some_errors(10, 0.01, 0.0);
   Bench early(truth);
@@ -238,7 +245,7 @@ TEST(KinematicCalibration, AfterALongerGapItListensAnew) {
   bench.run(5.5);
   bench.deaf_until = 5.5 + 10.0 * TurningRobot::kPeriod;
   bench.run(kAll);
-  EXPECT_EQ(bench.calibration.errors(), KinematicErrors{}) << "what is left is too little";
+  EXPECT_EQ(bench.calibration.errors(), bench.at_first) << "what is left is too little";
 }
 
 TEST(KinematicCalibration, WhatPassesWhileItDoesNotListenIsNoPartOfTheTurn) {
