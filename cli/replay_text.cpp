@@ -4,7 +4,6 @@
 #include "surefoot/base/build_info.hpp"
 #include "surefoot/base/formatted.hpp"
 #include "surefoot/base/text_table.hpp"
-#include "surefoot/logging/visible_residual.hpp"
 
 #include <cmath>
 

@@ -26,6 +26,7 @@ struct ViewChannels {
   int num_legs = kNumLegs;
   std::vector<std::string> level_names;  ///< of the hierarchy: each level has its channels
   std::vector<double> level_visible;     ///< of these levels, see `visible_residual`
+  double least_load = 0.0;               ///< see LogRobot [N]
   std::vector<std::string> joint_names =
       std::vector<std::string>(kNumLegJoints);  ///< as in messages
   std::vector<ViewChannel> channels;

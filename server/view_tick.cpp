@@ -8,7 +8,6 @@
 #include "surefoot/logging/hierarchy_status.hpp"
 #include "surefoot/logging/logged_model.hpp"
 #include "surefoot/logging/stop_text.hpp"
-#include "surefoot/logging/visible_residual.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -137,7 +136,9 @@ ViewChannels tick_channels(const logging::LogHeader& header, const simulation::G
   ViewChannels channels;
   channels.num_legs = header.robot.num_legs;
   channels.level_names = header.level_names;
-  channels.level_visible = logging::visible_residuals(header);
+  for (std::ptrdiff_t k = 0; k < std::ssize(header.level_names); ++k)
+    channels.level_visible.push_back(header.visible(k));
+  channels.least_load = header.robot.least_load();
   channels.joint_names = header.robot.joints();
   TickRecord tick;
   size_joints(tick, std::ssize(header.robot.joint_names), header.robot.num_legs);
@@ -172,10 +173,11 @@ void to_frame(const KnownTick& tick, const ViewChannels& channels, ViewFrame& fr
   writer.add(tick.record.user);
   writer.add(tick.record.state);
   writer.add(tick.record.plan);
-  writer.add(logged::model_of(tick.record));
+  writer.add(logged::model_of(tick.record, channels.least_load));
   writer.add(tick.hierarchy);
   writer.add(tick.record.command);
-  const explain::CommandedForces forces = explain::commanded_forces(tick.cone, tick.record);
+  const explain::CommandedForces forces =
+      explain::commanded_forces(tick.cone, tick.record, channels.least_load);
   writer.add(forces);
   writer.add(told(tick, forces, channels));
   writer.add(tick.timing == nullptr ? no_timing() : *tick.timing);

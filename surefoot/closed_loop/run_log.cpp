@@ -3,6 +3,7 @@
 #include "surefoot/base/build_info.hpp"
 #include "surefoot/closed_loop/log_terrain.hpp"
 #include "surefoot/config/stack_text.hpp"
+#include "surefoot/logging/visible_residual.hpp"
 #include "surefoot/model/urdf.hpp"
 #include "surefoot/signals/plan_event.hpp"
 
@@ -107,6 +108,9 @@ logging::LogHeader log_header(const config::Scenario& scenario,
   header.control_period = scenario.controller.period;
   header.level_names = controller.level_names();
   header.level_units = controller.level_units();
+  for (std::size_t k = 0; k < header.level_names.size(); ++k)
+    header.level_visible.push_back(logging::visible_residual(
+        header.level_names[k], header.level_units[k], model.description().scale));
   header.event_names = event_names();
   header.own_parts = controller.own_parts();
   header.robot = robot_of(model);

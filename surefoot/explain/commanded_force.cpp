@@ -8,8 +8,7 @@
 namespace surefoot::explain {
 namespace {
 
-constexpr double kMinNormalForce = 1.0;  // normal force of a loaded foot [N]
-constexpr double kUseTolerance = 0.01;   // of a friction use that may be rounding
+constexpr double kUseTolerance = 0.01;  // of a friction use that may be rounding
 
 }  // namespace
 
@@ -40,8 +39,9 @@ std::optional<tasks::FrictionCone> friction_cone_of(const logging::LogHeader& he
 }
 
 CommandedForces commanded_forces(const std::optional<tasks::FrictionCone>& cone,
-                                 const TickRecord& tick) {
+                                 const TickRecord& tick, double least_load) {
   CommandedForces result(static_cast<int>(tick.plan.feet.size()));
+  result.least_load = least_load;
   if (!logging::was_used(tick)) return result;
   for (const Leg leg : tick.plan.feet.legs()) {
     if (!tick.plan.contact(leg)) continue;
@@ -55,7 +55,7 @@ CommandedForces commanded_forces(const std::optional<tasks::FrictionCone>& cone,
     result.q_WP[k] = Quat(pyramid.axes);
     result.pyramid_friction[k] = pyramid.mu;
     result.normal[k] = pyramid.normal().dot(force);
-    if (result.normal[k] > kMinNormalForce && pyramid.mu > 0.0)
+    if (result.normal[k] > least_load && pyramid.mu > 0.0)
       result.friction_use[k] = pyramid.use(force);
   }
   return result;
@@ -64,7 +64,7 @@ CommandedForces commanded_forces(const std::optional<tasks::FrictionCone>& cone,
 Beyond beyond_limits(const CommandedForces& forces, const MotionPlan& plan, Leg leg) {
   const std::size_t k = index(leg);
   const double normal = forces.normal[k];
-  if (normal < -kMinNormalForce || normal > plan.feet[k].force_max + kMinNormalForce)
+  if (normal < -forces.least_load || normal > plan.feet[k].force_max + forces.least_load)
     return Beyond::force;
   return forces.friction_use[k] > 1.0 + kUseTolerance ? Beyond::friction : Beyond::nothing;
 }

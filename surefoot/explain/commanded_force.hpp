@@ -19,6 +19,7 @@ struct CommandedForces {
   PerLeg<double> friction_use;      ///< 1: a face of the pyramid is active
   PerLeg<Quat> q_WP;                ///< axes of the pyramid P in W
   PerLeg<double> pyramid_friction;  ///< its μ'
+  double least_load = 0.0;          ///< see LogRobot [N]
 };
 
 /// The friction task of a stack; empty if the stack has none, or one that this program does not
@@ -29,9 +30,9 @@ struct CommandedForces {
 [[nodiscard]] std::optional<tasks::FrictionCone> friction_cone_of(const logging::LogHeader& header);
 
 /// All NaN if the tick's command is no solution. Without a known cone, forces are along the
-/// terrain's normal, and friction is NaN.
+/// terrain's normal, and friction is NaN. `least_load`: see LogRobot.
 [[nodiscard]] CommandedForces commanded_forces(const std::optional<tasks::FrictionCone>& cone,
-                                               const TickRecord& tick);
+                                               const TickRecord& tick, double least_load);
 
 /// The limit that a foot's force exceeds in the solution, because the level of that limit gave way.
 /// The ground can't give such a force.

@@ -4,7 +4,6 @@
 #include "surefoot/explain/unused_text.hpp"
 #include "surefoot/logging/hierarchy_status.hpp"
 #include "surefoot/logging/message_fields.hpp"
-#include "surefoot/logging/visible_residual.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -282,7 +281,7 @@ std::vector<LevelThatGaveWay> gave_way(const TickExplanation& explanation) {
     const double residual = report.levels[level].residual;
     const std::string name = explanation.header.level_name(k);
     const std::string unit = explanation.header.level_unit(k);
-    const double visible = logging::visible_residual(name, unit);
+    const double visible = explanation.header.visible(k);
     const bool is_minimised = std::isnan(visible);
     if (!(residual > (is_minimised ? kResidualRounding : visible))) continue;
     std::vector<CostlyRow> rows = rows_of(explanation, k);

@@ -36,7 +36,6 @@ namespace surefoot::explain {
 
 namespace {
 
-constexpr double kMinTrueForce = 1.0;    // normal force of a loaded foot [N]
 constexpr double kJustBefore = 0.01;     // a change: the truth that gives its direction [s]
 constexpr double kTimeTolerance = 1e-6;  // of a time that the user gives [s]
 constexpr int kMaxRestartTicks = 400;    // a restart of the estimate comes within these first ticks
@@ -168,7 +167,8 @@ class Search {
     found_.is_behind_end =
         has_ended && time_ > nearest_ + 0.5001 * period && is_end(time_, nearest_ + period);
     if (!found_.is_behind_end && !(std::abs(nearest_ - time_) <= 0.5001 * period)) refuse();
-    found_.forces = commanded_forces(friction_cone_of(found_.header), found_.tick);
+    found_.forces = commanded_forces(friction_cone_of(found_.header), found_.tick,
+                                     found_.header.robot.least_load());
     found_.header.attachments.clear();
     found_.row_names = log_.row_names();
     found_.timing = read_timing(path_, nanoseconds(nearest_), found_.header.level_names);
@@ -374,9 +374,9 @@ std::vector<NearbyEvent> read_events(const std::string& path) {
   return Search(path, 0.0, kAll, kAll).events();
 }
 
-double true_friction_use(const simulation::TrueContact& contact) {
+double true_friction_use(const simulation::TrueContact& contact, double least_load) {
   const double along_normal = contact.normal.dot(contact.force);
-  if (along_normal < kMinTrueForce || contact.friction <= 0.0) return kNaN;
+  if (along_normal <= least_load || contact.friction <= 0.0) return kNaN;
   return (contact.force - along_normal * contact.normal).norm() / (contact.friction * along_normal);
 }
 

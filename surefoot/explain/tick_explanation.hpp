@@ -100,6 +100,7 @@ inline constexpr double kEventWindow = 1.0;
 [[nodiscard]] double level_time(const TickExplanation& explanation, std::size_t level);
 
 /// Share of the true ground's friction cone that a foot's force uses; NaN for a foot without load.
-[[nodiscard]] double true_friction_use(const simulation::TrueContact& contact);
+/// `least_load`: see LogRobot.
+[[nodiscard]] double true_friction_use(const simulation::TrueContact& contact, double least_load);
 
 }  // namespace surefoot::explain

@@ -61,7 +61,8 @@ Json feet_json(const TickExplanation& explanation) {
     if (explanation.truth) {
       const simulation::TrueContact& contact = explanation.truth->feet[k];
       one["true_normal_force"] = contact.normal.dot(contact.force);
-      one["true_friction_use"] = number(true_friction_use(contact));
+      one["true_friction_use"] =
+          number(true_friction_use(contact, explanation.header.robot.least_load()));
     }
     feet[leg_name(leg, explanation.header.robot.num_legs)] = std::move(one);
   }
@@ -181,32 +182,34 @@ Json explanation_json(const TickExplanation& explanation) {
   const bool is_solved = logging::was_used(tick);
   const bool is_exact = explanation.exact.has_value();
   const Mat3 R_WB = tick.state.q_WB.toRotationMatrix();
-  Json json = {{"log", explanation.log},
-               {"scenario", explanation.header.scenario},
-               {"seed", explanation.header.seed},
-               {"stack", explanation.header.stack},
-               {"asked", explanation.asked},
-               {"time", tick.reading.time},
-               {"solved", is_solved},
-               {"sentence", explanation.sentence()},
-               {"gave_way", yielding_levels(explanation)},
-               {"costs_are_exact", is_exact},
-               {"blocking_is_known", tick.hierarchy.blocking_is_known || is_exact},
-               {"blend", blend_json(explanation)},
-               {"tilt", number(std::acos(std::clamp(R_WB(2, 2), -1.0, 1.0)))},
-               {"feet", feet_json(explanation)},
-               {"levels", levels_json(explanation)},
-               {"limits", limits_json(explanation)},
-               {"missed", missed_json(explanation)},
-               {"events", events_json(explanation.events)},
-               {"why_stopped", logging::text_of_stop(tick, explanation.header.robot.joints())},
-               {"readings", message(tick.reading)},
-               {"health", message(tick.health)},
-               {"user", message(tick.user)},
-               {"state", message(tick.state)},
-               {"plan", is_solved ? message(tick.plan) : Json()},
-               {"model", is_solved ? message(logged::model_of(tick)) : Json()},
-               {"command", message(tick.command)}};
+  Json json = {
+      {"log", explanation.log},
+      {"scenario", explanation.header.scenario},
+      {"seed", explanation.header.seed},
+      {"stack", explanation.header.stack},
+      {"asked", explanation.asked},
+      {"time", tick.reading.time},
+      {"solved", is_solved},
+      {"sentence", explanation.sentence()},
+      {"gave_way", yielding_levels(explanation)},
+      {"costs_are_exact", is_exact},
+      {"blocking_is_known", tick.hierarchy.blocking_is_known || is_exact},
+      {"blend", blend_json(explanation)},
+      {"tilt", number(std::acos(std::clamp(R_WB(2, 2), -1.0, 1.0)))},
+      {"feet", feet_json(explanation)},
+      {"levels", levels_json(explanation)},
+      {"limits", limits_json(explanation)},
+      {"missed", missed_json(explanation)},
+      {"events", events_json(explanation.events)},
+      {"why_stopped", logging::text_of_stop(tick, explanation.header.robot.joints())},
+      {"readings", message(tick.reading)},
+      {"health", message(tick.health)},
+      {"user", message(tick.user)},
+      {"state", message(tick.state)},
+      {"plan", is_solved ? message(tick.plan) : Json()},
+      {"model",
+       is_solved ? message(logged::model_of(tick, explanation.header.robot.least_load())) : Json()},
+      {"command", message(tick.command)}};
   if (explanation.touch) json["lies_on"] = lying_text(*explanation.touch);
   if (explanation.truth) json["pushed_by"] = applied_json(explanation);
   if (explanation.truth) json["truth"] = message(*explanation.truth);

@@ -5,7 +5,6 @@
 #include "surefoot/logging/hierarchy_status.hpp"
 #include "surefoot/logging/message_fields.hpp"
 #include "surefoot/logging/stop_text.hpp"
-#include "surefoot/logging/visible_residual.hpp"
 #include "surefoot/math/rotation.hpp"
 
 #include <algorithm>
@@ -46,15 +45,15 @@ std::string velocity(const Vec3& v, const Vec3& w) {
                    rounded(w.y(), 1e-3), rounded(w.z(), 1e-3));
 }
 
-/// The payload; empty if it is unknown or within the error of its estimate. Its place only from 1
-/// kg on: below that the place is not known well enough.
-std::string carried(const BaseLoad& load) {
-  constexpr double kMinMass = 0.5, kMinMassWithPlace = 1.0;  // [kg]
+/// The payload; empty if it is unknown or within the error of its estimate. The place of a light
+/// one is not known well enough.
+std::string carried(const BaseLoad& load, double robot_mass) {
+  constexpr double kMinShare = 1.0 / 60.0, kMinShareWithPlace = 1.0 / 30.0;  // of the robot's mass
   const double mass = std::abs(load.mass);
-  if (!(mass >= kMinMass) || !load.first_moment.allFinite()) return "";
+  if (!(mass >= kMinShare * robot_mass) || !load.first_moment.allFinite()) return "";
   const std::string much =
       formatted("%.1f kg %s than described", mass, load.mass > 0.0 ? "more" : "less");
-  if (!(load.mass >= kMinMassWithPlace)) return much;
+  if (!(load.mass >= kMinShareWithPlace * robot_mass)) return much;
   const Vec3 at = load.first_moment / load.mass;
   return much + formatted(", at x %.2f, y %.2f, z %.2f m in B", rounded(at.x(), 0.01),
                           rounded(at.y(), 0.01), rounded(at.z(), 0.01));
@@ -130,7 +129,7 @@ std::string facts(const TickExplanation& explanation) {
   const TickRecord& tick = explanation.tick;
   Table table{{"base in W", pose(tick.state.p_WB, tick.state.q_WB)},
               {"moves by", velocity(tick.state.v_WB, tick.state.w_WB_B)}};
-  const std::string load = carried(tick.model.load);
+  const std::string load = carried(tick.model.load, explanation.header.robot.mass);
   if (!load.empty()) table.push_back({"weighs", load});
   if (explanation.truth)
     table.push_back({"truth in S", pose(explanation.truth->p_SB, explanation.truth->q_SB)});
@@ -166,12 +165,12 @@ std::string name_of(Leg leg, const PerLeg<T>& list) {
 }
 
 /// Of a tick whose command is no solution: plan and commanded forces mean nothing there.
-std::string true_feet_table(const simulation::GroundTruth& truth) {
+std::string true_feet_table(const simulation::GroundTruth& truth, double least_load) {
   Table table{{"foot", "in truth", "friction used"}};
   for (const Leg leg : truth.feet.legs()) {
     const simulation::TrueContact& contact = truth.feet[index(leg)];
     table.push_back({name_of(leg, truth.feet), true_force(contact),
-                     known(100.0 * true_friction_use(contact), "%.0f %%")});
+                     known(100.0 * true_friction_use(contact, least_load), "%.0f %%")});
   }
   return aligned(table);
 }
@@ -197,7 +196,8 @@ std::string feet_table(const TickExplanation& explanation) {
     if (!explanation.truth) continue;
     const simulation::TrueContact& contact = explanation.truth->feet[k];
     table.back().push_back(true_force(contact));
-    table.back().push_back(known(100.0 * true_friction_use(contact), "%.0f %%"));
+    table.back().push_back(known(
+        100.0 * true_friction_use(contact, explanation.header.robot.least_load()), "%.0f %%"));
   }
   return aligned(table) +
          (is_marked ? "* the solution's wish, beyond the foot's limits: no ground gives it\n" : "");
@@ -221,8 +221,7 @@ std::string status_of(const TickExplanation& explanation, std::size_t place) {
   const logging::LevelStatus status = level_status(explanation, place);
   const logging::LogHeader& header = explanation.header;
   const std::int16_t level = explanation.order[place];
-  const bool is_minimised =
-      std::isnan(logging::visible_residual(header.level_name(level), header.level_unit(level)));
+  const bool is_minimised = std::isnan(header.visible(level));
   return status == logging::LevelStatus::missed && is_minimised
              ? "minimised"
              : std::string(logging::name_of(status));
@@ -282,10 +281,7 @@ std::string at_bounds(const TickExplanation& explanation) {
 std::string missed(const TickExplanation& explanation) {
   std::string out;
   for (const MissedEquality& row : missed_rows(explanation)) {
-    const logging::LogHeader& header = explanation.header;
-    const double visible =
-        logging::visible_residual(header.level_name(row.level), header.level_unit(row.level));
-    if (!(std::abs(row.by) > visible)) continue;
+    if (!(std::abs(row.by) > explanation.header.visible(row.level))) continue;
     out += "  " + full_name(explanation, row.level, row.id) + ", by " +
            amount(explanation, row.level, row.by) + "\n";
   }
@@ -316,7 +312,7 @@ std::string TickExplanation::text() const {
     if (tick.hierarchy.num_levels > 0) out += level_table(*this) + "\n";
     out += at_bounds(*this) + missed(*this);
   } else if (truth) {
-    out += true_feet_table(*truth) + "\n";
+    out += true_feet_table(*truth, header.robot.least_load()) + "\n";
   }
   out += nearby(*this);
   if (!problem.empty()) out += "The log is not whole: " + problem + ".\n";

@@ -4,6 +4,7 @@
 #include "surefoot/logging/visible_residual.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <iterator>
 #include <utility>
@@ -62,7 +63,13 @@ std::pair<int, int> numbers_of(std::string_view version) {
           std::atoi(std::string(version.substr(point + 1)).c_str())};
 }
 
+constexpr double kLoadShare = 1.0 / 300.0;  // of the weight, on a loaded foot
+
 }  // namespace
+
+double LogRobot::least_load() const {
+  return std::isnan(mass) ? 0.0 : kLoadShare * mass * kGravity;
+}
 
 std::string level_name(const std::vector<std::string>& names, std::ptrdiff_t number) {
   const bool is_known = number >= 0 && number < std::ssize(names);
@@ -80,6 +87,12 @@ std::string LogHeader::level_name(std::ptrdiff_t number) const {
 std::string LogHeader::level_unit(std::ptrdiff_t number) const {
   const bool is_known = number >= 0 && number < std::ssize(level_units);
   return is_known ? level_units[static_cast<std::size_t>(number)] : "";
+}
+
+double LogHeader::visible(std::ptrdiff_t number) const {
+  const bool is_known = number >= 0 && number < std::ssize(level_visible);
+  return is_known ? level_visible[static_cast<std::size_t>(number)]
+                  : visible_residual(level_name(number), level_unit(number), Scale());
 }
 
 const std::string* LogHeader::attachment(std::string_view name) const {
@@ -103,8 +116,9 @@ std::string to_json(const LogHeader& header) {
       .member("control_period", header.control_period);
   drawn_member(json, header.drawn);
   json.member("level_names", header.level_names).member("level_units", header.level_units);
-  const std::vector<double> visible = visible_residuals(header);
-  numbers(json, "level_visible", visible.data(), visible.size());
+  json.key("level_visible").array();
+  for (std::ptrdiff_t k = 0; k < std::ssize(header.level_names); ++k) json.value(header.visible(k));
+  json.end_array();
   json.member("event_names", header.event_names).member("own_parts", header.own_parts);
   robot_member(json, header.robot);
   json.key("limb")

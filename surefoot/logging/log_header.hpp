@@ -31,6 +31,9 @@ struct LogRobot {
   [[nodiscard]] std::vector<std::string> joints() const {
     return told_joints(joint_names, num_legs);
   }
+
+  /// Normal force from which a foot counts as loaded: 1/300 of the weight; 0 without a mass [N].
+  [[nodiscard]] double least_load() const;
 };
 
 /// Limits of the distance between hip and foot (Eq. 35), from the stack; NaN: no such level.
@@ -79,6 +82,7 @@ struct LogHeader {
   double control_period = 0.0025;        ///< [s]
   std::vector<std::string> level_names;  ///< of the hierarchy, highest first
   std::vector<std::string> level_units;  ///< of their residuals; empty texts: none
+  std::vector<double> level_visible;     ///< see `visible_residual`; empty: of ANYmal B
   std::vector<std::string> event_names;  ///< of MotionPlan::event, by number
   std::vector<std::string> own_parts;    ///< as Controller::own_parts() has them
   LogRobot robot;
@@ -97,6 +101,8 @@ struct LogHeader {
   [[nodiscard]] std::string level_name(std::ptrdiff_t number) const;
   /// Of its residual; empty if unknown.
   [[nodiscard]] std::string level_unit(std::ptrdiff_t number) const;
+  /// From this residual on the level counts as given way; see `visible_residual`.
+  [[nodiscard]] double visible(std::ptrdiff_t number) const;
 
   /// The content of an attachment; null if there is none.
   [[nodiscard]] const std::string* attachment(std::string_view name) const;

@@ -89,6 +89,8 @@ void parse_newer(const json& header, LogHeader& result) {
   result.own_parts = header.value("own_parts", std::vector<std::string>());
   result.level_units = header.value("level_units", std::vector<std::string>());
   result.level_units.resize(result.level_names.size());
+  for (const json& residual : header.value("level_visible", json::array()))
+    result.level_visible.push_back(number(residual));
   const json drawn = header.value("drawn", json::array());
   for (const json& draw : drawn) {
     result.drawn.push_back({draw.at("path").get<std::string>(), number(draw.at("value"))});

@@ -1,19 +1,14 @@
 #include "surefoot/logging/logged_model.hpp"
 
 namespace surefoot::logged {
-namespace {
 
-constexpr double kMinLoad = 1.0;  // of all feet [N]
-
-}  // namespace
-
-Vec2 measured_zmp(const PerLeg<Vec3>& p_WF, const PerLeg<Vec3>& force) {
+Vec2 measured_zmp(const PerLeg<Vec3>& p_WF, const PerLeg<Vec3>& force, double least_load) {
   double load = 0.0, moment = 0.0;
   for (std::size_t k = 0; k < force.size(); ++k) {
     load += force[k].z();
     moment += p_WF[k].z() * force[k].z();
   }
-  if (!(load > kMinLoad)) return Vec2::Constant(kNaN);
+  if (!(load > least_load)) return Vec2::Constant(kNaN);
   const double height = moment / load;
   Vec2 sum = Vec2::Zero();
   for (std::size_t k = 0; k < force.size(); ++k) {
@@ -22,8 +17,8 @@ Vec2 measured_zmp(const PerLeg<Vec3>& p_WF, const PerLeg<Vec3>& force) {
   return sum / load;
 }
 
-Model model_of(const TickRecord& tick) {
-  return {tick.model, measured_zmp(tick.model.p_WF, tick.state.foot_force)};
+Model model_of(const TickRecord& tick, double least_load) {
+  return {tick.model, measured_zmp(tick.model.p_WF, tick.state.foot_force, least_load)};
 }
 
 }  // namespace surefoot::logged

@@ -64,6 +64,7 @@ struct Recorder::Implementation {
         writer(partial_path(path), {.profile = "surefoot"}),
         namer({header.level_names, header.row_name}),
         num_legs(header.robot.num_legs),
+        least_load(header.robot.least_load()),
         orders{{0, header.level_names}},
         queue(std::max<std::size_t>(options.queue_ticks, 1)) {
     write_header(header);
@@ -161,7 +162,7 @@ struct Recorder::Implementation {
     message(channels.user, time, tick.user);
     message(channels.state, time, tick.state);
     message(channels.plan, time, tick.plan);
-    message(channels.model, time, logged::model_of(tick));
+    message(channels.model, time, logged::model_of(tick, least_load));
     message(channels.hierarchy, time, namer.name(tick.hierarchy));
     message(channels.command, time, tick.command);
   }
@@ -205,6 +206,7 @@ struct Recorder::Implementation {
   McapWriter writer;
   HierarchyNamer namer;
   int num_legs;
+  double least_load;  // see LogRobot [N]
   TickChannels channels{};
   std::deque<TickTiming> timings;  // grows without moving entries, on the loop's thread
   // Names of the levels, with the index of the first timing that has them.

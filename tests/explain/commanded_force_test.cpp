@@ -49,7 +49,7 @@ void expect_full_where_a_face_is_active(const std::vector<std::string>& assignme
   TickRecord tick;
   std::vector<double> at_a_face, inside, shown_otherwise;
   for (std::uint32_t number = 0; log.next(tick); ++number) {
-    const CommandedForces forces = commanded_forces(cone, tick);
+    const CommandedForces forces = commanded_forces(cone, tick, log.header().robot.least_load());
     const PerLeg<int> states = friction_states(tick, log.header().level_names);
     for (std::size_t k = 0; k < states.size(); ++k) {
       const double use = forces.friction_use[k];
@@ -100,7 +100,7 @@ TEST(CommandedForces, tell_the_pyramid_that_held_them) {
       const TickRecord tick = leaning(angle, 0.4);
       const tasks::FrictionCone cone(
           {.pyramid = tasks::FrictionCone::Pyramid::inner, .axes = axes});
-      const CommandedForces forces = commanded_forces(cone, tick);
+      const CommandedForces forces = commanded_forces(cone, tick, 1.0);
       const tasks::FrictionPyramid pyramid = cone.pyramid(tick.plan, Leg::LF);
       EXPECT_EQ(forces.pyramid_friction[0], pyramid.mu);
       EXPECT_TRUE(forces.q_WP[0].toRotationMatrix().isApprox(pyramid.axes, 1e-12));
@@ -131,14 +131,29 @@ TEST(CommandedForces, are_not_known_of_feet_that_do_not_carry) {
   tick.plan.feet[1].phase = LegPhase::swing;
   for (Vec3& force : tick.model.force) force = Vec3(0.0, 0.0, 50.0);
   tick.model.force[2].z() = 0.5;
-  const CommandedForces forces = commanded_forces(tasks::FrictionCone({}), tick);
+  const CommandedForces forces = commanded_forces(tasks::FrictionCone({}), tick, 1.0);
   EXPECT_EQ(forces.friction_use[0], 0.0);
   EXPECT_TRUE(std::isnan(forces.normal[1]) && std::isnan(forces.friction_use[1]));
   EXPECT_TRUE(forces.q_WP[1].coeffs().array().isNaN().all());
   EXPECT_TRUE(std::isnan(forces.pyramid_friction[1]));
   EXPECT_EQ(forces.normal[2], 0.5);
   EXPECT_TRUE(std::isnan(forces.friction_use[2]));
-  EXPECT_TRUE(std::isnan(commanded_forces(std::nullopt, tick).friction_use[0]));
+  EXPECT_TRUE(std::isnan(commanded_forces(std::nullopt, tick, 1.0).friction_use[0]));
+}
+
+TEST(CommandedForces, are_known_from_a_share_of_the_robots_weight_on) {
+  TickRecord tick;
+  for (FootPlan& foot : tick.plan.feet) foot.phase = LegPhase::stance;
+  for (Vec3& force : tick.model.force) force = Vec3(0.0, 0.0, 0.5);
+  const auto is_known = [&](double mass) {
+    logging::LogRobot robot;
+    robot.mass = mass;
+    const double least = robot.least_load();
+    return !std::isnan(commanded_forces(tasks::FrictionCone({}), tick, least).friction_use[0]);
+  };
+  EXPECT_FALSE(is_known(30.0));
+  EXPECT_TRUE(is_known(3.0));
+  EXPECT_TRUE(is_known(kNaN));
 }
 
 TEST(CommandedForces, are_beyond_their_limits_by_more_than_rounding) {
@@ -146,6 +161,7 @@ TEST(CommandedForces, are_beyond_their_limits_by_more_than_rounding) {
   for (FootPlan& foot : plan.feet) foot.force_max = 400.0;
   const auto beyond = [&](double normal, double use) {
     CommandedForces forces;
+    forces.least_load = 1.0;
     forces.normal[0] = normal;
     forces.friction_use[0] = use;
     return beyond_limits(forces, plan, Leg::LF);

@@ -47,7 +47,7 @@ TickExplanation unsolved() {
   tick.hierarchy.num_levels = 1;
   tick.command.mode = CommandMode::damping;
   tick.command.cause = StopCause::tilt;
-  explanation.forces = commanded_forces(std::nullopt, tick);
+  explanation.forces = commanded_forces(std::nullopt, tick, 1.0);
   return explanation;
 }
 
@@ -199,7 +199,7 @@ TEST(TickText, AtTheFirstTickOfAStopWhatWasSolvedIsNotToldAsWhatCommands) {
     tick.command.mode = mode;
     tick.command.cause = StopCause::imu;
     tick.command.fault = SampleFault::silent;
-    explanation.forces = commanded_forces(std::nullopt, tick);
+    explanation.forces = commanded_forces(std::nullopt, tick, 1.0);
     const std::string text = explanation.text();
     EXPECT_TRUE(holds(text, "The controller stopped, and what was solved was not used: "));
     EXPECT_TRUE(holds(text, ", because IMU stopped."));
@@ -233,6 +233,7 @@ TEST(TickText, WhatPushesTheRobotIsToldInTextAndJson) {
 
 TEST(TickText, WhatTheRobotIsFoundToCarryIsToldWithItsPlace) {
   TickExplanation explanation;
+  explanation.header.robot.mass = 30.0;
   const auto says = [&](double mass, const Vec3& at) {
     explanation.tick.model.load = {.mass = mass, .first_moment = mass * at};
     return explanation.text();
@@ -243,6 +244,9 @@ TEST(TickText, WhatTheRobotIsFoundToCarryIsToldWithItsPlace) {
   EXPECT_TRUE(holds(says(-2.0, at), "2.0 kg less than described\n"));
   for (const double nothing : {0.0, -0.2, kNaN})
     EXPECT_FALSE(holds(says(nothing, at), "weighs")) << nothing;
+  explanation.header.robot.mass = 3.0;
+  EXPECT_TRUE(holds(says(0.2, at), "0.2 kg more than described, at x 0.05"));
+  EXPECT_FALSE(holds(says(0.04, at), "weighs"));
 }
 
 TEST(TickText, ASolveThatWasCutOffIsSaidToBe) {

@@ -26,7 +26,7 @@ TEST(MeasuredZmp, TheForcesHaveNoHorizontalMomentAboutIt) {
   std::mt19937_64 random(3);
   for (int i = 0; i < 200; ++i) {
     const Feet feet = random_feet(random);
-    const Vec2 zmp = logged::measured_zmp(feet.p_WF, feet.force);
+    const Vec2 zmp = logged::measured_zmp(feet.p_WF, feet.force, 1.0);
     double load = 0.0, height = 0.0;
     for (std::size_t k = 0; k < 4; ++k) load += feet.force[k].z();
     for (std::size_t k = 0; k < 4; ++k) height += feet.p_WF[k].z() * feet.force[k].z() / load;
@@ -45,7 +45,7 @@ TEST(MeasuredZmp, UnderASingleFootThatCarriesItIsThatFoot) {
     for (std::size_t other = 0; other < 4; ++other)
       if (other != k) feet.force[other].setZero();
     EXPECT_TRUE(
-        logged::measured_zmp(feet.p_WF, feet.force).isApprox(feet.p_WF[k].head<2>(), 1e-12));
+        logged::measured_zmp(feet.p_WF, feet.force, 1.0).isApprox(feet.p_WF[k].head<2>(), 1e-12));
   }
 }
 
@@ -53,10 +53,10 @@ TEST(MeasuredZmp, IsNotKnownWhileNothingCarriesOrNothingIsBelieved) {
   std::mt19937_64 random(5);
   Feet feet = random_feet(random);
   const PerLeg<Vec3> air{Vec3::Zero(), Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
-  EXPECT_TRUE(logged::measured_zmp(feet.p_WF, air).array().isNaN().all());
+  EXPECT_TRUE(logged::measured_zmp(feet.p_WF, air, 1.0).array().isNaN().all());
   feet.force[2].setConstant(kNaN);
-  EXPECT_TRUE(logged::measured_zmp(feet.p_WF, feet.force).array().isNaN().all());
-  EXPECT_TRUE(logged::model_of(TickRecord()).zmp.array().isNaN().all());
+  EXPECT_TRUE(logged::measured_zmp(feet.p_WF, feet.force, 1.0).array().isNaN().all());
+  EXPECT_TRUE(logged::model_of(TickRecord(), 1.0).zmp.array().isNaN().all());
 }
 
 }  // namespace

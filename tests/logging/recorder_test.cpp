@@ -117,6 +117,7 @@ TEST(Recorder, TheHeaderIsReadBack) {
   EXPECT_EQ(header.seed, expected.seed);
   EXPECT_EQ(header.level_names, expected.level_names);
   EXPECT_EQ(header.level_units, expected.level_units);
+  EXPECT_EQ(header.visible(1), expected.level_visible[1]);
   EXPECT_EQ(header.robot.joint_names, expected.robot.joint_names);
   EXPECT_EQ(header.robot.torque_limit, expected.robot.torque_limit);
   EXPECT_EQ(header.limb.level, expected.limb.level);

@@ -42,6 +42,7 @@ class SyntheticRun {
         "contact forces"};
     header.level_units = {"",     "m/s²",   "N·m",  "N",      "m/s²", "m/s²",
                           "m/s²", "rad/s²", "m/s²", "rad/s²", "N"};
+    header.level_visible.assign(header.level_names.size(), 0.03);
     header.event_names = {"none", "lift-off", "touchdown"};
     header.robot.name = "anymal_b";
     for (int j = 0; j < kNumLegJoints; ++j)
