@@ -142,8 +142,9 @@ int num_legs_of(const ConfigNode& tree) {
 /// In the nominal posture, with a level torso, soles lie flat at one height, the left one to the
 /// left.
 void check_soles(const ConfigNode& legs, model::RobotModel& model) {
-  constexpr double kMaxLean = 0.02;  // [rad]
-  constexpr double kMaxStep = 0.01;  // [m]
+  constexpr double kMaxLean = 0.02;   // [rad]
+  constexpr double kMaxStep = 0.018;  // of the leg
+  const double max_step = kMaxStep * model::proportions_of(model).leg;
   const model::Dynamics& dynamics =
       model.update(control::level_at_rest(model.description().q_nominal), Vec3::UnitZ());
   for (const Leg leg : dynamics.contact.legs()) {
@@ -159,8 +160,10 @@ void check_soles(const ConfigNode& legs, model::RobotModel& model) {
     if (lean > kMaxLean)
       fail(formatted("its sole leans by %.3g rad; valid is up to %.3g, so that it stands flat",
                      lean, kMaxLean));
-    if (std::abs(p_BF.z() - dynamics.contact[0].p.z()) > kMaxStep)
-      fail("its sole is not as high as that of L");
+    const double step = p_BF.z() - dynamics.contact[0].p.z();
+    if (std::abs(step) > max_step)
+      fail(formatted("its sole is %.3g m %s than that of L; valid is up to %.3g", std::abs(step),
+                     step > 0.0 ? "higher" : "lower", max_step));
   }
 }
 

@@ -31,8 +31,9 @@ namespace {
 constexpr int kFullPrecision = 17;
 constexpr std::size_t kNearLinks = 4;   // joints between links of a leg whose shapes overlap
 constexpr double kSameSphere = 1e-4;    // sphere of the URDF and of the description agree [m]
-constexpr double kNearbySphere = 5e-3;  // sphere of the URDF counts as the foot's [m]
-constexpr double kPoint = 1e-4;         // radius of a foot that is a point: MuJoCo needs one [m]
+constexpr double kNearbySphere = 5e-3;  // sphere of the URDF counts as the foot's, at scale 1 [m]
+constexpr double kSoleThickness = 1.0 / 17.0;  // of a box, as a share of its length
+constexpr double kPoint = 1e-4;  // radius of a foot that is a point: MuJoCo needs one [m]
 
 void set_physics(mjSpec& spec, const PlantOptions& options) {
   spec.option.timestep = options.timestep;
@@ -99,14 +100,14 @@ mjsGeom& foot_sphere(mjSpec& spec, const model::RobotDescription& description, L
   mjsBody& foot = find_body(spec, frame, "foot frame");
   const model::Weld& of_foot = welds.at(frame);
   for (mjsBody* body : subtree(moved_by(spec, names.joints[2]))) {
+  const double nearby = description.scale.length * kNearbySphere;
     const model::Weld& weld = welds.at(name_of(body->element));
     for (mjsElement* element = mjs_firstChild(body, mjOBJ_GEOM, 0); element != nullptr;
          element = mjs_nextChild(body, element, 0)) {
       mjsGeom& geom = *mjs_asGeom(element);
       Vec3 center(geom.pos[0], geom.pos[1], geom.pos[2]);
       if (body != &foot) center = of_foot.R.transpose() * (weld.p + weld.R * center - of_foot.p);
-      if (geom.type != mjGEOM_SPHERE || (center - names.foot_center).norm() >= kNearbySphere)
-        continue;
+      if (geom.type != mjGEOM_SPHERE || (center - names.foot_center).norm() >= nearby) continue;
       check_sphere(geom, center, description, leg);
       return geom;
     }
@@ -115,8 +116,6 @@ mjsGeom& foot_sphere(mjSpec& spec, const model::RobotDescription& description, L
     notes.push_back(text("a massless foot sphere was added to \"", frame, "\""));
   return new_sphere(foot, names);
 }
-
-constexpr double kSoleThickness = 0.01;  // of a box below which nothing else touches [m]
 
 /// A flat foot: a massless box whose lower face is the sole, instead of the shapes of the link.
 mjsGeom& new_sole(mjSpec& spec, const model::RobotDescription& description, Leg leg,
@@ -135,9 +134,10 @@ mjsGeom& new_sole(mjSpec& spec, const model::RobotDescription& description, Leg 
   mjsGeom* sole = mjs_addGeom(&foot, nullptr);
   sole->type = mjGEOM_BOX;
   for (int i = 0; i < 2; ++i) sole->size[i] = 0.5 * description.sole[i];
-  sole->size[2] = 0.5 * kSoleThickness;
+  const double half_thickness = 0.5 * kSoleThickness * description.sole.x();
+  sole->size[2] = half_thickness;
   for (int i = 0; i < 3; ++i) sole->pos[i] = names.foot_center[i];
-  sole->pos[2] += 0.5 * kSoleThickness;
+  sole->pos[2] += half_thickness;
   sole->density = 0.0;
   return *sole;
 }

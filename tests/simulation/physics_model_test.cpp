@@ -1,5 +1,8 @@
 #include "surefoot/model/urdf.hpp"
+#include "surefoot/simulation/model_builder.hpp"
+#include "surefoot/simulation/robot_parts.hpp"
 #include "tests/simulation/plant_support.hpp"
+#include "tests/support/biped.hpp"
 #include "tests/support/changed_urdf.hpp"
 #include "tests/support/messages.hpp"
 
@@ -8,6 +11,8 @@
 #include <algorithm>
 #include <filesystem>
 #include <map>
+#include <string>
+#include <vector>
 
 namespace surefoot::simulation {
 namespace {
@@ -33,6 +38,22 @@ Vec3 in_link(const StockMujoco& mujoco, const std::string& link, const Vec3& p_W
 }
 
 StockMujoco stock(const Plant& plant) { return {plant.model_xml(), plant.truth()}; }
+
+TEST(PhysicsModel, SolesAreAsThickAsTheyAreLong) {
+  std::vector<double> shares;
+  for (const double size : {1.0, 2.0}) {
+    model::RobotDescription robot = test::biped();
+    robot.sole *= size;
+    std::vector<std::string> notes;
+    const BuiltModel built = build_model(robot, {}, notes);
+    const int sole =
+        mj_name2id(built.model.get(), mjOBJ_GEOM, foot_geom_name(Leg{0}, robot.num_legs()).c_str());
+    const double* half = built.model->geom_size + 3 * sole;
+    EXPECT_DOUBLE_EQ(2.0 * half[0], robot.sole.x());
+    shares.push_back(half[2] / half[0]);
+  }
+  EXPECT_DOUBLE_EQ(shares[0], shares[1]);
+}
 
 TEST(PhysicsModel, WeighsWhatTheLinksOfTheUrdfWeigh) {
   const Plant plant(test::anymal_b(), test::standing_options());
