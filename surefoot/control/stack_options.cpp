@@ -19,8 +19,8 @@ constexpr std::array<std::string_view, 4> kPhysics{"equations_of_motion", "no_co
 constexpr std::array<std::string_view, 2> kEfforts{"contact_force_minimisation",
                                                    "torque_minimisation"};
 
-// Of further joints, as of swing feet: a toe turns so little that steps of the drives would move
-// it.
+// Of further joints, as of swing feet, at scale 1: a toe turns so little that steps of the drives
+// would move it.
 constexpr double kHeldGain = 800.0;    // [1/s²]
 constexpr double kHeldDamping = 56.0;  // [1/s]
 
@@ -192,8 +192,8 @@ StackOptions with_further_joints(StackOptions stack, const model::RobotDescripti
   LevelSpec held = level_of("leg_posture", {"posture"});
   TaskSpec& posture = held.tasks.front();
   posture.choices["joints"] = "further";
-  posture.numbers["kp"] = kHeldGain;
-  posture.numbers["kd"] = kHeldDamping;
+  posture.numbers["kp"] = kHeldGain / robot.scale.length;
+  posture.numbers["kd"] = robot.scale.rate() * kHeldDamping;
   insert_below_physics(std::move(held), stack);
   return stack;
 }

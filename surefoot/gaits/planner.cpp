@@ -264,7 +264,8 @@ void Planner::write_plan(const Situation& now) {
 
 Motion<Vec3> Planner::turn(double time) {
   const Motion<double> pitch = gait().pitch();
-  if (has_new_gait_) blend_.begin_pitch(time, pitch_, pitch, body_.scale.time() * kBlendDuration);
+  if (has_new_gait_)
+    blend_.begin_pitch(time, pitch_, pitch, body_.scale.time() * kBlendDuration, body_.scale);
   const Motion<double> left = blend_.pitch(time);
   pitch_ = {pitch.p + left.p, pitch.v + left.v, pitch.a + left.a};
   Motion<Vec3> result = calibration_.motion();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "surefoot/base/scale.hpp"
 #include "surefoot/math/quintic.hpp"
 #include "surefoot/math/types.hpp"
 #include "surefoot/signals/motion_plan.hpp"
@@ -71,14 +72,15 @@ class ReferenceBlend {
     plan.torso.height_acceleration += height.a;
   }
   void begin_pitch(double time, const Motion<double>& from, const Motion<double>& to,
-                   double shortest) {
-    pitch_.begin(time, {from.p - to.p, from.v - to.v, from.a - to.a}, shortest, kTurning, kTurning);
+                   double shortest, const Scale& scale) {
+    const double turning = kTurning / scale.length;
+    pitch_.begin(time, {from.p - to.p, from.v - to.v, from.a - to.a}, shortest, turning, turning);
   }
   [[nodiscard]] Motion<double> pitch(double time) const { return pitch_.at(time); }
 
  private:
   static constexpr double kGentle = 1.0, kLanding = 10.0;  // [m/s²]
-  static constexpr double kTurning = 20.0;                 // [rad/s²]
+  static constexpr double kTurning = 20.0;                 // at scale 1 [rad/s²]
 
   Fade<Vec2> com_;
   Fade<double> height_, pitch_;

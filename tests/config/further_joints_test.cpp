@@ -123,13 +123,16 @@ TEST_F(FurtherJoints, are_in_a_leg_s_chain_where_they_stand) {
 }
 
 TEST_F(FurtherJoints, are_held_below_the_physics_unless_the_stack_moves_them) {
-  const model::RobotDescription robot = this->robot();
+  model::RobotDescription robot = this->robot();
+  robot.scale.length = 0.25;
   const control::StackOptions stack = load_stack("terrain_adaptation");
   const control::StackOptions held = with_scaled_arms(stack, robot);
   ASSERT_EQ(held.levels.size(), stack.levels.size() + 1);
   std::size_t i = 0;
   while (control::keeps_physics(held.levels[i])) ++i;
   EXPECT_EQ(held.levels[i].name, "leg_posture");
+  EXPECT_EQ(held.levels[i].tasks[0].numbers.at("kp"), 3200.0);
+  EXPECT_EQ(held.levels[i].tasks[0].numbers.at("kd"), 112.0);
   EXPECT_EQ(with_scaled_arms(held, robot).levels.size(), held.levels.size());
 }
 
