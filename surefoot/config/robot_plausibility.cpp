@@ -116,17 +116,17 @@ std::vector<std::string> placeholder_notes(const model::RobotDescription& robot,
     if (is_velocity_placeholder(robot.velocity_limit[joint])) velocities.push_back(names[i]);
   }
   if (!efforts.empty()) {
-    notes.push_back(
-        formatted("limits.torque of %s is up to %g N·m, far above the %.3g N·m that "
-                  "standing needs: a placeholder?",
-                  listed(efforts, num_joints).c_str(),
-                  robot.torque_limit.head(robot.num_leg_joints()).maxCoeff(), most));
+    notes.push_back(formatted(
+        "limits.torque of %s is up to %g N·m, far above the %.3g N·m that "
+        "standing needs%s",
+        listed(efforts, num_joints).c_str(),
+        robot.torque_limit.head(robot.num_leg_joints()).maxCoeff(), most, kPlaceholder.data()));
   }
   if (!velocities.empty()) {
-    notes.push_back(formatted("limits.velocity of %s is up to %g rad/s, above %g: a placeholder?",
+    notes.push_back(formatted("limits.velocity of %s is up to %g rad/s, above %g%s",
                               listed(velocities, num_joints).c_str(),
                               robot.velocity_limit.head(robot.num_leg_joints()).maxCoeff(),
-                              kFastestJoint));
+                              kFastestJoint, kPlaceholder.data()));
   }
   return notes;
 }

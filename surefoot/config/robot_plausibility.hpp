@@ -5,6 +5,7 @@
 #include "surefoot/model/urdf.hpp"
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace surefoot::config {
@@ -23,6 +24,8 @@ inline constexpr double kFastestJoint = 100.0;  ///< [rad/s]
 /// A whole turn or more, or none.
 [[nodiscard]] bool is_position_placeholder(double lower, double upper);
 
+/// Ends the notes on them.
+inline constexpr std::string_view kPlaceholder = ": a placeholder?";
 /// What a run tells of such limits of its robot's joints, that the controller then never meets.
 [[nodiscard]] std::vector<std::string> placeholder_notes(const model::RobotDescription& robot,
                                                          const JointVector& standing_torque);

@@ -2,13 +2,15 @@
 #include "surefoot/base/formatted.hpp"
 #include "surefoot/closed_loop/closed_loop.hpp"
 #include "surefoot/config/initial_posture.hpp"
+#include "surefoot/config/robot_plausibility.hpp"
 #include "surefoot/config/scenario_file.hpp"
 #include "surefoot/doctor/checks.hpp"
 #include "surefoot/doctor/guessed_file.hpp"
+#include "surefoot/model/physics_urdf.hpp"
 #include "surefoot/model/robot_model.hpp"
+#include "surefoot/simulation/added_sphere.hpp"
 
 #include <algorithm>
-#include <array>
 #include <string>
 #include <string_view>
 
@@ -17,9 +19,8 @@ namespace {
 
 /// check_inertias, check_feet and check_limits tell these.
 bool is_told_already(const std::string& note) {
-  return std::ranges::any_of(
-      std::array{"inertia", "foot sphere was added", "a placeholder?"},
-      [&](const char* words) { return note.find(words) != std::string::npos; });
+  return note.starts_with(model::kUnsoundInertia) || note.starts_with(simulation::kAddedSphere) ||
+         note.ends_with(config::kPlaceholder);
 }
 
 /// Where a scenario stands otherwise than it asks; empty: nowhere.

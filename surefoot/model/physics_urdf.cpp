@@ -270,7 +270,7 @@ class Writer {
   void note_what_is_ignored() {
     std::vector<std::string>& notes = result_.notes;
     if (!unsound_.names().empty()) {
-      notes.push_back("alone, no body can have the inertia of:" + unsound_.names() +
+      notes.push_back(std::string(kUnsoundInertia) + unsound_.names() +
                       "; the physics has it as a part of what each is fixed to");
     }
     if (!unread_.empty()) {

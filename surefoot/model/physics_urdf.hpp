@@ -4,9 +4,13 @@
 #include "surefoot/model/urdf.hpp"
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace surefoot::model {
+
+/// Begins the note on links whose inertia is impossible alone.
+inline constexpr std::string_view kUnsoundInertia = "alone, no body can have the inertia of:";
 
 /// The parts of a URDF that physics needs; faults elsewhere in it don't matter.
 struct PhysicsUrdf {

@@ -2,6 +2,7 @@
 
 #include "surefoot/base/error.hpp"
 #include "surefoot/model/urdf.hpp"
+#include "surefoot/simulation/added_sphere.hpp"
 #include "surefoot/simulation/disturbances.hpp"
 #include "surefoot/simulation/link_lengths.hpp"
 #include "surefoot/simulation/mesh_hulls.hpp"
@@ -99,8 +100,8 @@ mjsGeom& foot_sphere(mjSpec& spec, const model::RobotDescription& description, L
   const std::string& frame = names.foot_frame;
   mjsBody& foot = find_body(spec, frame, "foot frame");
   const model::Weld& of_foot = welds.at(frame);
-  for (mjsBody* body : subtree(moved_by(spec, names.joints[2]))) {
   const double nearby = description.scale.length * kNearbySphere;
+  for (mjsBody* body : subtree(moved_by(spec, names.joints[2]))) {
     const model::Weld& weld = welds.at(name_of(body->element));
     for (mjsElement* element = mjs_firstChild(body, mjOBJ_GEOM, 0); element != nullptr;
          element = mjs_nextChild(body, element, 0)) {
@@ -112,8 +113,7 @@ mjsGeom& foot_sphere(mjSpec& spec, const model::RobotDescription& description, L
       return geom;
     }
   }
-  if (names.foot_radius > 0.0)
-    notes.push_back(text("a massless foot sphere was added to \"", frame, "\""));
+  if (names.foot_radius > 0.0) notes.push_back(text(kAddedSphere, "\"", frame, "\""));
   return new_sphere(foot, names);
 }
 
