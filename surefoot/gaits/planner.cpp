@@ -1,11 +1,11 @@
 #include "surefoot/gaits/planner.hpp"
 
 #include "surefoot/base/error.hpp"
+#include "surefoot/gaits/undisturbed.hpp"
 #include "surefoot/math/rotation.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <string>
 
 namespace surefoot::gaits {
@@ -276,9 +276,7 @@ Motion<Vec3> Planner::turn(double time) {
 }
 
 bool Planner::is_undisturbed(const RobotState& state) const {
-  return plan_.num_contacts() == body_.options.gait.num_legs() &&
-         std::ranges::none_of(state.slips, std::identity{}) &&
-         state.external_force.head<2>().isZero();
+  return gaits::is_undisturbed(plan_, state);
 }
 
 }  // namespace surefoot::gaits

@@ -54,8 +54,7 @@ class Planner {
   /// Must the estimate restart before the next update, and the plan with it? For a calibration that
   /// the user requested or that is repeated, once the robot has stood still for 1 s.
   [[nodiscard]] bool restarts() const { return restarts_; }
-  /// Is a calibration undisturbed: all feet planned to stand, no slip, no horizontal push? A
-  /// vertical force may be a payload, which the calibration measures.
+  /// By the last plan.
   [[nodiscard]] bool is_undisturbed(const RobotState& state) const;
 
  private:

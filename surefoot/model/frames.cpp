@@ -3,6 +3,7 @@
 #include "surefoot/base/error.hpp"
 #include "surefoot/base/nearest_name.hpp"
 #include "surefoot/math/rotation.hpp"
+#include "surefoot/model/arm_of_joints.hpp"
 #include "surefoot/model/body_tree.hpp"
 
 #include <algorithm>
@@ -16,9 +17,8 @@ Frames::Frames(const RobotDescription& robot) : robot_(robot.name) {
   for (const UrdfJoint& joint : urdf.joints) add(joint.name, tree.links.at(joint.child));
   for (std::size_t arm = 0; arm < robot.arms.size(); ++arm)
     add(robot.arms[arm].name, tree.arm_tips[arm]);
-  arm_of_body_.assign(static_cast<std::size_t>(1 + robot.num_leg_joints()), -1);
-  for (std::size_t arm = 0; arm < robot.arms.size(); ++arm)
-    arm_of_body_.insert(arm_of_body_.end(), robot.arms[arm].joints.size(), static_cast<int>(arm));
+  arm_of_body_ = arm_of_joints(robot);
+  arm_of_body_.insert(arm_of_body_.begin(), -1);  // the base
 }
 
 /// The first of a name is meant.

@@ -2,10 +2,10 @@
 
 #include "surefoot/base/error.hpp"
 #include "surefoot/control/controller.hpp"
+#include "surefoot/gaits/undisturbed.hpp"
 #include "surefoot/signals/tick_record.hpp"
 
 #include <algorithm>
-#include <functional>
 
 namespace surefoot::replay {
 
@@ -42,9 +42,7 @@ class PlaybackPlanner final : public gaits::MotionPlanner {
         given_.events, [](const GaitEvent& event) { return event.kind == PlanEvent::calibration; });
   }
   bool is_undisturbed(const RobotState& state) const noexcept override {
-    return given_.num_contacts() == static_cast<int>(given_.feet.size()) &&
-           std::ranges::none_of(state.slips, std::identity{}) &&
-           state.external_force.head<2>().isZero();
+    return gaits::is_undisturbed(given_, state);
   }
 
  private:

@@ -2,6 +2,7 @@
 
 #include "surefoot/base/error.hpp"
 #include "surefoot/base/nearest_name.hpp"
+#include "surefoot/model/arm_of_joints.hpp"
 
 #include <algorithm>
 #include <sstream>
@@ -28,9 +29,7 @@ void Posture::find_parts(const model::RobotDescription& robot) {
           : given == "idle_arms"  ? When::idle
                                   : When::always;
   joints_.clear();
-  std::vector<int> arm_of(static_cast<std::size_t>(robot.num_leg_joints()), -1);
-  for (std::size_t arm = 0; arm < robot.arms.size(); ++arm)
-    arm_of.insert(arm_of.end(), robot.arms[arm].joints.size(), static_cast<int>(arm));
+  const std::vector<int> arm_of = model::arm_of_joints(robot);
   const bool of_legs = given == "legs" || given == "all";
   const bool of_arms = given == "all" || given == "arms" || when_ != When::always;
   const bool is_further = given == "further";

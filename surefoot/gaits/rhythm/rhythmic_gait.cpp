@@ -64,9 +64,16 @@ void RhythmicGait::start_clock(const Situation& now, const Body& body) {
   const double ramp = body.options.force.ramp_down;
   const double stance = std::max(ramp, clock_.stance_duration(first));
   sways_only_ = !gathers_ && !pushes_off() && begins_at_rest(options_, body.scale);
-  clock_.start(pushes_off() ? stance : sways_only_ ? ramp + body.period : ramp, first);
+  double stands_for = ramp;
+  grows_for_ = options_.period;
+  if (pushes_off()) {
+    stands_for = grows_for_ = stance;
+  } else if (sways_only_) {
+    stands_for = ramp + body.period;
+    grows_for_ = 0.5 * stance;
+  }
+  clock_.start(stands_for, first);
   begin_ = now.time;
-  grows_for_ = pushes_off() ? stance : sways_only_ ? 0.5 * stance : options_.period;
   sway(now);
 }
 
