@@ -1,6 +1,7 @@
 """Prints the URDF of a robot, legs on a long torso. Without arguments the hexapod, robots/hexapod.urdf: six legs of three hinges.
 tools/hexapod.py > robots/hexapod.urdf
-tools/hexapod.py --legs 4 --further YAW TOE > quadruped.urdf    # YAW about z ahead of the HAA, TOE about y behind the KFE"""
+tools/hexapod.py --legs 4 --further YAW TOE > quadruped.urdf    # YAW about z ahead of the HAA, TOE about y behind the KFE
+tools/hexapod.py --further TOE --of H > hexapod.urdf    # of the hind legs alone; F: front, M: middle"""
 
 import argparse
 
@@ -69,9 +70,11 @@ if __name__ == "__main__":
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--legs", type=int, choices=PAIRS, default=6)
     parser.add_argument("--further", nargs="*", choices=["YAW", "TOE"], default=[])
+    parser.add_argument("--of", nargs="*", choices=["F", "M", "H"], default=["F", "M", "H"], help="pairs of legs that have them")
     args = parser.parse_args()
     pairs = PAIRS[args.legs]
     torso = link("torso", inertial(TORSO, (LENGTH, WIDTH, HEIGHT)), shape(f'<box size="{LENGTH} {WIDTH - 0.08:.2f} {HEIGHT}"/>'))
-    legs = [line for pair, x in pairs.items() for name, side in (("L", 1), ("R", -1)) for line in leg(name + pair, x, side, args.further)]
+    further = {pair: args.further if pair in args.of else [] for pair in pairs}
+    legs = [line for pair, x in pairs.items() for name, side in (("L", 1), ("R", -1)) for line in leg(name + pair, x, side, further[pair])]
     name = "hexapod" if args.legs == 6 else "quadruped"
     print('<?xml version="1.0"?>', f'<robot name="{name}">', *torso, *legs, "</robot>", sep="\n")

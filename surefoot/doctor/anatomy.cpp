@@ -66,31 +66,18 @@ class LimbFinder {
   const std::map<std::string, model::Weld>& welds_;
 };
 
-/// Four limbs or more of as many hinges, and more than three, are legs if three joints of each can
-/// place its foot.
+bool can_place(const Limb& limb) { return limb.placing.size() == kJointsPerLeg; }
+
+/// Of chains with more joints than three.
 void find_placing_joints(const model::Urdf& urdf, const std::string& base,
                          std::vector<Limb>& limbs) {
-  for (std::size_t num_joints = kJointsPerLeg + 1; num_joints <= kMaxLegJoints; ++num_joints) {
-    std::vector<Limb*> alike;
-    for (Limb& limb : limbs)
-      if (limb.is_chain && limb.joints.size() == num_joints) alike.push_back(&limb);
-    if (alike.size() < kNumLegs) continue;
-    for (Limb* limb : alike) {
-      std::vector<const model::UrdfJoint*> chain;
-      for (const model::UrdfJoint& joint : limb->joints) chain.push_back(&joint);
-      limb->placing.clear();
-      for (const model::UrdfJoint* joint : model::placing_joints(urdf, base, chain))
-        limb->placing.push_back(*joint);
-    }
-    const auto can_place = [](const Limb* limb) { return limb->placing.size() == kJointsPerLeg; };
-    const bool are_legs = std::ranges::all_of(alike, can_place);
-    for (Limb* limb : alike) {
-      if (are_legs) {
-        limb->no_leg.clear();
-      } else if (!can_place(limb)) {
-        limb->no_leg += ", and no three turn about x, y and y of the base";
-      }
-    }
+  for (Limb& limb : limbs) {
+    const std::size_t num_joints = limb.joints.size();
+    if (!limb.is_chain || num_joints <= kJointsPerLeg || num_joints > kMaxLegJoints) continue;
+    std::vector<const model::UrdfJoint*> chain;
+    for (const model::UrdfJoint& joint : limb.joints) chain.push_back(&joint);
+    for (const model::UrdfJoint* joint : model::placing_joints(urdf, base, chain))
+      limb.placing.push_back(*joint);
   }
 }
 
@@ -101,7 +88,7 @@ model::Urdf with_further_joints_held(model::Urdf urdf, const std::vector<Limb>& 
   };
   for (const Limb& limb : limbs) {
     for (model::UrdfJoint& joint : urdf.joints) {
-      if (is_among(limb.joints, joint.name) && !limb.placing.empty() &&
+      if (can_place(limb) && is_among(limb.joints, joint.name) &&
           !is_among(limb.placing, joint.name))
         joint.type = "fixed";
     }
@@ -109,9 +96,23 @@ model::Urdf with_further_joints_held(model::Urdf urdf, const std::vector<Limb>& 
   return urdf;
 }
 
-/// From the other limbs to the legs those that have further joints.
-void take_long_legs(const model::Urdf& urdf, Anatomy& anatomy, std::vector<Limb>& legs) {
-  find_placing_joints(urdf, anatomy.base, anatomy.others);
+/// Four limbs or more of as many hinges, and more than three, are legs if three joints of each can
+/// place its foot. From the other limbs to the legs.
+void take_long_legs(Anatomy& anatomy, std::vector<Limb>& legs) {
+  for (std::size_t num_joints = kJointsPerLeg + 1; num_joints <= kMaxLegJoints; ++num_joints) {
+    std::vector<Limb*> alike;
+    for (Limb& limb : anatomy.others)
+      if (limb.is_chain && limb.joints.size() == num_joints) alike.push_back(&limb);
+    if (alike.size() < kNumLegs) continue;
+    const bool are_legs = std::ranges::all_of(alike, [](Limb* limb) { return can_place(*limb); });
+    for (Limb* limb : alike) {
+      if (are_legs) {
+        limb->no_leg.clear();
+      } else if (!can_place(*limb)) {
+        limb->no_leg += ", and no three turn about x, y and y of the base";
+      }
+    }
+  }
   for (const Limb& limb : anatomy.others)
     if (limb.no_leg.empty()) legs.push_back(limb);
   std::erase_if(anatomy.others, [](const Limb& limb) { return limb.no_leg.empty(); });
@@ -246,13 +247,20 @@ Anatomy find_anatomy(const model::Urdf& urdf, Findings& findings) {
     if (limb.no_leg.empty()) limb.placing = limb.joints;
     (limb.no_leg.empty() ? limbs : anatomy.others).push_back(std::move(limb));
   }
-  if (limbs.size() < kNumLegs) find_flat_legs(urdf, anatomy);
-  if (!anatomy.flat_legs) take_long_legs(urdf, anatomy, limbs);
-  const model::Urdf held = with_further_joints_held(urdf, limbs);
+  find_placing_joints(urdf, anatomy.base, anatomy.others);
+  const model::Urdf held = with_further_joints_held(urdf, anatomy.others);
   const std::map<std::string, model::Weld> welds = model::welds(held);
   const FootFinder feet(held, welds);
-  std::vector<FoundLeg> legs;
-  for (const Limb& limb : limbs) legs.push_back(measured_leg(limb, welds, feet));
+  const auto measured = [&](const std::vector<Limb>& of) {
+    std::vector<FoundLeg> legs;
+    for (const Limb& limb : of)
+      if (can_place(limb)) legs.push_back(measured_leg(limb, welds, feet));
+    return legs;
+  };
+  if (limbs.size() < kNumLegs) find_flat_legs(urdf, measured(limbs), anatomy);
+  if (!anatomy.flat_legs) take_long_legs(anatomy, limbs);
+  std::vector<FoundLeg> legs = measured(limbs);
+  if (!anatomy.flat_legs) add_unequal(measured(anatomy.others), legs, anatomy);
   keep_lowest(legs, anatomy);
   Findings of_legs;
   if (anatomy.flat_legs) {

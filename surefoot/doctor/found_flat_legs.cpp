@@ -106,7 +106,8 @@ Sole sole_of(const FlatLeg& leg, double length, const model::Urdf& urdf) {
 
 }  // namespace
 
-void find_flat_legs(const model::Urdf& urdf, Anatomy& anatomy) {
+void find_flat_legs(const model::Urdf& urdf, const std::vector<FoundLeg>& shorter,
+                    Anatomy& anatomy) {
   std::vector<Straight> legs;
   for (const Limb& limb : anatomy.others) {
     if (may_be_leg(limb)) legs.push_back(straight(limb, anatomy.welds));
@@ -114,7 +115,10 @@ void find_flat_legs(const model::Urdf& urdf, Anatomy& anatomy) {
   const auto depth = [](const Straight& leg) { return -leg.tip.p.z(); };
   std::ranges::stable_sort(legs, std::greater(), depth);
   if (legs.size() < 2 || !are_alike(legs[0], legs[1])) return;
-  if (legs.size() > 2 && depth(legs[2]) > kLegDepth * depth(legs[0])) return;  // more than two
+  const double deep = kLegDepth * depth(legs[0]);
+  const auto is_leg = [&](const FoundLeg& limb) { return -limb.tip.z() > deep; };
+  const bool has_more = legs.size() > 2 && depth(legs[2]) > deep;
+  if (has_more || std::ranges::any_of(shorter, is_leg)) return;
   if (legs[0].tip.p.y() < legs[1].tip.p.y()) std::swap(legs[0], legs[1]);
   FlatLegs found;
   for (const std::size_t side : {0u, 1u}) {

@@ -66,7 +66,9 @@ void tell_too_few(const std::vector<FoundLeg>& legs, Findings& findings) {
                           (names.empty() ? "" : ", beginning at" + names) +
                           ", but a robot that walks has four or six legs",
                       "each leg must be three revolute joints, one behind the other; make fixed "
-                      "what does not move, and add what is missing"});
+                      "what does not move, and add what is missing; of legs with further joints "
+                      "name by `joints` in the robot file those that place the foot "
+                      "(docs/robots.md, further joints)"});
 }
 
 /// The legs' axes tell where the base looks, even if the places of the hips do not.
@@ -155,15 +157,19 @@ FoundLeg measured_leg(const Limb& limb, const std::map<std::string, model::Weld>
 
 namespace {
 
-/// Do the six lowest reach as low, and stand in three pairs? Else the upper two are arms.
-bool are_alike(const std::vector<FoundLeg>& legs, std::size_t num_legs = kMaxLegs) {
+void sort_from_lowest(std::vector<FoundLeg>& legs) {
+  std::ranges::stable_sort(legs, {}, [](const FoundLeg& leg) { return leg.tip.z(); });
+}
+
+/// Do so many, sorted from the lowest, reach as low, and stand in pairs? Else the upper are arms.
+bool are_alike(const std::vector<FoundLeg>& legs, std::size_t num_legs) {
   constexpr double kAsLow = 0.2;  // of the leg's length
-  const auto six = std::span(legs).first(std::max<std::size_t>(kMaxLegs, num_legs));
-  const double length = six.front().thigh + six.front().shank;
+  const auto first = std::span(legs).first(num_legs);
+  const double length = first.front().thigh + first.front().shank;
   const auto num_left =
-      std::ranges::count_if(six, [](const FoundLeg& leg) { return leg.hip.y() > 0.0; });
-  return six.back().tip.z() - six.front().tip.z() < kAsLow * length &&
-         2 * num_left == std::ssize(six);
+      std::ranges::count_if(first, [](const FoundLeg& leg) { return leg.hip.y() > 0.0; });
+  return first.back().tip.z() - first.front().tip.z() < kAsLow * length &&
+         2 * num_left == std::ssize(first);
 }
 
 /// The place of each of six legs: on both sides from the front to the hind one.
@@ -196,10 +202,28 @@ PerLeg<const FoundLeg*> by_quadrants(const std::vector<FoundLeg>& legs) {
 
 }  // namespace
 
+void add_unequal(const std::vector<FoundLeg>& others, std::vector<FoundLeg>& legs,
+                 Anatomy& anatomy) {
+  std::vector<FoundLeg> all = legs;
+  all.insert(all.end(), others.begin(), others.end());
+  sort_from_lowest(all);
+  for (const std::size_t num_legs : {std::size_t{kMaxLegs}, std::size_t{kNumLegs}}) {
+    if (legs.size() >= num_legs || all.size() < num_legs || !are_alike(all, num_legs)) continue;
+    all.resize(num_legs);
+    for (const FoundLeg& leg : all) {
+      const auto begins_alike = [&](const auto& limb) {
+        return limb.joints.front().name == leg.all_joints.front().name;
+      };
+      if (std::erase_if(anatomy.others, begins_alike) > 0) legs.push_back(leg);
+    }
+    return;
+  }
+}
+
 void keep_lowest(std::vector<FoundLeg>& legs, Anatomy& anatomy) {
-  std::ranges::stable_sort(legs, {}, [](const FoundLeg& leg) { return leg.tip.z(); });
+  sort_from_lowest(legs);
   if (legs.size() > kMaxLegs && are_alike(legs, legs.size())) return;  // `name_legs` tells it
-  const bool is_hexapod = legs.size() >= kMaxLegs && are_alike(legs);
+  const bool is_hexapod = legs.size() >= kMaxLegs && are_alike(legs, kMaxLegs);
   const std::size_t num_legs = is_hexapod ? kMaxLegs : kNumLegs;
   const char* const why = is_hexapod ? "six others reach lower" : "four others reach lower";
   while (legs.size() > num_legs) {

@@ -11,6 +11,11 @@ class FootFinder;
                                     const std::map<std::string, model::Weld>& welds,
                                     const FootFinder& feet);
 
+/// Adds those of the other limbs, of another number of joints than the legs so far, that reach as
+/// low and make them four or six. Takes them out of `anatomy.others`.
+void add_unequal(const std::vector<FoundLeg>& others, std::vector<FoundLeg>& legs,
+                 Anatomy& anatomy);
+
 /// Of more than four the ones with the lowest tips stay; the others go to `anatomy.others`.
 void keep_lowest(std::vector<FoundLeg>& legs, Anatomy& anatomy);
 

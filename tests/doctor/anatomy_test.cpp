@@ -123,6 +123,21 @@ TEST_F(Anatomy, of_legs_of_four_hinges_finds_those_that_place_the_foot) {
   EXPECT_FALSE(has(robot, Severity::note, "an arm begins here"));
 }
 
+TEST_F(Anatomy, finds_legs_also_if_those_behind_alone_have_a_further_joint) {
+  replace_all("(name=\"(LH|RH)_ADAPTER_TO_FOOT\" type=)\"fixed\"", "$1\"revolute\"");
+  change("</robot>", "</robot>", arm_with("") + "</robot>");
+  const Diagnosis robot = diagnosis();
+  EXPECT_FALSE(robot.anatomy.flat_legs);
+  ASSERT_TRUE(robot.anatomy.legs);
+  for (const Leg leg : robot.anatomy.legs->legs()) {
+    const FoundLeg& found = (*robot.anatomy.legs)[index(leg)];
+    EXPECT_EQ(found.foot.link, std::string(kLegNames[index(leg)]) + "_FOOT");
+    EXPECT_EQ(found.further().size(), is_front(leg) ? 0U : 1U);
+  }
+  ASSERT_EQ(robot.anatomy.others.size(), 1U);
+  EXPECT_TRUE(robot.anatomy.others[0].is_arm);
+}
+
 TEST_F(Anatomy, of_four_limbs_that_no_three_joints_place_says_what_to_make_fixed) {
   replace_all("(name=\"(LF|RF|LH|RH)_ADAPTER_TO_FOOT\" type=)\"fixed\"", "$1\"revolute\"");
   replace_all("<axis xyz=\"(-?)1 0 0\"/>", "<axis xyz=\"0 0 1\"/>");

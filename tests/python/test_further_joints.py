@@ -60,6 +60,19 @@ def test_the_doctor_finds_such_legs_and_its_file_walks(tmp_path):
     assert "largest torque" in subprocess.run([PROGRAM, "explain", log, "--at", "12"], capture_output=True, text=True).stdout
 
 
+@pytest.mark.parametrize("legs, further", [(4, ["TOE"]), (4, ["YAW", "TOE"]), (6, ["TOE"])], ids=str)
+def test_the_doctor_finds_legs_of_which_the_hind_ones_alone_have_further_joints(legs, further, tmp_path):
+    write_robot(tmp_path, legs, *further, "--of", "H")
+    found = subprocess.run([PROGRAM, "doctor", tmp_path / "robot.urdf", "--out", tmp_path / "found.yaml"], capture_output=True, text=True)
+    assert found.returncode == 0, found.stdout + found.stderr
+    assert "LF_HAA LF_HFE LF_KFE\n" in found.stdout.replace(" \n", "\n")
+    assert "LH_HAA LH_HFE LH_KFE, held: " + " ".join(f"LH_{joint}" for joint in further) in found.stdout
+    assert "an arm begins here" not in found.stdout
+    (tmp_path / "robot.yaml").write_text((tmp_path / "found.yaml").read_text())
+    walked = run(tmp_path, "walk_flat", "duration=16", "criteria=none")
+    assert walked["succeeded"] and not walked["fell"] and walked["distance_m"] > 0.1
+
+
 def test_what_is_left_of_a_leg_of_two_joints_is_told(tmp_path):
     write_robot(tmp_path, 4)
     file = tmp_path / "robot.yaml"
