@@ -189,6 +189,24 @@ TEST(LegInertialEstimator, TakesOverHowTheImuIsMounted) {
       << "what is counted from the start does not depend on the mounting";
 }
 
+TEST(LegInertialEstimator, KnowsNoTiltBetterThanTheMounting) {
+  TurningRobot robot(KinematicErrors{}, kMotion);
+  LegInertialEstimator sure(robot.description(), {}, TurningRobot::kPeriod);
+  LegInertialEstimator unsure(robot.description(), {}, TurningRobot::kPeriod);
+  const Mat3 mounting = Vec3(4e-6, 1e-6, 9e-6).asDiagonal();
+  while (robot.time() < 6.0) {
+    robot.tick();
+    TickContext context = standing();
+    const RobotState mounted = sure.update(robot.reading(), context);
+    context.kinematics.imu_covariance = mounting;
+    const RobotState state = unsure.update(robot.reading(), context);
+    const Mat3 added = state.orientation_covariance - mounted.orientation_covariance;
+    const Mat3 R = state.R_WB();
+    EXPECT_LT((added - R * mounting * R.transpose()).norm(), 1e-12);
+    EXPECT_EQ(state.q_WB.coeffs(), mounted.q_WB.coeffs());
+  }
+}
+
 /// Estimated heading after the base moved forward by 0.1 m in a second, over legs that are longer
 /// than modelled on the left and shorter on the right [rad].
 double heading_after_a_way(const LegInertialOptions& options) {
