@@ -18,8 +18,10 @@ namespace surefoot::doctor {
 namespace {
 
 /// check_inertias, check_feet and check_limits tell these.
-bool is_told_already(const std::string& note) {
-  return note.starts_with(model::kUnsoundInertia) || note.starts_with(simulation::kAddedSphere) ||
+bool is_told_already(const std::string& note, const model::Urdf& urdf) {
+  const model::UrdfLink& root = *urdf.find_link(urdf.root);
+  return note == model::placeholder_note(root.name, root.inertia.mass) ||
+         note.starts_with(model::kUnsoundInertia) || note.starts_with(simulation::kAddedSphere) ||
          note.ends_with(config::kPlaceholder);
 }
 
@@ -107,7 +109,7 @@ void check_stance(Diagnosis& robot) {
       check_singular(robot);
     }
     for (const std::string& note : closed_loop::check_setup(scenario)) {
-      if (is_told_already(note)) continue;
+      if (is_told_already(note, robot.urdf)) continue;
       robot.findings.push_back({Severity::note, Confidence::certain, scenario_name, 0, note, ""});
     }
   } catch (const Error& error) {

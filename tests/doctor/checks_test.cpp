@@ -131,6 +131,12 @@ TEST_F(Checks, negative_mass) {
   EXPECT_TRUE(has(diagnosis(), Severity::error, "link \"LF_THIGH\": its mass is negative"));
 }
 
+TEST_F(Checks, a_placeholder_of_the_root_is_told_once) {
+  const Diagnosis robot = diagnosis();
+  EXPECT_TRUE(has(robot, Severity::note, "the root's inertia is a placeholder"));
+  EXPECT_FALSE(has(robot, Severity::note, "walk_flat: root link"));
+}
+
 TEST_F(Checks, negative_inertia) {
   change("<link name=\"LF_THIGH\"", "ixx=\"", "ixx=\"-");
   EXPECT_TRUE(
