@@ -14,9 +14,10 @@ from typing import Any
 from surefoot import _core
 from surefoot._arguments import ArgumentError, checked
 from surefoot._core import Error, Estimator, Gait, Planner, Plant, Robot, Scenario
+from surefoot._paths import absolute_path, is_path, with_absolute_paths
 from surefoot.stack import OwnTask, Stack, registered_tasks
 
-_made_of: weakref.WeakKeyDictionary[Scenario, tuple[Any, ...]] = weakref.WeakKeyDictionary()
+_arguments_of: weakref.WeakKeyDictionary[Scenario, tuple[Any, ...]] = weakref.WeakKeyDictionary()
 PLAIN = "walk_flat"  # whose options a controller of a robot alone has
 
 
@@ -38,10 +39,10 @@ def load_scenario(
     gaits: your own, {"sway": Sway}, which `gait:` and commands may then name; each controller makes one.
     Raises Error, naming file, line and key, on everything that is unknown or out of range."""
     words = list(set) + [f"stack={stack}"] * isinstance(stack, str)
-    return made(os.fspath(name), seed, words, robot, stack if isinstance(stack, Stack) else None, dict(gaits or {}), registered_tasks())
+    return _load_scenario(os.fspath(name), seed, words, robot, stack if isinstance(stack, Stack) else None, dict(gaits or {}), registered_tasks())
 
 
-def made(
+def _load_scenario(
     name: str,
     seed: int,
     words: list[str],
@@ -53,18 +54,21 @@ def made(
     """As load_scenario(); `words`: as the program's --set takes them."""
     robot = Robot(robot) if isinstance(robot, str) else robot
     all_words = words + ([] if robot is None else [f"robot={robot.file}"])
-    scenario = read(name, seed, all_words, robot, stack, gaits, registered)
-    place = os.path.abspath(name) if name.endswith(".yaml") else name
-    _made_of[scenario] = (place, seed, words, robot and robot.file, stack, gaits, [] if stack else registered)
+    scenario = _read_with_stack(name, seed, all_words, robot, stack, gaits, registered)
+    place = os.path.abspath(scenario.file) if is_path(name) else name
+    robot_file = None if robot is None else absolute_path(robot.file)
+    _arguments_of[scenario] = (place, seed, [with_absolute_paths(word) for word in words], robot_file, stack, gaits, [] if stack else registered)
     return scenario
 
 
-def again(scenario: Scenario) -> tuple[Any, ...]:
+def _reduce_scenario(scenario: Scenario) -> tuple[Any, ...]:
     """For pickle: another process reads the scenario from the same files."""
-    return made, _made_of[scenario]
+    if scenario not in _arguments_of:
+        raise Error("only scenarios of load_scenario() can be pickled")
+    return _load_scenario, _arguments_of[scenario]
 
 
-def read(
+def _read_with_stack(
     name: str, seed: int, words: list[str], robot: Robot | None, stack: Stack | None, gaits: dict[str, Callable[[], Gait]], registered: list[OwnTask]
 ) -> Scenario:
     if stack is None:
@@ -97,7 +101,7 @@ def read_scenario(name: str, seed: int, words: list[str], own: list[OwnTask], ga
         raise type(error)(text) from None
 
 
-copyreg.pickle(Scenario, again)
+copyreg.pickle(Scenario, _reduce_scenario)
 
 
 @checked

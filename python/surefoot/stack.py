@@ -17,6 +17,7 @@ import numpy.typing as npt
 from surefoot import _core
 from surefoot._arguments import checked
 from surefoot._core import Error, Robot, TaskTick, UnknownNameError
+from surefoot._paths import absolute_path
 
 
 _registered: dict[str, OwnTask] = {}
@@ -185,7 +186,7 @@ class Stack:
     size; numbers that you give are as they stand. print(stack) shows it line by line with all gains."""
 
     def __init__(self, base: str | os.PathLike[str] | None = None, name: str | None = None) -> None:
-        self._base = None if base is None else os.fspath(base)
+        self._base = None if base is None else absolute_path(os.fspath(base))
         self.name = name or ("own" if self._base is None else pathlib.Path(self._base).stem)
         self._steps: tuple[Step, ...] = ()
         self._weighted_from: str | None = None

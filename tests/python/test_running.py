@@ -1,15 +1,18 @@
 """Runs, campaigns and controllers without a plant, from Python."""
 
+import json
 import multiprocessing
+import pathlib
 import pickle
 import sys
 import threading
+from functools import partial
 
 import numpy as np
 import pytest
 
 import surefoot
-from program import run_result
+from program import ROOT, run_result
 
 
 @pytest.fixture
@@ -44,6 +47,36 @@ def test_a_scenario_can_be_sent_to_another_process(tmp_path, monkeypatch):
         assert pool.map(hash_of, scenarios) == [hash_of(each) for each in scenarios]
     again = pickle.loads(pickle.dumps(pickle.loads(pickle.dumps(scenarios[0]))))
     assert repr(again) == repr(scenarios[0]) and again.options_json == scenarios[0].options_json and again.drawn == scenarios[0].drawn != {}
+
+
+def seen(scenario):
+    """What its files say, without their paths."""
+    options = json.loads(scenario.options_json)
+    stack, robot = options.pop("stack"), options.pop("robot")
+    return pathlib.Path(stack).stem, pathlib.Path(robot).stem, scenario.robot, options, hash_of(scenario)
+
+
+def test_a_scenario_is_read_again_from_the_same_files_wherever_they_were_found(tmp_path, monkeypatch):
+    for folder, number in (("here", 77), ("elsewhere", 88)):
+        (tmp_path / folder).mkdir()
+        monkeypatch.chdir(tmp_path / folder)
+        pathlib.Path("mine.yml").write_text(f"base: walk_flat_ideal\nduration: 0.{number}\n")
+        pathlib.Path("stack.yml").write_text(surefoot.Stack("terrain_adaptation").tune("com_xy", kp=number).text())
+        pathlib.Path("robot.yaml").write_text((ROOT / "robots/anymal_b.yaml").read_text().replace("name: anymal_b", f"name: robot_{number}"))
+        pathlib.Path("soft.yaml").write_text((ROOT / "gaits/trot.yaml").read_text().replace("wait: 0.15", f"wait: 0.{number}"))
+    monkeypatch.chdir(tmp_path / "here")
+    made = partial(surefoot.load_scenario, "walk_flat_ideal")
+    short = ["duration=0.1"]
+    given = [
+        surefoot.load_scenario("walk_flat_ideal.yaml", set=short), surefoot.load_scenario("mine.yml"), made(set=short, stack="stack.yml"),
+        made(set=short, stack=surefoot.Stack("stack.yml")), made(set=[*short, "stack=./stack.yml", "robot=robot.yaml"]),
+        made(set=[*short, "gaits=[ soft.yaml, trot]"]), made(set=short, robot="robot.yaml"), made(set=short, robot=made().robot_model),
+    ]  # fmt: skip
+    before, sent = [seen(each) for each in given], pickle.dumps(given)
+    monkeypatch.chdir(tmp_path / "elsewhere")
+    assert [seen(each) for each in pickle.loads(sent)] == before
+    with pytest.raises(surefoot.Error, match=r"only scenarios of load_scenario\(\) can be pickled"):
+        pickle.dumps(surefoot._core.read_scenario("walk_flat"))
 
 
 def test_a_run_is_that_of_the_program_to_the_bit(scenario):
