@@ -1,21 +1,39 @@
-"""What the package gives by names is a dict that tells of a name it has not."""
+"""Dicts whose KeyError has the names that are there."""
 
 from __future__ import annotations
 
+import contextlib
 import functools
+import importlib
 from typing import Any
 
 from surefoot import _core
 
 SHORT = 20  # names that are all told
+OF_FUNCTIONS = ["catalog", "scenarios", "stacks"]
+OF_OBJECTS = {
+    "RobotState": ["slips"], "TickContext": ["contacts"], "MotionPlan": ["feet"], "GroundTruth": ["feet"], "Dynamics": ["hips", "feet", "contacts"],
+    "Scenario": ["drawn"], "ControllerBase": ["problem"], "Evaluator": ["metrics"], "Result": ["metrics"],
+}  # fmt: skip
 
 
 class Named(dict[str, Any]):
+    """Copied, pickled and written as YAML as a plain dict."""
+
     def __missing__(self, name: object) -> Any:
         from surefoot_campaign.errors import near_names, valid_names
 
-        told = (valid_names if len(self) <= SHORT else near_names)(name, [*self])
-        raise KeyError(f'there is no "{name}"; {told}' if self else f'there is no "{name}"; there is nothing here')
+        told = (valid_names if len(self) <= SHORT else near_names)(name, [*self]) if self else "it is empty"
+        raise KeyError(f'there is no "{name}"; {told}')
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return dict, (dict(self),)
+
+
+with contextlib.suppress(ImportError):
+    _yaml = importlib.import_module("yaml.representer")
+    for _kind in (_yaml.SafeRepresenter, _yaml.Representer):
+        _kind.add_representer(Named, _kind.represent_dict)
 
 
 def named(value: Any) -> Any:
@@ -27,19 +45,16 @@ def named(value: Any) -> Any:
     return value
 
 
-def gives_names(function: Any) -> bool:
-    return any("dict[str" in text.rpartition("->")[2] for text, *_ in getattr(function, "__nb_signature__", ()))
-
-
 def giving_named(function: Any) -> Any:
     return lambda *args, **kwargs: named(function(*args, **kwargs))
 
 
 def tell() -> None:
-    for name, thing in list(vars(_core).items()):
-        if gives_names(getattr(thing, "__wrapped__", None)):
-            setattr(_core, name, functools.wraps(thing)(giving_named(thing)))
-        elif isinstance(thing, type):
-            for member, inner in list(vars(thing).items()):
-                if isinstance(inner, property) and gives_names(inner.fget):
-                    setattr(thing, member, property(giving_named(inner.fget), inner.fset, doc=inner.__doc__))
+    for name in OF_FUNCTIONS:
+        function = getattr(_core, name)
+        setattr(_core, name, functools.wraps(function)(giving_named(function)))
+    for name, members in OF_OBJECTS.items():
+        kind = getattr(_core, name)
+        for member in members:
+            inner = vars(kind)[member]
+            setattr(kind, member, property(giving_named(inner.fget), inner.fset, doc=inner.__doc__))

@@ -18,7 +18,6 @@ from surefoot import _core
 from surefoot._core import Error, Estimator, Gait, Planner, Result, Robot, Scenario, Tick
 from surefoot._arguments import check_takes, checked
 from surefoot._errors import told_as_error
-from surefoot._named import named
 from surefoot.control import load_scenario
 from surefoot.stack import Stack
 
@@ -62,7 +61,7 @@ class Campaign:
 
     def __init__(self, folder: pathlib.Path, summary: dict[str, Any]) -> None:
         self.folder: pathlib.Path = folder
-        self.summary: dict[str, Any] = named(summary)
+        self.summary: dict[str, Any] = summary
         self._rows = (folder / "runs.parquet").read_bytes()  # another campaign may write there
 
     def __repr__(self) -> str:

@@ -17,6 +17,7 @@ import numpy.typing as npt
 from surefoot import _core
 from surefoot._arguments import checked
 from surefoot._core import Error, Robot, TaskTick, UnknownNameError
+from surefoot._named import Named, named
 from surefoot._paths import absolute_path
 
 
@@ -34,7 +35,7 @@ class Task:
 
     def __init__(self, task: str, name: str | None = None, *, weight: float = 1.0, **parameters: float | str | Sequence[str] | None) -> None:
         self.task, self.name, self.weight = task, task if name is None else name, weight
-        self.parameters = {key: value for key, value in parameters.items() if value is not None}
+        self.parameters = Named((key, value) for key, value in parameters.items() if value is not None)
         check_name(self.name)
         if not isinstance(self, OwnTask):
             parse_alone(self)
@@ -43,7 +44,7 @@ class Task:
     def _read(cls, task: str, name: str, weight: float, parameters: dict[str, Any]) -> Task:
         """From a stack, which has checked it."""
         made = Task.__new__(Task)
-        made.task, made.name, made.weight, made.parameters = task, name, weight, parameters
+        made.task, made.name, made.weight, made.parameters = task, name, weight, Named(parameters)
         return made
 
     def __eq__(self, other: object) -> bool:
@@ -111,7 +112,7 @@ def catalog() -> list[dict[str, Any]]:
     """All tasks that a stack may have, with their parameters: the library's, then those of register_task()."""
     own = [{"name": name, "summary": (task.__doc__ or "").split("\n")[0], "equation": "–", "unit": task.unit, "numbers": [], "choices": []}
            for name, task in _registered.items()]  # fmt: skip
-    return [*_core.catalog(), *own]
+    return [*_core.catalog(), *named(own)]
 
 
 def name_of(task: str, frame: str | None) -> str:
@@ -361,7 +362,7 @@ def tune(task: str, weight: float | None, parameters: Mapping[str, Any], levels:
         if each.task != task:
             return each
         made = copy.copy(each)
-        made.weight, made.parameters = each.weight if weight is None else weight, {**each.parameters, **parameters}
+        made.weight, made.parameters = each.weight if weight is None else weight, Named({**each.parameters, **parameters})
         return made
 
     return [replace(level, tasks=tuple(map(changed, level.tasks))) for level in levels]

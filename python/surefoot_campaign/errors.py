@@ -12,8 +12,8 @@ def valid_names(given, names):
 
 
 def near_names(given, names):
-    """The same where there are many: the nearest alone."""
-    return f"{hint(given, names)}near are: {', '.join(difflib.get_close_matches(str(given), names, n=6, cutoff=0.0))}"
+    """The same where there are many: the closest alone."""
+    return f"{hint(given, names)}closest: {', '.join(difflib.get_close_matches(str(given), names, n=6, cutoff=0.0))}"
 
 
 def hint(given, names):

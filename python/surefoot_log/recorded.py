@@ -53,7 +53,7 @@ class Recorded:
         self._log = LogFile(path)
         self._tables: dict[str, pa.Table] = {}
         self._columns: dict[str, Array] = {}
-        self.header: dict[str, Any] = named(self._log.header)
+        self.header: dict[str, Any] = self._log.header
 
     def __repr__(self) -> str:
         return f"<run of {self.header['scenario']}, seed {self.header['seed']}, {len(self.channels)} channels: {self._log.path}>"

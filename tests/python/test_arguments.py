@@ -324,15 +324,15 @@ def test_help_shows_signature_and_text():
 
 
 def test_a_name_that_a_dict_has_not_is_told_with_those_that_it_has(world):
-    recorded = surefoot.read(world.log)
-    near_feet, metric = r'there is no "XX"; valid are: LF, RF, LH, RH', r'there is no "duration"; .*near are: .*duration_s'
+    recorded, stack = surefoot.read(world.log), surefoot.Stack("terrain_adaptation")
+    near_feet, metric = r'there is no "XX"; valid are: LF, RF, LH, RH', r'there is no "duration"; .*closest: .*duration_s'
     for given, name, said in [
         (world.controller.dynamics.feet, "XX", near_feet), (world.controller.dynamics.contacts, "XX", near_feet), (world.controller.plan.feet, "XX", near_feet),
         (world.controller.state.slips, "XX", near_feet), (world.context.contacts, "XX", near_feet), (world.plant.truth.feet, "XX", near_feet),
         (world.result.metrics, "duration", metric), (recorded.metrics, "duration", metric), (recorded.channels, "state.p_WX.x", 'did you mean "state.p_WB.x"'),
         (world.controller.problem[0], "a", 'there is no "a"; .*valid are: .*A'), (surefoot.catalog()[0], "nam", 'did you mean "name"'),
-        (surefoot.scenarios(), "walk_flt", 'did you mean "walk_flat"'), (world.scenario.drawn, "x", "there is nothing here"),
-        (surefoot.explain(world.log, 0.005).facts, "tim", 'did you mean "time'), (recorded.criteria[0], "metrics", 'did you mean "metric"'),
+        (surefoot.scenarios(), "walk_flt", 'did you mean "walk_flat"'), (world.scenario.drawn, "x", "it is empty"),
+        (stack["com_xy"].tasks[0].parameters, "kq", 'valid are: kd, kp'), (recorded.criteria[0], "metrics", 'did you mean "metric"'),
     ]:  # fmt: skip
         with pytest.raises(KeyError, match=said):
             given[name]

@@ -140,6 +140,8 @@ def test_a_registered_task_can_be_named_by_stack_files(tmp_path):
     surefoot.register_task(Still("still"))
     assert surefoot.catalog()[-1] | {"numbers": []} == {
         "name": "still", "summary": "The base keeps still.", "equation": "–", "unit": "m/s²", "numbers": [], "choices": []}  # fmt: skip
+    with pytest.raises(KeyError, match='there is no "nam"; did you mean "name"'):
+        surefoot.catalog()[-1]["nam"]
     (tmp_path / "mine.yaml").write_text("name: mine\nbase: terrain_adaptation\nlevels: [equations_of_motion, no_contact_motion, torque_limits, "
                                         "friction_cone, {task: still}, swing_foot]\n")  # fmt: skip
     made = Stack(tmp_path / "mine.yaml")
