@@ -5,7 +5,7 @@
 #include "python/interrupt.hpp"
 #include "python/level_outcome.hpp"
 #include "python/numbers.hpp"
-#include "python/parts.hpp"
+#include "python/own_parts.hpp"
 #include "python/plant.hpp"
 #include "surefoot/base/formatted.hpp"
 #include "surefoot/config/hierarchy_json.hpp"

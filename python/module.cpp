@@ -39,7 +39,8 @@ NB_MODULE(_core, module) {
   bind_estimator(module);
   bind_planner(module);
   bind_task_tick(module);
-  bind_gaits(module);
+  bind_gait_tick(module);
+  bind_gait(module);
   bind_controller(module);
   bind_evaluation(module);
   bind_running(module);

@@ -2,7 +2,7 @@
 
 #include "python/bindings.hpp"
 #include "python/numbers.hpp"
-#include "python/own_part.hpp"
+#include "python/own_parts.hpp"
 #include "surefoot/estimation/leg_inertial_estimator.hpp"
 
 #include <memory>

@@ -4,7 +4,7 @@
 #include "python/dynamics.hpp"
 #include "python/named_command.hpp"
 #include "python/numbers.hpp"
-#include "python/own_part.hpp"
+#include "python/own_parts.hpp"
 
 #include <cmath>
 #include <memory>

@@ -4,7 +4,7 @@
 #include "python/dynamics.hpp"
 #include "python/in_python.hpp"
 #include "python/numbers.hpp"
-#include "python/parts.hpp"
+#include "python/own_parts.hpp"
 #include "surefoot/tasks/task.hpp"
 
 #include <nanobind/stl/string.h>

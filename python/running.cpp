@@ -4,7 +4,7 @@
 #include "python/controller.hpp"
 #include "python/interrupt.hpp"
 #include "python/metrics.hpp"
-#include "python/parts.hpp"
+#include "python/own_parts.hpp"
 #include "python/plant.hpp"
 #include "surefoot/base/formatted.hpp"
 #include "surefoot/base/nearest_name.hpp"

@@ -1,7 +1,7 @@
 #include "python/bindings.hpp"
 #include "python/named_command.hpp"
 #include "python/numbers.hpp"
-#include "python/parts.hpp"
+#include "python/own_parts.hpp"
 #include "python/robot.hpp"
 #include "surefoot/config/data_file.hpp"
 #include "surefoot/config/scenario_file.hpp"

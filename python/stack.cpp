@@ -2,7 +2,7 @@
 // stacks as plain data.
 
 #include "python/bindings.hpp"
-#include "python/parts.hpp"
+#include "python/own_parts.hpp"
 #include "python/robot.hpp"
 #include "surefoot/config/data_file.hpp"
 #include "surefoot/config/stack_file.hpp"

@@ -1,4 +1,4 @@
-#include "python/own_part.hpp"
+#include "python/own_parts.hpp"
 
 #include <nanobind/stl/string.h>
 
