@@ -132,8 +132,11 @@ def campaign(spec: str | os.PathLike[str] | Mapping[str, Any], *, out: str | os.
         except InputError as error:
             raise Error(re.sub(re.escape(str(path)) + r"(:\d+)?", "spec", str(error)) if isinstance(spec, Mapping) else str(error)) from None
         place = pathlib.Path(out or pathlib.Path("results") / loaded.name)
-        with contextlib.redirect_stdout(io.StringIO()):
-            status = make_campaign(plan, program, arguments, place, [str(path)])
+        try:
+            with contextlib.redirect_stdout(io.StringIO()):
+                status = make_campaign(plan, program, arguments, place, [str(path)])
+        except InputError as error:
+            raise Error(str(error).replace("with --out", "with out=")) from None
     if status == WRONG_INPUT:
         raise KeyboardInterrupt(f"rows that are finished are kept in {place}; the same call goes on there")
     return Campaign(place, json.loads((place / "summary.json").read_text()))

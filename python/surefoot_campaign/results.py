@@ -73,7 +73,7 @@ def cells_of(record):
 
 def plain(value):
     """A parameter's value as a cell."""
-    return value if isinstance(value, (bool, int, float)) else yaml_text(value)
+    return value if isinstance(value, (bool, int, float, str)) else yaml_text(value)
 
 
 def csv_table(rows):

@@ -203,6 +203,8 @@ def test_a_campaign_gives_tables_and_compares_cases_seed_by_seed(tmp_path, monke
         found.frame
     with pytest.raises(surefoot.Error, match="seeds"):
         surefoot.campaign({"scenario": "walk_flat"})
+    with pytest.raises(surefoot.Error, match="choose another with out=$"):
+        surefoot.campaign(spec | {"name": "other"}, out=tmp_path / "results", jobs=1)
 
 
 @pytest.mark.parametrize("criteria, told", [({}, "2 not judged"), ({"criteria": None}, "2 of 2 runs succeeded")])
@@ -225,6 +227,7 @@ def test_a_campaign_compares_stacks(tmp_path):
     stack = surefoot.Stack("terrain_adaptation")
     spec = {"scenario": "walk_flat_ideal", "seeds": [1], "set": {"duration": 0.3}, "cases": {"as it is": {"stack": stack}, "soft": {"stack": stack.tune("com_xy", kp=20)}}}
     found = surefoot.campaign(spec, out=tmp_path / "results", jobs=1)
+    assert [pathlib.Path(each).name for each in found.table["stack"].to_pylist()] == ["terrain_adaptation.yaml", "terrain_adaptation_2.yaml"]
     torques = dict(zip(found.table["case"].to_pylist(), found.table["torques_hash"].to_pylist(), strict=True))
     here = surefoot.run("walk_flat_ideal", seed=1, set=["duration=0.3"], stack=stack.tune("com_xy", kp=20)).torques_hash
     assert torques["soft"] == f"{here:016x}" != torques["as it is"]
