@@ -156,6 +156,9 @@ def check_takes(name: str, function: Callable[..., Any], names: str) -> None:
 
 def unbound(name: str, error: str, signature: inspect.Signature, kwargs: Mapping[str, Any]) -> ArgumentError:
     takes = [one for one in signature.parameters if one != "self"]
+    field = next((each for each in kwargs if isinstance(getattr(getattr(_core, name, None), each, None), property)), None)
+    if field is not None:
+        return ArgumentError(f"{name}(): {field} is set behind it: made = {name}({', '.join(takes)}); made.{field} = …")
     near = next((found[0] for each in kwargs if each not in takes and (found := difflib.get_close_matches(each, takes, n=1))), None)
     hint = f"did you mean {near}? " if near else ""
     return ArgumentError(f"{name}(): {error}; {hint}its arguments are {', '.join(takes)}")

@@ -161,7 +161,7 @@ def parse_alone(task: Task) -> None:
     try:
         _core.parse_stack(f"name: own\nlevels:\n  - {level}\n", "stack", own=registered_tasks())
     except Error as error:
-        raise type(error)(re.sub(r"^stack:\d+: levels\.0\.(task: )?", f"task {task.task}: ", str(error))) from None
+        raise type(error)(re.sub(rf"^stack:\d+: levels\.0\.(task: |[\w.]+: {re.escape(task.task)}: )?", f"task {task.task}: ", str(error))) from None
 
 
 def as_level(given: Task | StackLevel) -> StackLevel:

@@ -144,6 +144,8 @@ class Recorded:
         if name in names:
             return self._in_world(self._column(topic, name), [name])
         inside = [column for column in names if column.startswith(f"{name}.")]
+        if name == f"{topic}.time":
+            raise KeyError(f'{self._log.path} has no channel {name}; the times of the ticks are log.time, or log["time"]')
         if not inside:
             members = list(dict.fromkeys(".".join(column.split(".")[:2]) for column in names if column != "time"))
             raise KeyError(f"{self._log.path} has no channel {name}; {valid_names(name, members)}")

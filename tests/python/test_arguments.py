@@ -191,6 +191,7 @@ def test_enough_is_looked_at():
     (lambda world: surefoot.campaign({}), "^spec: "),
     (lambda world: surefoot.read(world.log).in_W([1, 2]), r"name is \[1, 2\]; a text would be valid"),
     (lambda world: surefoot.UserCommand(speed=3), r"UserCommand\(\): got an unexpected keyword argument 'speed'; its arguments are walk, velocity"),
+    (lambda world: surefoot.SensorReading(q=[0] * 12), r"^SensorReading\(\): q is set behind it: made = SensorReading\(num_joints\); made.q = …$"),
     (lambda world: world.plant.push(), r"Plant.push\(\): missing a required argument: 'force'; its arguments are force, body"),
     (lambda world: surefoot.Scenario(), "Scenario objects are made by the library, not by hand"),
     (lambda world: surefoot.Robot(None), "name_or_path is None; a text would be valid"),

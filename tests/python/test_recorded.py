@@ -58,6 +58,8 @@ def test_a_topic_comes_in_parts_too(log):
     run = surefoot.read(log)
     parts = list(run.parts("state"))
     assert sum(part.num_rows for part in parts) == len(run.time) and len(parts) > 1
+    with pytest.raises(KeyError, match=r'no channel state.time; the times of the ticks are log.time, or log\["time"\]'):
+        run["state.time"]
     with pytest.raises(KeyError, match="has no topic states; did you mean"):
         next(run.parts("states"))
 

@@ -50,6 +50,7 @@ def test_levels_are_found_and_stacks_compared_copied_and_pickled(stack):
 @pytest.mark.parametrize("make, said", [
     (lambda: Task("com"), 'task com: unknown task "com"; valid are: '),
     (lambda: tasks.ComXy(kp=float("nan")), 'task com_xy: kp: "NaN" is not a finite number'),
+    (lambda: tasks.FramePosition("gripper", kp=-100), "^task frame_position: kp is -100, but"),
     (lambda: tasks.ComXy(weight=-1), "task com_xy: weight"),
     (lambda: Task("com_xy", kpp=1), 'kpp: the task com_xy has no such parameter; did you mean "kp"?'),
 ])  # fmt: skip
@@ -159,7 +160,7 @@ def test_a_registered_task_can_be_named_by_stack_files(tmp_path):
     (lambda s: s.before("torso_yaw"), "no level was given"),
     (lambda s: s.last(3), "new is 3; a Task or a StackLevel would be valid"),
     (lambda s: s.last(tasks.ComXy()), "two levels have the name 'com_xy'"),
-    (lambda s: s.last(tasks.ComXy("again", kp=-1)), "task com_xy: kp: com_xy: kp is -1, but must be a number of at least 0"),
+    (lambda s: s.last(tasks.ComXy("again", kp=-1)), "task com_xy: kp is -1, but must be a number of at least 0"),
     (lambda s: s.tune("com_xy", kp=float("nan")), 'level com_xy: kp: "NaN" is not a finite number'),
     (lambda s: s.tune("com_xy", kpp=1), 'level com_xy: kpp: the task com_xy has no such parameter; did you mean "kp"?'),
     (lambda s: s.tune("com_x", kp=1), "has no task 'com_x'; did you mean \"com_xy\"?"),
