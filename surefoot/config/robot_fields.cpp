@@ -203,7 +203,9 @@ Group fields(RobotInFile& o) {
        posture(o.nominal, "of a front leg, its knee backward; hind legs mirror HFE and KFE"),
        "without it knees bent as the limits allow"},
       {"gains", gains_of_all(o),
-       "of the safety ladder; one number for all joints, or HAA, HFE and KFE of each leg"}};
+       "of the safety ladder; one number for all joints, or HAA, HFE and KFE of each leg"},
+      {"guessed", Names{&o.guessed, 0, "is not a list of keys or texts"},
+       "numbers of this file that are not measured; every run tells them"}};
   if (!robot.can_walk())
     std::erase_if(group.fields, [](const Field& field) {
       return field.key == "limits" || field.key == "drives" || field.key == "posture";

@@ -48,8 +48,9 @@ struct ArmInFile {
 
 /// Content of a robot file; the rest follows from the URDF or MJCF.
 struct RobotInFile {
-  model::RobotDescription robot;  ///< with the URDF as named in the file
-  std::string mjcf;               ///< instead of a URDF
+  model::RobotDescription robot;     ///< with the URDF as named in the file
+  std::string mjcf;                  ///< instead of a URDF
+  std::vector<std::string> guessed;  ///< numbers of the file that are not measured
   PerLeg<LegInFile> legs;
   std::vector<ArmInFile> arms;
   LimitsInFile limits;

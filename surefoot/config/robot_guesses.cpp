@@ -4,6 +4,7 @@
 #include "surefoot/config/config_tree.hpp"
 
 #include <algorithm>
+#include <optional>
 
 namespace surefoot::config {
 namespace {
@@ -25,12 +26,28 @@ bool each_has_posture(const ConfigNode& file, const char* limbs) {
          });
 }
 
+std::optional<ConfigNode> robot_file_of(const Scenario& scenario) {
+  const auto source = std::ranges::find(scenario.sources, "robot.yaml", &SourceFile::name);
+  if (source == scenario.sources.end()) return std::nullopt;
+  return parse_yaml(source->text, source->name);
+}
+
 }  // namespace
 
+std::string guessed_note(const Scenario& scenario) {
+  const std::optional<ConfigNode> file = robot_file_of(scenario);
+  const ConfigNode* guessed = file ? file->find("guessed") : nullptr;
+  if (guessed == nullptr) return "";
+  std::string numbers;
+  for (const ConfigNode& number : guessed->items)
+    numbers += (numbers.empty() ? "" : "; ") + number.text;
+  return kGuessed + scenario.robot.name + ", not measured: " + numbers;
+}
+
 std::string robot_guesses(const Scenario& scenario) {
-  const auto source = std::ranges::find(scenario.sources, "robot.yaml", &SourceFile::name);
-  if (source == scenario.sources.end()) return "";
-  const ConfigNode file = parse_yaml(source->text, source->name);
+  const std::optional<ConfigNode> read = robot_file_of(scenario);
+  if (!read) return "";
+  const ConfigNode& file = *read;
   const model::RobotDescription& robot = scenario.robot;
   std::string taken;
   const auto add = [&](const std::string& text) { taken += (taken.empty() ? "" : "; ") + text; };

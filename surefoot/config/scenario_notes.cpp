@@ -1,12 +1,14 @@
 #include "surefoot/config/scenario_notes.hpp"
 
 #include "surefoot/base/formatted.hpp"
+#include "surefoot/config/robot_guesses.hpp"
 #include "surefoot/gaits/command_limits.hpp"
 
 #include <algorithm>
 #include <array>
 #include <iterator>
 #include <string_view>
+#include <utility>
 
 namespace surefoot::config {
 namespace {
@@ -100,6 +102,8 @@ std::vector<std::string> scenario_notes(const ConfigNode& tree, const Scenario& 
   note_undrawn(assigned, notes);
   note_unused_actuator(assigned, plant.actuators, notes);
   note_too_fast(scenario, notes);
+  if (std::string guessed = guessed_note(scenario); !guessed.empty())
+    notes.push_back(std::move(guessed));
   std::ranges::copy(control::missing_physics(scenario.controller.stack), std::back_inserter(notes));
   return notes;
 }

@@ -2,6 +2,7 @@
 
 #include "surefoot/base/error.hpp"
 #include "surefoot/base/formatted.hpp"
+#include "surefoot/doctor/guessed_numbers.hpp"
 #include "surefoot/doctor/limit_guesses.hpp"
 #include "surefoot/logging/output_files.hpp"
 
@@ -230,6 +231,16 @@ std::string leg_lines(const Diagnosis& robot, Guesses guesses) {
   return text;
 }
 
+/// Every run tells them until the line is taken out.
+std::string guess_lines(const Diagnosis& robot, Guesses guesses) {
+  const std::vector<std::string> numbers = guessed_numbers(robot, guesses);
+  std::string text;
+  for (const std::string& number : numbers)
+    text += (text.empty() ? "guessed:   # runs tell it; take out what is measured\n" : "") +
+            ("  - " + quoted(number) + "\n");
+  return text;
+}
+
 }  // namespace
 
 std::string robot_file_text(const Diagnosis& robot, const std::filesystem::path& folder,
@@ -247,7 +258,8 @@ std::string robot_file_text(const Diagnosis& robot, const std::filesystem::path&
          arm_lines(robot, guesses) +
          (robot.anatomy.legs
               ? foot_lines(foot_of_all(*robot.anatomy.legs), guesses) + limit_lines(robot, guesses)
-              : sole_lines(robot.anatomy.flat_legs->sole));
+              : sole_lines(robot.anatomy.flat_legs->sole)) +
+         guess_lines(robot, guesses);
 }
 
 void write_robot_file(const Diagnosis& robot, const std::filesystem::path& file) {

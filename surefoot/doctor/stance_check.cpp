@@ -2,6 +2,7 @@
 #include "surefoot/base/formatted.hpp"
 #include "surefoot/closed_loop/closed_loop.hpp"
 #include "surefoot/config/initial_posture.hpp"
+#include "surefoot/config/robot_guesses.hpp"
 #include "surefoot/config/robot_plausibility.hpp"
 #include "surefoot/config/scenario_file.hpp"
 #include "surefoot/doctor/checks.hpp"
@@ -22,7 +23,7 @@ bool is_told_already(const std::string& note, const model::Urdf& urdf) {
   const model::UrdfLink& root = *urdf.find_link(urdf.root);
   return note == model::placeholder_note(root.name, root.inertia.mass) ||
          note.starts_with(model::kUnsoundInertia) || note.starts_with(simulation::kAddedSphere) ||
-         note.ends_with(config::kPlaceholder);
+         note.starts_with(config::kGuessed) || note.ends_with(config::kPlaceholder);
 }
 
 /// Where a scenario stands otherwise than it asks; empty: nowhere.
@@ -60,6 +61,23 @@ Reach reach_of(const Diagnosis& robot, const JointVector& q) {
     reach.leg = leg;
   }
   return reach;
+}
+
+/// On what the start refuses: a shape of a shank below the foot is rarely the foot's.
+std::string advice_on(const Diagnosis& robot, std::string_view what) {
+  if (!robot.anatomy.legs || what.find(" below the foot sphere ") == std::string_view::npos)
+    return "correct what is named";
+  for (const FoundLeg& leg : *robot.anatomy.legs) {
+    const auto names = [&](const std::string& link) {
+      return what.find("link \"" + link + "\"") != std::string_view::npos;
+    };
+    if (names(leg.foot.link)) return "correct what is named";
+    const std::string& shank = leg.joints[2].child;
+    if (names(shank))
+      return "make the collision shape of \"" + shank + "\" smaller or move it, unless it is \"" +
+             leg.foot.link + "\"'s ground contact";
+  }
+  return "correct what is named";
 }
 
 }  // namespace
@@ -119,7 +137,7 @@ void check_stance(Diagnosis& robot) {
     robot.findings.push_back(
         {Severity::error, Confidence::certain, scenario_name, 0,
          std::string("the robot can't be stood up: ") + file.without_path(error.what()),
-         "correct what is named; `surefoot run " + scenario_name +
+         advice_on(robot, what) + "; `surefoot run " + scenario_name +
              " --check --set robot=FILE` checks it again"});
   }
 }

@@ -1,6 +1,7 @@
 // The robot file that the doctor writes.
 #include "surefoot/doctor/robot_file_text.hpp"
 
+#include "surefoot/config/scenario_file.hpp"
 #include "surefoot/doctor/report.hpp"
 #include "tests/doctor/changed_robot.hpp"
 #include "tests/support/messages.hpp"
@@ -78,6 +79,29 @@ TEST_F(RobotFileText, fills_in_only_the_joints_that_lack_a_limit) {
   EXPECT_EQ(read.torque_limit[0], 80.0);
   EXPECT_EQ(read.torque_limit[1], 40.0);
   EXPECT_EQ(read.torque_limit[4], 80.0);
+}
+
+TEST_F(RobotFileText, names_what_is_guessed) {
+  change("<joint name=\"LF_HFE\"", "effort=\"80\"", "effort=\"0\"");
+  replace_all("<sphere radius=\"0.031\"/>", "<box size=\"0.04 0.04 0.03\"/>");
+  const Diagnosis robot = diagnosis();
+  const std::string with_numbers = robot_file_text(robot, folder_.path(), Guesses::as_numbers),
+                    with_comments = robot_file_text(robot, folder_.path(), Guesses::as_comments);
+  EXPECT_TRUE(holds(with_numbers, "guessed: "));
+  EXPECT_TRUE(holds(with_numbers, "  - \"limits.torque 41.6 N·m of LF_HFE\"\n"));
+  EXPECT_TRUE(
+      holds(with_numbers, "  - \"limits.position_max 1.2 rad of each HAA, 2.6 rad of each"));
+  EXPECT_TRUE(holds(with_numbers, "  - \"foot.radius 0."));
+  EXPECT_EQ(with_comments.find("limits.torque"), std::string::npos);
+  EXPECT_TRUE(holds(with_comments, "  - \"foot.radius 0."));
+  test::write_file(folder_ / "robot.yaml", with_numbers);
+  const config::Scenario scenario =
+      config::load_scenario({.name_or_path = "walk_flat",
+                             .seed = 0,
+                             .assignments = {"robot=" + (folder_ / "robot.yaml")}});
+  EXPECT_TRUE(std::ranges::any_of(scenario.notes, [](const std::string& note) {
+    return note.starts_with("guessed for robot, not measured: limits.torque 41.6 N·m of LF_HFE; ");
+  }));
 }
 
 TEST_F(RobotFileText, tells_a_foot_that_differs) {
