@@ -269,7 +269,7 @@ Anatomy find_anatomy(const model::Urdf& urdf, Findings& findings) {
           {.joints = leg.all_joints, .placing = {}, .no_leg = "", .is_chain = true});
     }
   } else {
-    name_legs(legs, anatomy, of_legs);
+    name_legs(legs, urdf, anatomy, of_legs);
   }
   name_arms(anatomy);
   tell_others(urdf, anatomy, findings);

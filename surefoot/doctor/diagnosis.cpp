@@ -7,6 +7,7 @@
 #include "surefoot/control/standing_torque.hpp"
 #include "surefoot/doctor/checks.hpp"
 #include "surefoot/doctor/guessed_file.hpp"
+#include "surefoot/doctor/mjcf_words.hpp"
 #include "surefoot/doctor/robot_file_text.hpp"
 #include "surefoot/logging/scratch_folder.hpp"
 #include "surefoot/model/robot_model.hpp"
@@ -126,6 +127,7 @@ Diagnosis examine(const std::string& given, const std::string& name) {
   check_limits(robot);
   check_stance(robot);
   check_agreement(robot);
+  if (!robot.urdf.text.empty()) say_as_mjcf(robot.findings);
   sort_worst_first(robot.findings);
   return robot;
 }

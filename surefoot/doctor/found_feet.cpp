@@ -1,6 +1,6 @@
 #include "surefoot/doctor/found_feet.hpp"
 
-#include "surefoot/doctor/mesh_vertices.hpp"
+#include "surefoot/doctor/shape_points.hpp"
 
 #include <algorithm>
 #include <cctype>
@@ -56,10 +56,9 @@ Foot FootFinder::foot_behind(const model::UrdfJoint& knee) const {
 }
 
 double FootFinder::radius_beyond(const model::CollisionShape& shape, const Vec3& down) const {
-  if (shape.mesh.empty()) return shape.radius;
+  if (shape.kind == "sphere") return shape.radius;
   double radius = 0.0;
-  for (const Vec3& vertex : mesh_vertices(shape, urdf_)) {
-    const Vec3 point = shape.center + shape.R * vertex;
+  for (const Vec3& point : shape_points(shape, urdf_)) {
     if (point.dot(down) > 0.0) radius = std::max(radius, point.norm());
   }
   return radius;

@@ -1,6 +1,6 @@
 #include "surefoot/doctor/found_flat_legs.hpp"
 
-#include "surefoot/doctor/mesh_vertices.hpp"
+#include "surefoot/doctor/shape_points.hpp"
 
 #include <algorithm>
 #include <array>
@@ -62,23 +62,10 @@ std::vector<double> bent(const Straight& chain) {
   return posture;
 }
 
-/// Points of a shape, in the link's frame; the lowest ones count.
+/// A sphere has its lowest point alone.
 std::vector<Vec3> points_of(const model::CollisionShape& shape, const model::Urdf& urdf) {
-  std::vector<Vec3> points;
-  if (!shape.mesh.empty()) {
-    for (const Vec3& vertex : mesh_vertices(shape, urdf))
-      points.push_back(shape.center + shape.R * vertex);
-  } else if (shape.kind == "box") {
-    for (const double x : {-0.5, 0.5}) {
-      for (const double y : {-0.5, 0.5}) {
-        for (const double z : {-0.5, 0.5})
-          points.push_back(shape.center + shape.R * shape.size.cwiseProduct(Vec3(x, y, z)));
-      }
-    }
-  } else if (shape.kind == "sphere") {
-    points.push_back(shape.center - shape.radius * Vec3::UnitZ());
-  }
-  return points;
+  if (shape.kind == "sphere") return {shape.center - shape.radius * Vec3::UnitZ()};
+  return shape_points(shape, urdf);
 }
 
 /// The rectangle of what lies lowest on the foot's link.

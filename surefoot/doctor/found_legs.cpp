@@ -2,6 +2,8 @@
 
 #include "surefoot/base/formatted.hpp"
 #include "surefoot/doctor/found_feet.hpp"
+#include "surefoot/doctor/part_list.hpp"
+#include "surefoot/model/missing_axes.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,6 +12,9 @@
 
 namespace surefoot::doctor {
 namespace {
+
+constexpr const char* kNameJoints =
+    "name by `joints` in the robot file those that place the foot (docs/robots.md, further joints)";
 
 Limb limb_of(const FoundLeg& leg, const char* why) {
   return {.joints = leg.all_joints, .placing = {}, .no_leg = why, .is_chain = true};
@@ -38,9 +43,8 @@ bool tell_other_legs(const Anatomy& anatomy, Findings& findings) {
              "those that begin with" +
              wrong,
          limb.joints.size() > kJointsPerLeg
-             ? "if they are legs, name by `joints` in the robot file those that place the foot "
-               "(docs/robots.md, further joints), or make fixed what they can walk without:" +
-                   last
+             ? std::string("if they are legs, ") + kNameJoints +
+                   ", or make fixed what they can walk without:" + last
              : "if they are legs, they can't walk with this program"});
     return true;
   }
@@ -66,13 +70,28 @@ void tell_too_few(const std::vector<FoundLeg>& legs, Findings& findings) {
                           (names.empty() ? "" : ", beginning at" + names) +
                           ", but a robot that walks has four or six legs",
                       "each leg must be three revolute joints, one behind the other; make fixed "
-                      "what does not move, and add what is missing; of legs with further joints "
-                      "name by `joints` in the robot file those that place the foot "
-                      "(docs/robots.md, further joints)"});
+                      "what does not move, and add what is missing; of legs with further joints " +
+                          std::string(kNameJoints)});
+}
+
+/// Axes that only the standard tells, of HFE and KFE.
+bool tell_missing_axes(const Anatomy& anatomy, const model::Urdf& urdf, Findings& findings) {
+  const std::vector<std::string> without = model::joints_without_axis(urdf);
+  PartList list;
+  for (const FoundLeg& leg : *anatomy.legs) {
+    for (const std::size_t j : {1u, 2u}) {
+      if (std::ranges::count(without, leg.joints[j].name) > 0)
+        list.add(leg.joints[j], "it has no <axis>, and a URDF then takes x, 1 0 0");
+    }
+  }
+  const std::size_t before = findings.size();
+  list.tell(Severity::error, Confidence::likely,
+            "add <axis>; that of HFE and KFE is y of the base, 0 1 0", findings, true);
+  return findings.size() > before;
 }
 
 /// The legs' axes tell where the base looks, even if the places of the hips do not.
-void check_heading(const Anatomy& anatomy, Findings& findings) {
+void check_heading(const Anatomy& anatomy, const model::Urdf& urdf, Findings& findings) {
   Vec3 sideways = Vec3::Zero();
   for (const FoundLeg& leg : *anatomy.legs) {
     const model::Hinge& haa = leg.chain.hinges[0];
@@ -80,6 +99,7 @@ void check_heading(const Anatomy& anatomy, Findings& findings) {
     sideways += (haa.R * hfe.R * hfe.axis).cwiseAbs();
   }
   if (sideways.y() >= sideways.x() && sideways.y() >= sideways.z()) return;
+  if (tell_missing_axes(anatomy, urdf, findings)) return;
   findings.push_back({Severity::error, Confidence::likely, "link \"" + anatomy.base + "\"", 0,
                       "most HFE axes do not lie along y of the base; x must point forward and z up",
                       "turn the base's frame, or its joints' origins, by 90°", true});
@@ -232,7 +252,8 @@ void keep_lowest(std::vector<FoundLeg>& legs, Anatomy& anatomy) {
   }
 }
 
-void name_legs(const std::vector<FoundLeg>& legs, Anatomy& anatomy, Findings& findings) {
+void name_legs(const std::vector<FoundLeg>& legs, const model::Urdf& urdf, Anatomy& anatomy,
+               Findings& findings) {
   anatomy.loose = legs;
   const bool is_hexapod = legs.size() == kMaxLegs;
   if (legs.size() > kMaxLegs) return tell_too_many(legs, findings);
@@ -246,7 +267,7 @@ void name_legs(const std::vector<FoundLeg>& legs, Anatomy& anatomy, Findings& fi
   for (const Leg leg : found.legs()) (*anatomy.legs)[index(leg)] = *found[index(leg)];
   anatomy.loose.clear();
   tell_held(anatomy, findings);
-  check_heading(anatomy, findings);
+  check_heading(anatomy, urdf, findings);
   check_origin(anatomy, findings);
 }
 

@@ -21,6 +21,7 @@ void keep_lowest(std::vector<FoundLeg>& legs, Anatomy& anatomy);
 
 /// Tells LF, RF, LH and RH apart by the hips' places, x forward and y left. Fewer than four, or
 /// four that are not in the four quadrants, are an error.
-void name_legs(const std::vector<FoundLeg>& legs, Anatomy& anatomy, Findings& findings);
+void name_legs(const std::vector<FoundLeg>& legs, const model::Urdf& urdf, Anatomy& anatomy,
+               Findings& findings);
 
 }  // namespace surefoot::doctor

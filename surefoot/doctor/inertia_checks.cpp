@@ -1,6 +1,7 @@
 #include "surefoot/base/formatted.hpp"
 #include "surefoot/doctor/checks.hpp"
 #include "surefoot/doctor/part_list.hpp"
+#include "surefoot/model/point_mass.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -27,6 +28,12 @@ bool has_negative_moment(const model::Inertia& inertia) {
   return moments[0] < -model::kInertiaRounding * moments.cwiseAbs().maxCoeff();
 }
 
+/// No body has an inertia without a mass.
+bool is_massless(const model::UrdfLink& link, bool is_root) {
+  const bool is_left_out = is_root && model::is_placeholder(link.inertia);
+  return !is_left_out && link.inertia.mass == 0.0 && !link.inertia.about_com.isZero(0.0);
+}
+
 void check_link(const model::UrdfLink& link, bool is_root, PartList& impossible,
                 Findings& findings) {
   const Vec3 moments = principal_moments(link.inertia);
@@ -34,6 +41,11 @@ void check_link(const model::UrdfLink& link, bool is_root, PartList& impossible,
     findings.push_back(of_link(link, Severity::error, Confidence::certain,
                                formatted("its mass is negative, %g kg", link.inertia.mass),
                                "correct <mass value>"));
+  }
+  if (is_massless(link, is_root)) {
+    findings.push_back(of_link(link, Severity::error, Confidence::certain,
+                               "its mass is 0, and its inertia is not",
+                               "correct <mass value>: a number above 0 is valid"));
   }
   if (is_root && model::is_placeholder(link.inertia)) {
     findings.push_back(of_link(link, Severity::note, Confidence::certain,
@@ -56,7 +68,7 @@ void check_link(const model::UrdfLink& link, bool is_root, PartList& impossible,
 struct Body {
   const model::UrdfLink* link;
   model::Inertia inertia;
-  bool is_told;  // a link of it has a negative mass or inertia
+  bool is_told;  // a link of it has a mass or an inertia that none has
   double reach;  // from its origin to the farthest of its joints and links [m]
 };
 
@@ -67,7 +79,8 @@ Body body_of(const Diagnosis& robot, const model::UrdfLink& first) {
     const model::Weld& weld = welds.at(link.name);
     if (weld.body != first.name) continue;
     body.inertia = body.inertia + link.inertia.placed(weld.R, weld.p);
-    body.is_told |= link.inertia.mass < 0.0 || has_negative_moment(link.inertia);
+    body.is_told |= link.inertia.mass < 0.0 || has_negative_moment(link.inertia) ||
+                    is_massless(link, link.name == robot.urdf.root);
   }
   const auto add = [&](const Vec3& point) { body.reach = std::max(body.reach, point.norm()); };
   for (const auto& [name, weld] : welds) {
@@ -148,11 +161,20 @@ void check_own_mass(const Diagnosis& robot, const Body& body, Findings& findings
       "add <inertial> with its mass, unless that is part of the other links'"));
 }
 
+/// Of a link that moves; with what is fixed to it, its body may still have an inertia.
+void check_point(const Body& body, PartList& points) {
+  if (!model::is_point(body.link->inertia)) return;
+  points.add(*body.link,
+             formatted("it moves, but its inertia is 0: its %.3g kg count as a point at "
+                       "its centre of mass",
+                       body.link->inertia.mass));
+}
+
 }  // namespace
 
 void check_inertias(Diagnosis& robot) {
   UnitCheck units;
-  PartList massless, impossible;
+  PartList massless, impossible, points;
   for (const model::UrdfLink& link : robot.urdf.links)
     check_link(link, link.name == robot.urdf.root, impossible, robot.findings);
   for (const model::UrdfLink& link : robot.urdf.links) {
@@ -167,10 +189,13 @@ void check_inertias(Diagnosis& robot) {
     }
     check_moments(body, robot.findings);
     check_own_mass(robot, body, robot.findings);
+    check_point(body, points);
     units.add(body);
   }
   massless.tell(Severity::error, Confidence::certain,
                 "add <inertial> with its mass, or make its joint fixed", robot.findings);
+  points.tell(Severity::warning, Confidence::certain, "take its <inertia> from CAD",
+              robot.findings);
   impossible.tell(
       Severity::note, Confidence::certain,
       "take the inertia from CAD anew; what counts is the body with all that is fixed to it",

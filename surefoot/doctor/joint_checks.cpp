@@ -17,9 +17,12 @@ constexpr double kMostOriginTurn = 2.0 * kPi + 0.1;  // of an <origin>: more is 
 
 void check_joints(Diagnosis& robot) {
   PartList unknown, turned;
+  const bool is_mjcf = !robot.urdf.text.empty();
   for (const model::UrdfJoint& joint : robot.urdf.joints) {
     if (std::ranges::count(kTypes, joint.type) == 0)
-      unknown.add(joint, "a URDF has no joint of type \"" + joint.type + "\"");
+      unknown.add(joint, is_mjcf
+                             ? "its type is \"" + joint.type + "\", and a leg or an arm has hinges"
+                             : "a URDF has no joint of type \"" + joint.type + "\"");
     if (joint.rpy.cwiseAbs().maxCoeff() > kMostOriginTurn) {
       turned.add(joint, formatted("its <origin> is turned by more than a turn, rpy=\"%g %g %g\"",
                                   joint.rpy.x(), joint.rpy.y(), joint.rpy.z()));

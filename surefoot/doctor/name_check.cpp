@@ -1,6 +1,7 @@
 #include "surefoot/doctor/checks.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <initializer_list>
 #include <string>
@@ -11,18 +12,61 @@
 namespace surefoot::doctor {
 namespace {
 
-/// The words of a name, in small letters: "front_right.hx" has three.
+/// Does a word begin at this letter: "Left" in "FrontLeft", "FL" in "legFL", "Hip" in "FLHip"?
+bool begins_word(const std::string& name, std::size_t at) {
+  const auto is = [&](int (*kind)(int), std::size_t i) {
+    return i < name.size() && kind(static_cast<unsigned char>(name[i])) != 0;
+  };
+  if (at == 0) return false;
+  if (is(std::isalpha, at) != is(std::isalpha, at - 1)) return true;
+  return is(std::isupper, at) && (is(std::islower, at - 1) || is(std::islower, at + 1));
+}
+
+/// The words of a name, in small letters: "front_right.hx" and "FrontRightHx" have three.
 std::vector<std::string> words_of(const std::string& name) {
   std::vector<std::string> words(1);
-  for (const char letter : name) {
-    const auto c = static_cast<unsigned char>(letter);
-    if (std::isalnum(c) != 0) {
-      words.back() += static_cast<char>(std::tolower(c));
-    } else if (!words.back().empty()) {
-      words.emplace_back();
-    }
+  for (std::size_t i = 0; i < name.size(); ++i) {
+    if (begins_word(name, i) && !words.back().empty()) words.emplace_back();
+    const auto c = static_cast<unsigned char>(name[i]);
+    if (std::isalnum(c) != 0) words.back() += static_cast<char>(std::tolower(c));
   }
   return words;
+}
+
+constexpr std::array<std::string_view, 2> kSides{"left", "right"};
+constexpr std::array<std::string_view, 7> kPairs{"front", "fore",   "hind", "rear",
+                                                 "back",  "middle", "mid"};
+
+/// Adds the two words of one like "frontleft".
+void split_joined(std::vector<std::string>& words) {
+  std::vector<std::string> parts;
+  for (const std::string& word : words) {
+    for (const std::string_view side : kSides) {
+      for (const std::string_view pair : kPairs) {
+        const std::string first = std::string(pair) + std::string(side),
+                          second = std::string(side) + std::string(pair);
+        if (word.find(first) == std::string::npos && word.find(second) == std::string::npos)
+          continue;
+        parts.emplace_back(side);
+        parts.emplace_back(pair);
+      }
+    }
+  }
+  words.insert(words.end(), parts.begin(), parts.end());
+}
+
+/// The word of two letters that tells a leg, as "fl" or "rh"; empty: none.
+std::string short_name_in(const std::vector<std::string>& words) {
+  constexpr std::string_view kSideLetters = "lr", kPairLetters = "fhbrm";
+  const auto is_short_name = [&](const std::string& word) {
+    const auto pair_of = [&](char side, char pair) {
+      return kSideLetters.find(side) != std::string_view::npos &&
+             kPairLetters.find(pair) != std::string_view::npos;
+    };
+    return word.size() == 2 && (pair_of(word[0], word[1]) || pair_of(word[1], word[0]));
+  };
+  const auto found = std::ranges::find_if(words, is_short_name);
+  return found == words.end() ? "" : *found;
 }
 
 bool has_any(const std::vector<std::string>& words,
@@ -34,13 +78,14 @@ bool has_any(const std::vector<std::string>& words,
 
 /// The leg that a joint's name tells, as robots are used to be described.
 std::optional<Leg> leg_called(const std::string& joint, int num_legs) {
-  const std::vector<std::string> words = words_of(joint);
+  std::vector<std::string> words = words_of(joint);
+  split_joined(words);
   const auto place = [&](int pair, bool left) { return Leg{2 * pair + (left ? 0 : 1)}; };
   const int hind = num_legs / 2 - 1;
-  const std::string& first = words.front();
-  if (first.size() == 2) {
-    const auto has = [&](char letter) { return first.find(letter) != std::string::npos; };
-    const bool is_rear_right = first == "rr";
+  const std::string name = short_name_in(words);
+  if (!name.empty()) {
+    const auto has = [&](char letter) { return name.find(letter) != std::string::npos; };
+    const bool is_rear_right = name == "rr";
     const bool is_left = has('l'), is_right = has('r');
     const bool is_front = has('f');
     const bool is_hind = has('h') || has('b') || (is_left && is_right) || is_rear_right;

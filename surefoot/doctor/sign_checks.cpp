@@ -1,6 +1,9 @@
+#include "surefoot/base/formatted.hpp"
 #include "surefoot/doctor/checks.hpp"
 #include "surefoot/doctor/knees.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <string>
 #include <string_view>
 
@@ -79,6 +82,19 @@ void check_joint(Diagnosis& robot, std::size_t joint) {
   }
 }
 
+/// Of a knee that hardly bends: were radians read as degrees?
+std::string remedy_of_stiff(const Diagnosis& robot, const model::UrdfJoint& knee) {
+  constexpr double kPerDegree = kPi / 180.0;
+  const double most = std::max(std::abs(knee.lower), std::abs(knee.upper));
+  const bool is_mjcf = !robot.urdf.text.empty();
+  if (is_mjcf && most > 0.0 && most < kPi * kPerDegree)
+    return formatted(
+        "is range=\"%.3g %.3g\" in radians? Then add <compiler angle=\"radian\"/>; "
+        "without it an MJCF has degrees",
+        knee.lower / kPerDegree, knee.upper / kPerDegree);
+  return "correct <limit> lower and upper of KFE, rad";
+}
+
 /// Legs whose knees bend to one side only, told together.
 void tell_knees(Diagnosis& robot, const char* side, const std::string& legs) {
   if (legs.empty()) return;
@@ -89,7 +105,7 @@ void tell_knees(Diagnosis& robot, const char* side, const std::string& legs) {
                             "by their limits the knees of" + legs +
                                 (never ? " bend by less than 0.5 rad to either side"
                                        : " bend " + std::string(side) + " only"),
-                            never ? "correct <limit> lower and upper of KFE, rad" : ""});
+                            never ? remedy_of_stiff(robot, knee) : ""});
 }
 
 /// A left and a right knee that bend to no side in common can't stand alike.
@@ -108,6 +124,36 @@ void check_pair(Diagnosis& robot, Leg left, Leg right) {
        "exchange and negate lower and upper of the one that is wrong", true});
 }
 
+/// The leg whose knee alone bends to other sides than all others, which agree; legs.size(): none.
+std::size_t odd_knee(const PerLeg<FoundLeg>& legs) {
+  const auto side_of = [&](Leg leg) {
+    return std::string_view(name(knee_sides(legs[index(leg)])));
+  };
+  for (const Leg leg : legs.legs()) {
+    const Leg other{leg == Leg{0} ? 1 : 0};
+    const bool others_agree = std::ranges::all_of(
+        legs.legs(), [&](Leg each) { return each == leg || side_of(each) == side_of(other); });
+    const bool is_odd = others_agree && side_of(leg) != side_of(other);
+    const bool both_bend = side_of(leg) != name(KneeSides{}) && side_of(other) != name(KneeSides{});
+    if (is_odd && both_bend) return index(leg);
+  }
+  return legs.size();
+}
+
+/// Some sides are the same, so that the robot stands; `check_pair` tells where none are.
+void tell_odd_knee(Diagnosis& robot, Leg leg) {
+  const PerLeg<FoundLeg>& legs = *robot.anatomy.legs;
+  const model::UrdfJoint& knee = legs[index(leg)].joints[2];
+  const Leg other{leg == Leg{0} ? 1 : 0};
+  robot.findings.push_back(
+      {Severity::warning, Confidence::likely, "joint \"" + knee.name + "\"", knee.line,
+       formatted("by their limits, %.3g to %.3g rad, the knee of ", knee.lower, knee.upper) +
+           std::string(leg_name(leg, static_cast<int>(legs.size()))) + " bends " +
+           name(knee_sides(legs[index(leg)])) + ", those of the other legs " +
+           name(knee_sides(legs[index(other)])),
+       "correct its lower and upper limit, unless the robot is built so"});
+}
+
 }  // namespace
 
 void check_signs(Diagnosis& robot) {
@@ -115,9 +161,13 @@ void check_signs(Diagnosis& robot) {
   for (std::size_t joint = 0; joint < kJointsPerLeg; ++joint) check_joint(robot, joint);
   const int num_legs = static_cast<int>(robot.anatomy.legs->size());
   for (int left = 0; left < num_legs; left += 2) check_pair(robot, Leg{left}, Leg{left + 1});
+  const std::size_t none = robot.anatomy.legs->size();
+  const std::size_t odd = has_cause(robot.findings) ? none : odd_knee(*robot.anatomy.legs);
+  if (odd < none) tell_odd_knee(robot, Leg{static_cast<int>(odd)});
   for (const KneeSides& sides : {KneeSides{true, false}, KneeSides{false, true}, KneeSides{}}) {
     std::string legs;
     for (const Leg leg : first_legs(num_legs)) {
+      if (index(leg) == odd) continue;
       if (name(knee_sides((*robot.anatomy.legs)[index(leg)])) == std::string_view(name(sides)))
         legs += " " + std::string(leg_name(leg, num_legs));
     }

@@ -3,6 +3,7 @@
 #include "surefoot/base/error.hpp"
 #include "surefoot/base/formatted.hpp"
 #include "surefoot/math/rotation.hpp"
+#include "surefoot/model/point_mass.hpp"
 #include "surefoot/model/urdf_reader.hpp"
 
 #include <tinyxml2.h>
@@ -288,6 +289,19 @@ void check_world(const Reader& reader, const Urdf& urdf) {
       "give it another name");
 }
 
+/// A link right behind a joint whose mass has no extent is rarely meant so.
+void note_points(Urdf& urdf) {
+  for (const UrdfJoint& joint : urdf.joints) {
+    if (joint.type == "fixed") continue;
+    const UrdfLink& link = *urdf.find_link(joint.child);
+    if (!is_point(link.inertia)) continue;
+    urdf.notes.push_back(
+        formatted("link \"%s\" (line %d): its inertia is 0, so that its %.3g kg "
+                  "count as a point at its centre of mass",
+                  link.name.c_str(), link.line, link.inertia.mass));
+  }
+}
+
 /// Ignores a placeholder inertia of the root, refuses any other impossible one.
 void check_inertias(const Reader& reader, Urdf& urdf) {
   for (UrdfLink& link : urdf.links) {
@@ -295,6 +309,11 @@ void check_inertias(const Reader& reader, Urdf& urdf) {
       urdf.notes.push_back(placeholder_note(link.name, link.inertia.mass));
       link.inertia = Inertia();
       continue;
+    }
+    if (link.inertia.mass == 0.0 && !link.inertia.about_com.isZero(0.0)) {
+      reader.fail(link.line, "link \"" + link.name +
+                                 "\": its mass is 0 and its inertia is not; a mass above 0 kg is "
+                                 "valid, or an inertia of 0");
     }
     const Vec3 moment = principal_moments(link.inertia);
     if (moment[0] < -kInertiaRounding * moment.cwiseAbs().maxCoeff()) {
@@ -344,6 +363,7 @@ Urdf read_urdf(const std::string& path, ImpossibleInertia impossible, const std:
   if (impossible == ImpossibleInertia::kept) return urdf;
   check_world(reader, urdf);
   check_inertias(reader, urdf);
+  note_points(urdf);
   return urdf;
 }
 

@@ -101,7 +101,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadFile{kUrdf,
                 kThigh,
                 "<mass value=\"0\"",
-                {"robot.yaml:3: urdf: ", "robot.urdf:194: link \"LF_THIGH\" moves", "no mass"}},
+                {"robot.yaml:3: urdf: ", "robot.urdf:194: link \"LF_THIGH\": its mass is 0"}},
         BadFile{kFile, "limits:", "limit:", {"did you mean \"limits\"?"}},
         BadFile{kFile, "torque: 40.0", "torque: {HAA: 40, KFE: 40}", {"limits.torque"}},
         BadFile{kFile, "torque: 40.0", "torque: [40, 40]", {"limits.torque"}},

@@ -110,11 +110,11 @@ INSTANTIATE_TEST_SUITE_P(
                 "<box size=\"0.9 0.07 0.13\"/>",
                 {"a collision shape of link \"LF_SHANK\" reaches", "below the foot sphere of LF",
                  "must enclose what the foot stands on"}},
-        BadUrdf{
-            "<link name=\"LF_THIGH\"",
-            "<mass value=\"1.634976467\"",
-            "<mass value=\"0\"",
-            {"link \"LF_THIGH\" (robot.urdf:194): it moves, but has no mass", "add <inertial>"}}));
+        BadUrdf{"<link name=\"LF_THIGH\"",
+                "<mass value=\"1.634976467\"",
+                "<mass value=\"0\"",
+                {"link \"LF_THIGH\" (robot.urdf:194): its mass is 0, and its inertia is not",
+                 "a number above 0 is valid"}}));
 
 class KneesOfAnymal : public test::ChangedRobot {
  protected:

@@ -4,6 +4,8 @@
 #include "tests/doctor/changed_robot.hpp"
 #include "tests/support/messages.hpp"
 
+#include <cmath>
+
 namespace surefoot::doctor {
 namespace {
 
@@ -25,6 +27,16 @@ class Checks : public test::ChangedRobot {
       from = place + static_cast<std::size_t>(each->length());
     }
     urdf_ = result + urdf_.substr(from);
+  }
+  /// Changes what matches within a link.
+  void in_link(const std::string& name, const std::string& pattern, const auto& by) {
+    const std::size_t begin = urdf_.find("<link name=\"" + name + "\""),
+                      end = urdf_.find("</link>", begin);
+    std::string link = urdf_.substr(begin, end - begin), changed;
+    for (std::smatch match; std::regex_search(link, match, std::regex(pattern));
+         link = match.suffix())
+      changed += match.prefix().str() + by(match.str());
+    urdf_.replace(begin, end - begin, changed + link);
   }
 };
 
@@ -113,17 +125,34 @@ TEST_F(Checks, inertias_in_square_millimetres_are_one_finding) {
   EXPECT_EQ(std::ranges::count(robot.findings, found.remedy, &Finding::remedy), 1);
 }
 
-TEST_F(Checks, link_whose_mass_is_only_that_of_what_is_fixed_to_it) {
+TEST_F(Checks, mass_of_0_beside_an_inertia) {
   change("<link name=\"LF_SHANK\"", "<mass value=\"0.207204302\"", "<mass value=\"0\"");
+  const Finding first = diagnosis().findings.front();
+  EXPECT_EQ(first.what, "its mass is 0, and its inertia is not");
+  EXPECT_EQ(first.remedy, "correct <mass value>: a number above 0 is valid");
+  EXPECT_GT(first.line, 0);
+}
+
+TEST_F(Checks, mass_without_an_inertia_counts_as_a_point) {
+  in_link("LF_SHANK", "i[xyz][xyz]=\"[^\"]*\"",
+          [](const std::string& entry) { return entry.substr(0, 3) + "=\"0\""; });
+  EXPECT_TRUE(has(diagnosis(), Severity::warning,
+                  "link \"LF_SHANK\": it moves, but its inertia is 0: its 0.207 kg count as a"));
+}
+
+TEST_F(Checks, link_whose_mass_is_only_that_of_what_is_fixed_to_it) {
+  in_link("LF_SHANK", "<inertial>[^]*?</inertial>",
+          [](const std::string&) { return std::string(); });
   EXPECT_TRUE(has(diagnosis(), Severity::warning,
                   "link \"LF_SHANK\": it moves, but its <inertial> is missing or 0"));
 }
 
 TEST_F(Checks, link_without_mass) {
-  change("<link name=\"LF_THIGH\"", "<mass value=\"1.634976467\"", "<mass value=\"0\"");
+  in_link("LF_THIGH", "<inertial>[^]*?</inertial>",
+          [](const std::string&) { return std::string(); });
   const Finding found = finding(diagnosis(), Severity::error, "has no mass");
   EXPECT_EQ(found.subject, "link \"LF_THIGH\"");
-  EXPECT_EQ(found.line, 194);
+  EXPECT_GT(found.line, 0);
 }
 
 TEST_F(Checks, negative_mass) {
@@ -296,6 +325,51 @@ TEST_F(Checks, names_in_words_of_two_legs_that_are_swapped) {
     replace_all(std::string("\\b") + code + "_", std::string(words) + "_");
   EXPECT_TRUE(has(diagnosis(), Severity::warning,
                   "LF and RF seem to be swapped: \"front.right_HAA\" is at the place of LF"));
+}
+
+TEST_F(Checks, names_of_joined_words_of_two_legs_that_are_swapped) {
+  for (const auto& [left, right] : {std::pair{"FrontLeft_", "FrontRight_"},
+                                    {"frontleft_", "frontright_"},
+                                    {"leg_fl_", "leg_fr_"},
+                                    {"legFL_", "legFR_"},
+                                    {"FLHip", "FRHip"},
+                                    {"fl1_", "fr1_"}}) {
+    const std::string original = urdf_;
+    replace_all("\\bLF_", right);
+    replace_all("\\bRF_", left);
+    EXPECT_TRUE(has(diagnosis(), Severity::warning, "LF and RF seem to be swapped")) << left;
+    urdf_ = original;
+  }
+}
+
+TEST_F(Checks, no_axes) {
+  replace_all("<axis [^>]*/>", "");
+  const Finding first = diagnosis().findings.front();
+  EXPECT_EQ(first.subject, "joint \"LF_HFE\"");
+  EXPECT_TRUE(holds(first.what, "it has no <axis>, and a URDF then takes x"));
+  EXPECT_TRUE(holds(first.remedy, "y of the base, 0 1 0"));
+}
+
+TEST_F(Checks, one_knee_that_bends_otherwise_than_the_others) {
+  change("<joint name=\"RH_KFE\"", "lower=\"-9.42\"", "lower=\"0\"");
+  EXPECT_TRUE(
+      has(diagnosis(), Severity::warning,
+          "by their limits, 0 to 9.42 rad, the knee of RH bends forward, those of the other "
+          "legs both ways"));
+}
+
+TEST_F(Checks, feet_of_cylinders_are_enclosed) {
+  replace_all("0 0 0.02325", "0 0 0");
+  replace_all("<sphere radius=\"0.031\"/>", "<cylinder radius=\"0.03\" length=\"0.06\"/>");
+  const Diagnosis robot = diagnosis();
+  EXPECT_GE((*robot.anatomy.legs)[0].foot.radius, std::hypot(0.03, 0.03));
+  EXPECT_FALSE(has(robot, Severity::error, "below the foot sphere"));
+}
+
+TEST_F(Checks, shape_of_a_shank_around_its_foot) {
+  change("<link name=\"LF_SHANK\"", "<box size=\"0.08 0.07 0.13\"/>",
+         "<box size=\"0.9 0.07 0.13\"/>");
+  EXPECT_TRUE(has(diagnosis(), Severity::error, "the collision shape of \"LF_SHANK\" smaller"));
 }
 
 TEST_F(Checks, position_limits_of_whole_turns) {

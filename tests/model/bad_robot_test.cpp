@@ -91,6 +91,8 @@ INSTANTIATE_TEST_SUITE_P(
         BadUrdf{"<robot", "<machine", ".urdf:"},
         BadUrdf{kMass, "<mass value=\"-1.42462064\"/>",
                 ".urdf:149: link \"LF_HIP\": mass -1.42462064 kg is negative"},
+        BadUrdf{kMass, "<mass value=\"0\"/>",
+                ".urdf:147: link \"LF_HIP\": its mass is 0 and its inertia is not; a mass above 0"},
         BadUrdf{kMass, "<mass value=\"nan\"/>", "needs value=\"a finite number\", not \"nan\""},
         BadUrdf{kMass, "<mass value=\"${hip_mass}\"/>", "run xacro first"},
         BadUrdf{"xyz=\"0.277 0.116 0.0\"", "xyz=\"0.277 inf 0.0\"",
@@ -153,12 +155,12 @@ TEST(BadRobot, refuses_a_movable_joint_that_the_description_does_not_name) {
       holds(message_of<Error>(urdf.robot()), "joint \"imu_joint\" can move but is not a joint"));
 }
 
-TEST(BadRobot, refuses_a_base_without_mass) {
+TEST(BadRobot, refuses_a_base_of_which_a_part_has_an_inertia_without_mass) {
   ChangedUrdf urdf;
   for (const char* mass : {"1e-6", "16.793507758", "0.05"})
     urdf.change(std::string("<mass value=\"") + mass, "<mass value=\"0");
   EXPECT_TRUE(holds(message_of<FileError>(urdf.robot()),
-                    "link \"base\" moves, but with all that is fixed to it has no mass"));
+                    "link \"base_inertia\": its mass is 0 and its inertia is not"));
 }
 
 }  // namespace

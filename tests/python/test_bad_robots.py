@@ -134,7 +134,7 @@ REFUSED = {
     "limit NaN": ([('lower="-2.6"', 'lower="nan"')], 'limits.position_min: this key is missing, and the URDF does not limit joint "LF_KFE" (marten.urdf:33)'),
     "limit with unit": ([('upper="2.6"', 'upper="2.6rad"')], 'marten.urdf:38: <limit> needs upper="a finite number", not "2.6rad"'),
     "limits of the URDF exchanged": ([('lower="-2.6" upper="2.6"', 'lower="2.6" upper="-2.6"')], 'joint "LF_KFE" has -2.6 and 2.6 rad, here or in marten.urdf:33'),
-    "no mass": ([inertia_of("LF_thigh", mass="0")], 'marten.urdf:28: link "LF_thigh" moves, but with all that is fixed to it has no mass; it must be above 0'),
+    "no mass": ([inertia_of("LF_thigh", mass="0")], 'marten.urdf:28: link "LF_thigh": its mass is 0 and its inertia is not; a mass above 0 kg is valid'),
     "no mass of the base": ([inertia_of("base", mass="0")], 'link "base" moves, but with all that is fixed to it has no mass'),
     "mass NaN": ([inertia_of("LF_thigh", mass="nan")], 'marten.urdf:28: <mass> needs value="a finite number", not "nan"'),
     "mass with unit": ([inertia_of("LF_thigh", mass="1.3kg")], '<mass> needs value="a finite number", not "1.3kg"'),
@@ -177,7 +177,7 @@ FOUND = {
     "mass in g": ([inertia_of("LF_thigh", mass="1300")], 'error (likely): link "LF_thigh" line 28: it has 1300 of the 1319 kg of all links', "is its mass in g? Divide it by 1000"),
     "all masses in g": ([(r'(?a)<mass value="(\d+)\.?(\d*)"', r'<mass value="\1\g<2>000"')], "error (likely): robot", "are the masses in g?"),
     "mass below 0": ([inertia_of("LF_thigh", mass="-1.3")], 'error (certain): link "LF_thigh" line 28: its mass is negative, -1.3 kg'),
-    "no mass": ([inertia_of("LF_thigh", mass="0")], 'link "LF_thigh" line 28: it moves, but has no mass', "add <inertial>"),
+    "no mass": ([inertia_of("LF_thigh", mass="0")], 'link "LF_thigh" line 28: its mass is 0, and its inertia is not', "a number above 0 is valid"),
     "inertia below 0": ([inertia_of("LF_thigh", inertia='ixx="-0.0076" iyy="0.0076" izz="0.0005" ixy="0" ixz="0" iyz="0"')], "its inertia has a negative principal moment, -0.0076 kg·m²", "correct the signs in <inertia>"),
     "inertia of no body": ([inertia_of("LF_thigh", inertia='ixx="0.001" iyy="0.001" izz="0.01" ixy="0" ixz="0" iyz="0"')], "it has moments of inertia that no body has: 0.001, 0.001, 0.01 kg·m²"),
     "inertia in mm²": ([inertia_of("LF_thigh", inertia='ixx="7590" iyy="7590" izz="542" ixy="0" ixz="0" iyz="0"')], "error (", "is <inertia> in kg·mm² (divide by 1e6)"),
@@ -211,6 +211,19 @@ def test_the_doctor_finds_a_fault_before_what_follows_from_it(fault, good, tmp_p
     fits = [all(part in each for part in said) for each in found]
     assert any(fits), "\n".join(found)
     assert not any(each.startswith("error") for each in found[: fits.index(True)])
+
+
+@pytest.mark.parametrize("edits, said", [
+    ([(r'(name="LF_HAA"(?:.*\n){5}) *<limit.*/>', r"\1")], ["limits.torque", "limits.velocity", "limits.position_min -1.2 rad of LF_HAA"]),
+    ([(r"(?a)<collision>.*sphere.*</collision>", "")], ["foot.radius 0.026 m"]),
+])  # fmt: skip
+def test_a_run_tells_numbers_that_are_guessed(edits, said, good, tmp_path):
+    robot = written(tmp_path, good, edits)
+    script = f"import surefoot; r = surefoot.run('walk_flat', robot=surefoot.Robot({str(robot.with_suffix('.urdf'))!r}), set=['duration=1']); print(r.notes)"
+    notes = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True).stdout
+    assert "guessed for marten, not measured: " in notes
+    for part in said:
+        assert part in notes
 
 
 def test_a_good_robot_is_not_refused(good, tmp_path):

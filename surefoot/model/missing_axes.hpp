@@ -1,0 +1,14 @@
+#pragma once
+
+#include "surefoot/model/urdf.hpp"
+
+#include <string>
+#include <vector>
+
+namespace surefoot::model {
+
+/// Names of the joints that move but have no <axis>, so that they turn about x. The file is read
+/// again; throws FileError if it can't be.
+[[nodiscard]] std::vector<std::string> joints_without_axis(const Urdf& urdf);
+
+}  // namespace surefoot::model
