@@ -43,13 +43,13 @@ void bind_explaining(nb::module_& module) {
       .def("__str__", [](const Self& self) { return self.text; });
 
   module.def(
-      "explain", &explain_log, nb::arg("log"), nb::arg("time"), nb::arg("exact") = false,
-      nb::sig("def explain(log: str | os.PathLike[str], time: float, exact: bool = False) -> "
+      "explain", &explain_log, nb::arg("log"), nb::arg("time"), nb::arg("exact") = true,
+      nb::sig("def explain(log: str | os.PathLike[str], time: float, exact: bool = True) -> "
               "Explanation"),
       "Explains the tick of a log next to a time [s], as `surefoot explain` does.\n\n"
-      "exact=True computes the log's controller again up to the tick, for what the rows that held\n"
-      "levels back really cost; otherwise their costs are the control loop's estimates. Where it\n"
-      "can't be computed, facts[\"why_estimates\"] says why.\n"
+      "The log's controller is computed again up to the tick, for what the rows that held levels\n"
+      "back really cost. exact=False is fast: their costs are the control loop's estimates. Where\n"
+      "exact ones can't be computed, facts[\"why_estimates\"] says why.\n"
       "Raises FileError where the log can't be read, and Error, with the log's range, where it "
       "has\n"
       "no tick at that time.");

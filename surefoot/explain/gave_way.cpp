@@ -248,11 +248,12 @@ std::string outcome(const TickExplanation& explanation) {
          cut_off + ": of it and the levels below it nothing is known.";
 }
 
-/// Why the costs are not exact, where exact ones were asked for.
+/// That the costs are not exact, and why, where exact ones were asked for.
 std::string estimates(const TickExplanation& explanation) {
-  if (explanation.exact || explanation.why_estimates.empty() || !has_costs(explanation)) return "";
-  return " The costs are the control loop's estimates, and mostly too high: " +
-         explanation.why_estimates + ".";
+  if (explanation.exact || !has_costs(explanation)) return "";
+  const std::string& why = explanation.why_estimates;
+  return " The costs are the control loop's estimates, and mostly too high" +
+         (why.empty() ? "" : ": " + why) + ".";
 }
 
 template <typename Row, std::size_t N>
