@@ -55,6 +55,10 @@ class PythonTask final : public tasks::Task {
                   "; the largest number of rows that rows() gives, from 1 to " +
                   std::to_string(tasks::Task::kMostRows) + ", is valid");
     row_names_ = nb::cast<std::vector<std::string>>(task.attr("row_names"));
+    if (row_names_.size() > static_cast<std::size_t>(max_rows_))
+      throw Error("task \"" + name_ + "\": row_names has " + std::to_string(row_names_.size()) +
+                  " names, and max_rows is " + std::to_string(max_rows_) +
+                  "; as many names as rows, or fewer, are valid");
   }
 
   int max_rows() const override { return max_rows_; }

@@ -140,6 +140,7 @@ def test_parts_that_take_longer_than_a_tick_are_told():
     (lambda: type("Sizeless", (OwnTask,), {"rows": raising})("sizeless"), "max_rows is 0; the largest number of rows that rows"),
     (lambda: Height("com_xy"), "com_xy"),
     (lambda: type("Vast", (OwnTask,), {"max_rows": 10**7, "rows": raising})("vast"), "max_rows is 10000000; .* from 1 to 1000, is valid"),
+    (lambda: type("Named", (OwnTask,), {"max_rows": 1, "row_names": ["a", "b"], "rows": raising})("named"), "row_names has 2 names, and max_rows is 1"),
     (lambda: type("Writes", (OwnTask,), {"max_rows": 3, "write": lambda self, tick: None})("writes"), "Writes has no rows"),
     (lambda: Height("a: b"), "is no name of a level"),
     (lambda: type("Mine", (OwnTask,), {"__init__": lambda self: None, "rows": raising})(), r"Mine.__init__ must call super\(\).__init__\(name\) first"),
