@@ -1,6 +1,7 @@
 #pragma once
 
 #include "surefoot/base/error.hpp"
+#include "surefoot/base/formatted.hpp"
 #include "surefoot/signals/leg.hpp"
 
 #include <nanobind/nanobind.h>
@@ -48,7 +49,7 @@ inline Quat quaternion(const std::vector<double>& numbers, const std::string& na
   Eigen::Vector4d wxyz;
   assign(wxyz, numbers, name, true);
   if (std::abs(wxyz.norm() - 1.0) > 1e-3) {
-    throw Error(name + " has the length " + std::to_string(wxyz.norm()) +
+    throw Error(name + formatted(" has the length %g", wxyz.norm()) +
                 "; a quaternion w, x, y, z of length 1 would be valid");
   }
   return Quat(wxyz[0], wxyz[1], wxyz[2], wxyz[3]).normalized();

@@ -24,8 +24,7 @@ namespace {
 
 void check_duration(double duration) {
   if (!(duration > 0.0))
-    throw Error("duration is " + std::to_string(duration) +
-                "; a number of seconds above 0 is valid");
+    throw Error(formatted("duration is %g", duration) + "; a number of seconds above 0 is valid");
 }
 
 /// Sets a choice of an option by its name.
@@ -104,7 +103,7 @@ void bind_plant(nb::module_& module) {
       .def("__repr__",
            [](const Self& self) {
              return self.has_ended() ? std::string("<plant of a run that has ended>")
-                                     : "<plant after " + std::to_string(self->time()) + " s>";
+                                     : formatted("<plant after %g s>", self->time());
            })
       .def(
           "read", [](const Self& self) { return self->read(); },

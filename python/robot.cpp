@@ -49,7 +49,11 @@ void Robot::guess(const doctor::Diagnosis& diagnosis) {
   }
   guessed_ = std::make_shared<doctor::GuessedFile>(diagnosis);
   file_ = guessed_->path();
-  description_ = *diagnosis.robot;
+  try {
+    description_ = config::load_robot(file_);
+  } catch (const Error& error) {
+    throw Error(guessed_->without_path(error.what()));
+  }
 }
 
 model::RobotModel& Robot::model() {

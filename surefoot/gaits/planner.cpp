@@ -1,6 +1,7 @@
 #include "surefoot/gaits/planner.hpp"
 
 #include "surefoot/base/error.hpp"
+#include "surefoot/base/formatted.hpp"
 #include "surefoot/gaits/undisturbed.hpp"
 #include "surefoot/math/rotation.hpp"
 
@@ -80,7 +81,7 @@ void Planner::begin_anew(const Planner& fresh) {
 
 void Planner::set_friction(double friction) {
   if (!(friction > 0.0) || !std::isfinite(friction)) {
-    throw Error("friction is " + std::to_string(friction) + "; valid is a number above 0");
+    throw Error(formatted("friction is %g; valid is a number above 0", friction));
   }
   body_.grip.expect(friction);
   flat_stand_.set_friction(friction);

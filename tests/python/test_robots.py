@@ -81,7 +81,7 @@ def test_a_state_of_a_controller_has_dynamics_and_arrays_are_views(robot):
     ({"q": [1, 2]}, "q has 12 numbers, one for each joint from LF_HAA to RH_KFE; 2 were given"),
     ({"u": np.zeros(12)}, "u has 18 numbers, v_WB, w_WB_B and a rate for each joint; 12 were given"),
     ({"q": [float("nan")] * 12}, r"q\[0\] is nan; a finite number would be valid"),
-    ({"q_WB": [1, 1, 0, 0]}, "q_WB has the length 1.414214; a quaternion w, x, y, z of length 1 would be valid"),
+    ({"q_WB": [1, 1, 0, 0]}, "q_WB has the length 1.41421; a quaternion w, x, y, z of length 1 would be valid"),
     ({"q_WB": [0, 0, 0]}, "q_WB has 4 numbers; 3 were given"),
     ({"terrain_normal": [0, 0, 0]}, "terrain_normal is zero"),
 ])  # fmt: skip
@@ -122,6 +122,11 @@ def test_the_doctor_tells_what_is_wrong_and_what_it_guessed(marten, tmp_path):
 def test_a_description_alone_is_a_robot_that_a_controller_can_have(marten):
     robot = surefoot.Robot(str(marten[1]))
     assert robot.mass == pytest.approx(20, abs=3)
+    for shown in (robot, surefoot.doctor(str(marten[1])).robot):
+        run = surefoot.Robot(robot.file)
+        for limit in ("torque_limit", "velocity_limit", "q_min", "q_max"):
+            assert getattr(shown, limit) == getattr(run, limit), limit
+        assert shown.torque_limit[0] != 40 and shown.velocity_limit[0] != 15
     scenario = surefoot.load_scenario("walk_flat", robot=robot, set=["duration=0.1"])
     assert scenario.robot == "marten" and surefoot.run(scenario)["fell"] is False
     with pytest.raises(surefoot.Error, match="none.urdf"):
