@@ -53,7 +53,12 @@ class BoundController : public Lent<control::Controller> {
     return told_ = fault;
   }
   /// Of the last tick; in a run it is not known.
-  [[nodiscard]] TickTiming timing() const { return timer_ ? timer_->timing() : TickTiming{}; }
+  [[nodiscard]] TickTiming timing() const {
+    if (!timer_) return {};
+    TickTiming timing = timer_->timing();
+    timing.time = (**this).record().reading.time;
+    return timing;
+  }
 
   Changes changes;
 

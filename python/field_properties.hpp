@@ -34,6 +34,13 @@ inline std::string with_shape(std::string_view description, const std::string& s
   return std::string(description) + ", shape (" + shape + ")";
 }
 
+/// "time of the tick [s]" → "s"
+inline std::string unit_in(std::string_view description) {
+  const std::size_t begin = description.rfind('[');
+  if (begin == std::string_view::npos) return {};
+  return std::string(description.substr(begin + 1, description.rfind(']') - begin - 1));
+}
+
 /// Gives a class one property for each field of its struct, by the functions `fields` that also
 /// define the log: the same names, units and frames, written down once.
 ///
@@ -50,17 +57,20 @@ class FieldProperties {
         reinterpret_cast<const char*>(&member) - reinterpret_cast<const char*>(&example_);
     add(name.data(), Place<Member>{offset}, std::string(description));
     names_.push_back(name.data());
+    units_.push_back(unit_in(description));
   }
 
-  /// "UserCommand(walk=True, velocity=[0.1 0. ], …)"
+  /// "UserCommand(walk=True, velocity=[0.1 0. ], …)"; of times "TickTiming(time=1.5 s, …)".
   void add_text(const std::string& type_name) {
-    type_.def("__repr__", [type_name, names = names_](nb::handle self) {
+    constexpr bool kHasUnits = std::is_same_v<T, TickTiming>;
+    type_.def("__repr__", [type_name, names = names_, units = units_](nb::handle self) {
       std::string text;
-      for (const char* name : names) {
-        const nb::object value = self.attr(name);
+      for (std::size_t i = 0; i < names.size(); ++i) {
+        const nb::object value = self.attr(names[i]);
         const bool is_array = nb::hasattr(value, "shape");
-        text += (text.empty() ? "" : ", ") + std::string(name) + "=";
+        text += (text.empty() ? "" : ", ") + std::string(names[i]) + "=";
         text += nb::cast<std::string>(is_array ? nb::str(value) : nb::repr(value));
+        if (kHasUnits) text += " " + units[i];
       }
       return type_name + "(" + text + ")";
     });
@@ -256,6 +266,7 @@ class FieldProperties {
   nb::class_<T>& type_;
   const T& example_;
   std::vector<const char*> names_;
+  std::vector<std::string> units_;
 };
 
 /// Of a signal whose members include lists per leg.

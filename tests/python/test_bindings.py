@@ -283,11 +283,16 @@ def test_levels_come_in_order_and_leave_less_and_less_freedom(scenario):
 def test_phases_events_and_the_limits_of_a_leg_about_to_lift_are_named(scenario):
     plant, controller = walked(scenario, 1)
     assert {leg: foot.phase for leg, foot in controller.plan.feet.items()} == dict.fromkeys(("LF", "RF", "LH", "RH"), "stance")
-    assert controller.timing.total >= controller.timing.solve > 0
+    timing = controller.timing
+    assert timing.total >= timing.solve > 0
+    assert repr(timing).startswith(f"TickTiming(time={timing.time!r} s, estimate={timing.estimate!r} µs, ") and repr(plant) == "<plant after 0.0025 s>"
+    with pytest.raises(surefoot.Error, match="friction is -1;"):
+        controller.set_friction(-1)
     seen, events = set(), set()
     while plant.time < 3.0:
         plant.write(controller.step(plant.read(), scenario.user(plant.time)))
         events |= {(event.event, event.name, event.leg in ("LF", "RF", "LH", "RH")) for event in controller.plan.events}
+        assert controller.timing.time == controller.state.time
         leaving = [leg for leg, foot in controller.plan.feet.items() if foot.phase == "unloading"]
         active = [found for level in controller.levels() for found in level.active]
         assert {state for _, state in active} <= {"at lower", "at upper", "below lower", "above upper"}
