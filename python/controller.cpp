@@ -45,7 +45,7 @@ UserCommand BoundController::checked(const NamedCommand& user) const {
       check_finite(user.reach.position[i], "reach.position[" + std::to_string(i) + "]");
   if (!user.gait_name.empty()) {
     command.gait = config::gait_place(user.gait_name, gaits_);
-  } else if (user.gait < UserCommand::kAutoGait || user.gait >= static_cast<int>(gaits_.size())) {
+  } else if (user.gait < UserCommand::kKeepGait || user.gait >= static_cast<int>(gaits_.size())) {
     throw Error("gait is " + std::to_string(user.gait) + "; " + config::valid_gaits("", gaits_) +
                 ", or -1 for the scenario's own");
   }

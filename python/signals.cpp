@@ -137,10 +137,11 @@ void bind_signals(nb::module_& module) {
               "gait: one of scenario.gaits, by its name or its place, or \"auto\": by the speed; "
               "-1: "
               "the scenario's own.");
-  user.def_prop_rw(
-      "gait", &gait_of, &set_gait, nb::for_getter(nb::sig("def gait(self) -> int | str")),
-      "one of scenario.gaits, by its name or its place, or \"auto\"; -1: the scenario's own. A "
-      "controller refuses one that its scenario has not.");
+  user.def_prop_rw("gait", &gait_of, &set_gait,
+                   nb::for_getter(nb::sig("def gait(self) -> int | str")),
+                   "one of scenario.gaits, by its name or its place, or \"auto\"; -1: the "
+                   "scenario's own; -3: the present one. A controller refuses one that its "
+                   "scenario has not.");
 
   signal<JointCommand>(module, "JointCommand", "Torques for the actuators at one tick.")
       .def(

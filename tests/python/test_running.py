@@ -351,7 +351,7 @@ def test_gaits_that_are_not_there_are_refused_with_those_that_are():
     plant = surefoot.Plant(scenario)
     controller = surefoot.Controller(scenario, plant)
     user = surefoot.UserCommand()
-    for gait, said in [("trott", 'unknown gait "trott"; did you mean "trot"?.*crawl'), (99, "gait is 99; .*crawl.*trot.*-1"), (-3, "gait is -3")]:
+    for gait, said in [("trott", 'unknown gait "trott"; did you mean "trot"?.*crawl'), (99, "gait is 99; .*crawl.*trot.*-1"), (-4, "gait is -4")]:
         user.gait = gait
         with pytest.raises(surefoot.Error, match=said):
             controller.step(plant.read(), user)
@@ -362,6 +362,17 @@ def test_gaits_that_are_not_there_are_refused_with_those_that_are():
     with pytest.raises(surefoot.Error, match=r"one gait alone; with gaits=\[crawl, trot\] it has both"):
         surefoot.Controller("anymal_b").step(plant.read(), user)
     surefoot.Controller("anymal_b", set=["gait=trot", "gaits=[trot]"]).step(plant.read(), user)
+
+
+def test_a_logged_command_with_nan_keeps_the_gait():
+    scenario = surefoot.load_scenario("walk_flat_ideal", set=["gaits=[crawl, trot]", "planner.calibration.duration=0"])
+    plant = surefoot.Plant(scenario)
+    controller = surefoot.Controller(scenario, plant)
+    gaits = []
+    for gait in ["trot"] * 20 + [-3] * 20:
+        plant.write(controller.step(plant.read(), surefoot.UserCommand(gait=gait)))
+        gaits.append(controller.plan.gait)
+    assert set(gaits) == {scenario.gaits.index("trot")}
 
 
 def test_what_is_for_a_name_is_refused_for_a_scenario():
