@@ -12,7 +12,8 @@ namespace surefoot::closed_loop {
 /// Empty if an arm follows, or none is asked to.
 std::string TroubleCounter::vain_reach(const TickRecord& record,
                                        const simulation::GroundTruth& truth) {
-  constexpr double kArrived = 0.005, kOff = 0.03, kPatience = 1.0;  // [m], [m], [s]
+  constexpr double kArrived = 0.005, kAhead = 0.015, kOff = 0.03;  // [m]
+  constexpr double kPatience = 1.0;                                // [s]
   const ReachCommand& command = record.user.reach;
   const auto arm = static_cast<std::size_t>(std::max(command.arm, 0));
   if (command.arm < 0) return "";
@@ -24,8 +25,9 @@ std::string TroubleCounter::vain_reach(const TickRecord& record,
       command.in_world ? to_base * (command.position - record.state.p_WB) : command.position;
   const Vec3 planned = to_base * (record.plan.arm.p_WT - record.state.p_WB);
   const Vec3 tip = truth.q_SB.conjugate() * (truth.p_ST[arm] - truth.p_SB);
-  const bool is_off = (planned - target).norm() < scale_.length * kArrived &&
-                      (tip - target).norm() > scale_.length * kOff;
+  const bool is_at_end = (planned - target).norm() < scale_.length * kArrived;
+  const bool waits = (planned - tip).norm() > scale_.length * kAhead;  // for the tip
+  const bool is_off = (is_at_end || waits) && (tip - target).norm() > scale_.length * kOff;
   if (!is_off) tip_since_ = kNaN;
   if (is_off && std::isnan(tip_since_)) tip_since_ = truth.time;
   return truth.time - tip_since_ > scale_.time() * kPatience ? name + ": target out of reach" : "";

@@ -66,7 +66,8 @@ std::vector<TroubleCount> told_of_reach(double reference, double tip, int arm = 
 
 TEST(TroubleCounter, TellsOnceOfATargetThatAnArmDoesNotComeTo) {
   EXPECT_TRUE(told_of_reach(1.0, 0.98).empty());
-  EXPECT_TRUE(told_of_reach(0.9, 0.8).empty()) << "its reference is on its way";
+  EXPECT_TRUE(told_of_reach(0.81, 0.8).empty()) << "its reference is on its way";
+  EXPECT_EQ(told_of_reach(0.82, 0.8).size(), 1U) << "its reference waits";
   const std::vector<TroubleCount> troubles = told_of_reach(1.0, 0.8);
   ASSERT_EQ(troubles.size(), 1U);
   EXPECT_EQ(troubles[0].what, "arm 0: target out of reach");

@@ -58,13 +58,13 @@ TEST(FrameReferences, HoldAFrameWhereItIsAtFirst) {
 TEST(FrameReferences, GoWhereTheUserWantsThemAndStayThere) {
   Bench bench;
   const FramePlan first = bench.after(kPeriod);
-  const Vec3 wanted = first.p_XF + Vec3(0.05, -0.1, 0.02);
-  const ReachCommand command{
-      .position = wanted, .orientation = Vec3(0.1, 0.2, -0.3), .frame = bench.number};
+  const Vec3 wanted = first.p_XF + Vec3(0.008, -0.015, 0.004);
+  const Vec3 turned = roll_pitch_yaw(first.q_XF.toRotationMatrix()) + Vec3(0.05, 0.04, -0.1);
+  const ReachCommand command{.position = wanted, .orientation = turned, .frame = bench.number};
   EXPECT_LT((bench.after(kPeriod, command).p_XF - first.p_XF).norm(), 1e-4) << "no jump";
   const FramePlan there = bench.after(8.0, command);
   EXPECT_LT((there.p_XF - wanted).norm(), 1e-3);
-  EXPECT_LT(there.q_XF.angularDistance(from_roll_pitch_yaw(command.orientation)), 1e-3);
+  EXPECT_LT(there.q_XF.angularDistance(from_roll_pitch_yaw(turned)), 1e-3);
   EXPECT_LT((bench.after(1.0).p_XF - wanted).norm(), 1e-3) << "without a command";
   const ReachCommand elsewhere{.in_world = true, .position = Vec3::Zero(), .frame = bench.number};
   const FramePlan in_world = bench.after(kPeriod, elsewhere);

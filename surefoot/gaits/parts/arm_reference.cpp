@@ -45,6 +45,8 @@ ArmPlan ArmReference::update(const ReachCommand& command, const RobotState& stat
   command_ = command;
   pose_.update(command.position, command.orientation);
   const Frame frame = frame_of(command, state);
+  const Mat3 to_X = frame.R.transpose();
+  pose_.wait_for(to_X * (tip.point.p - frame.p), Quat(to_X * tip.rotation.R));
   const Vec3 arm = frame.R * pose_.position().p;
   return {.arm = command.arm,
           .p_WT = frame.p + arm,

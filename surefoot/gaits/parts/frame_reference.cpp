@@ -35,14 +35,16 @@ FramePlan FrameReferences::update(Reference& reference, const ReachCommand& comm
   const bool is_asked = command.frame == reference.frame.number && command.position.allFinite();
   const bool changes = is_asked && command.in_world != reference.in_world;
   if (changes) reference.in_world = command.in_world;
+  const model::FrameKinematics now = frame_kinematics(reference.frame.at, dynamics);
+  const model::BodyKinematics& base = dynamics.bodies.front();
+  const bool in_world = reference.in_world;
+  const Mat3 to_X = in_world ? Mat3(Mat3::Identity()) : Mat3(base.R.transpose());
+  const Vec3 p = to_X * (in_world ? now.point.p : Vec3(now.point.p - base.p));
+  const Quat q(to_X * now.rotation.R);
   if (!reference.has_begun || changes) {
-    const model::FrameKinematics now = frame_kinematics(reference.frame.at, dynamics);
-    const model::BodyKinematics& base = dynamics.bodies.front();
-    const bool in_world = reference.in_world;
-    const Mat3 to_X = in_world ? Mat3(Mat3::Identity()) : Mat3(base.R.transpose());
-    reference.position = to_X * (in_world ? now.point.p : Vec3(now.point.p - base.p));
+    reference.position = p;
     reference.orientation.setConstant(kNaN);
-    reference.pose.begin(reference.position, Vec3::Zero(), Quat(to_X * now.rotation.R));
+    reference.pose.begin(p, Vec3::Zero(), q);
     reference.has_begun = true;
   }
   if (is_asked) {
@@ -50,6 +52,7 @@ FramePlan FrameReferences::update(Reference& reference, const ReachCommand& comm
     reference.orientation = command.orientation;
   }
   reference.pose.update(reference.position, reference.orientation);
+  if (is_asked) reference.pose.wait_for(p, q);
   const PoseFilter& pose = reference.pose;
   return {.frame = reference.frame.number,
           .in_world = reference.in_world,
