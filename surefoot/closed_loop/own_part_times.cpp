@@ -42,8 +42,9 @@ std::vector<std::string> OwnPartTimes::notes() const {
   for (const Stage& stage : stages_) {
     const double time = stage.times.empty() ? 0.0 : 1e-6 * median(stage.times);
     if (time > period_)
-      notes.push_back(formatted("your own %.100s: %.3g ms in the median, and a tick has %.3g ms",
-                                stage.parts.c_str(), 1e3 * time, 1e3 * period_));
+      notes.push_back("the stage of your own " + stage.parts +
+                      formatted(" takes %.3g ms in the median, and a tick has %.3g ms", 1e3 * time,
+                                1e3 * period_));
   }
   return notes;
 }

@@ -116,18 +116,17 @@ std::vector<std::string> placeholder_notes(const model::RobotDescription& robot,
     if (is_velocity_placeholder(robot.velocity_limit[joint])) velocities.push_back(names[i]);
   }
   if (!efforts.empty()) {
-    notes.push_back(formatted(
-        "limits.torque of %s is up to %g N·m, far above the %.3g N·m that "
-        "standing needs%s",
-        listed(efforts, num_joints).c_str(),
-        robot.torque_limit.head(robot.num_leg_joints()).maxCoeff(), most, kPlaceholder.data()));
+    notes.push_back("limits.torque of " + listed(efforts, num_joints) +
+                    formatted(" is up to %g N·m, far above the %.3g N·m that standing needs",
+                              robot.torque_limit.head(robot.num_leg_joints()).maxCoeff(), most));
   }
   if (!velocities.empty()) {
-    notes.push_back(formatted("limits.velocity of %s is up to %g rad/s, above %g%s",
-                              listed(velocities, num_joints).c_str(),
+    notes.push_back("limits.velocity of " + listed(velocities, num_joints) +
+                    formatted(" is up to %g rad/s, above %g",
                               robot.velocity_limit.head(robot.num_leg_joints()).maxCoeff(),
-                              kFastestJoint, kPlaceholder.data()));
+                              kFastestJoint));
   }
+  for (std::string& note : notes) note += kPlaceholder;
   return notes;
 }
 

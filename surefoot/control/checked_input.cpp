@@ -17,8 +17,8 @@ std::string what_is_wrong(const FootPlan& foot) {
   const bool is_finite = foot.p_WF.allFinite() && foot.v_WF.allFinite() && foot.a_WF.allFinite() &&
                          std::isfinite(foot.force_min + foot.force_max + foot.friction);
   if (!is_finite) return "NaN or infinity";
-  if (foot.friction < 0.0) return formatted("friction %g, which is below 0,", foot.friction);
-  if (foot.force_max < 0.0) return formatted("force_max %g N, which is below 0,", foot.force_max);
+  if (foot.friction < 0.0) return formatted("friction %g below 0", foot.friction);
+  if (foot.force_max < 0.0) return formatted("force_max %g N below 0", foot.force_max);
   if (foot.force_min > foot.force_max)
     return formatted("force_min %g N above force_max %g N", foot.force_min, foot.force_max);
   return {};
@@ -34,7 +34,7 @@ UserCommand limited(const UserCommand& user) {
   result.height = clamp_finite(user.height, UserCommand::kMostHeight);
   const bool is_finite = user.velocity.allFinite() && user.shift.allFinite() &&
                          std::isfinite(user.yaw_rate) && std::isfinite(user.height);
-  if (!is_finite) result.gait = UserCommand::kNoGait;
+  if (!is_finite) result.gait = UserCommand::kKeepGait;
   return result;
 }
 

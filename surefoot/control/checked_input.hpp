@@ -8,7 +8,7 @@
 
 namespace surefoot::control {
 
-/// Limits the command; values that are not finite become 0, and its gait `kNoGait`.
+/// Limits the command; values that are not finite become 0, and its gait `kKeepGait`.
 [[nodiscard]] UserCommand limited(const UserCommand& user);
 
 /// What is wrong with a plan of the user's own; empty if nothing. Allocates only for what is wrong.

@@ -8,7 +8,7 @@
 
 namespace surefoot::control {
 
-/// What a part of the user's own did wrong, in words. Does not allocate.
+/// What a part of the user's own did wrong, in words of UTF-8. Does not allocate.
 class PartFault {
  public:
   /// Keeps the first fault. The words are joined, and cut where they are too long.
@@ -24,7 +24,9 @@ class PartFault {
 
  private:
   void add(std::string_view word) noexcept {
-    const std::size_t size = std::min(word.size(), text_.size() - size_);
+    const auto begins_letter = [&](std::size_t i) { return (word[i] & 0xC0) != 0x80; };
+    std::size_t size = std::min(word.size(), text_.size() - size_);
+    while (size > 0 && size < word.size() && !begins_letter(size)) --size;
     std::copy_n(word.data(), size, text_.data() + size_);
     size_ += size;
   }

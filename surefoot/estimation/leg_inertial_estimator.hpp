@@ -90,7 +90,7 @@ class LegInertialEstimator final : public StateEstimator {
   void update_foot(Leg leg, const FootContact& contact, double dt);
   [[nodiscard]] double walk(const Foot& foot, const FootContact& contact) const;
   void write_joints(const SensorReading& reading, const TickContext& context);
-  void write_base(const SensorReading& reading);
+  void write_base(const SensorReading& reading, const KinematicErrors& errors);
   void predict(const TickContext& context);
 
   LegInertialOptions options_;

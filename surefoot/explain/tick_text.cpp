@@ -129,7 +129,7 @@ std::string facts(const TickExplanation& explanation) {
   const TickRecord& tick = explanation.tick;
   Table table{{"base in W", pose(tick.state.p_WB, tick.state.q_WB)},
               {"moves by", velocity(tick.state.v_WB, tick.state.w_WB_B)}};
-  const std::string load = carried(tick.model.load, explanation.header.robot.mass);
+  const std::string load = carried(tick.model.load, explanation.header.robot.assumed_mass());
   if (!load.empty()) table.push_back({"weighs", load});
   if (explanation.truth)
     table.push_back({"truth in S", pose(explanation.truth->p_SB, explanation.truth->q_SB)});

@@ -41,7 +41,8 @@ void CommandLimits::use(const PlannerOptions& options) {
 // torso inconsistent. Caution divides velocities, as accelerations fall with the strides' length.
 UserCommand CommandLimits::update(const UserCommand& command, const CommandContext& context) {
   commanded_ = command;
-  garbled_.active = context.is_unclear;
+  is_invalid_.active = command.gait == UserCommand::kKeepGait;
+  has_unknown_gait_.active = !context.knows_gait;
   if (context.stands) {
     velocity_ = context.starts_at_rest ? Vec2(0.0, 0.0) : command.velocity;
     turn_ = context.starts_at_rest ? 0.0 : command.yaw_rate;
@@ -124,7 +125,7 @@ UserCommand CommandLimits::within_height(const UserCommand& command,
 }
 
 void CommandLimits::report(EventList& events) {
-  for (Limit* limit : {&slows_, &brakes_, &lowers_, &raises_, &garbled_}) {
+  for (Limit* limit : {&slows_, &brakes_, &lowers_, &raises_, &is_invalid_, &has_unknown_gait_}) {
     if (limit->active && !limit->reported) events.add({.kind = limit->event});
     limit->reported = limit->active;
   }

@@ -17,7 +17,7 @@ struct CommandContext {
   bool starts_at_rest = false;   ///< the first step has no velocity, instead of the commanded one
   bool calibrates = false;       ///< a calibration is going on or due
   double speed_max = kInfinity;  ///< of a foot relative to the torso, in this gait [m/s]
-  bool is_unclear = false;       ///< the command has NaN, or a gait that there is not
+  bool knows_gait = true;        ///< the command's
 };
 
 /// Of the fastest foot relative to the torso [m/s]; `half_length` of the stance [m].
@@ -36,7 +36,7 @@ class CommandLimits {
   [[nodiscard]] UserCommand update(const UserCommand& command, const CommandContext& context);
   /// Moves the velocities toward the command by the largest change per step.
   void begin_step(const CommandContext& context);
-  /// Adds an event for each limit that has just become active, and for a garbled command.
+  /// Adds an event for each limit that has just become active, and for an invalid command.
   void report(EventList& events);
 
   [[nodiscard]] const Strides& strides() const { return strides_; }
@@ -71,7 +71,7 @@ class CommandLimits {
   Limit brakes_{PlanEvent::too_fast};  // the gait too slow for it
   Limit lowers_{PlanEvent::lowered};   // legs too short for the height
   Limit raises_{PlanEvent::raised};    // legs too bent for it
-  Limit garbled_{PlanEvent::unclear};
+  Limit is_invalid_{PlanEvent::invalid_command}, has_unknown_gait_{PlanEvent::unknown_gait};
 };
 
 }  // namespace surefoot::gaits

@@ -20,7 +20,7 @@ class GaitChoice {
   [[nodiscard]] int first() const { return wanted({}, first_); }
 
   /// Is it one of the list, or one of `UserCommand`'s own?
-  [[nodiscard]] bool has(int gait) const { return gait >= UserCommand::kAutoGait && gait < size(); }
+  [[nodiscard]] bool has(int gait) const { return gait >= UserCommand::kKeepGait && gait < size(); }
   [[nodiscard]] const PlannerOptions& options(int gait) const {
     return gait < 0 ? own_ : gaits_[static_cast<std::size_t>(gait)];
   }

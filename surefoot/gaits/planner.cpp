@@ -161,7 +161,7 @@ CommandContext Planner::command_context() const {
 // The heading waits for the feet: otherwise late steps would leave them twisted under the torso.
 UserCommand Planner::limit(const UserCommand& command) {
   CommandContext now = command_context();
-  now.is_unclear = !choice_.has(command.gait);
+  now.knows_gait = choice_.has(command.gait);
   const bool stands = choice_.options(wanted_).rhythm.stands;
   const bool walks = command.walk && !calibration_.is_due() && !stands;
   UserCommand asked = command;

@@ -67,9 +67,7 @@ constexpr double kLoadShare = 1.0 / 300.0;  // of the weight, on a loaded foot
 
 }  // namespace
 
-double LogRobot::least_load() const {
-  return std::isnan(mass) ? 0.0 : kLoadShare * mass * kGravity;
-}
+double LogRobot::least_load() const { return kLoadShare * assumed_mass() * kGravity; }
 
 std::string level_name(const std::vector<std::string>& names, std::ptrdiff_t number) {
   const bool is_known = number >= 0 && number < std::ssize(names);

@@ -32,7 +32,9 @@ struct LogRobot {
     return told_joints(joint_names, num_legs);
   }
 
-  /// Normal force from which a foot counts as loaded: 1/300 of the weight; 0 without a mass [N].
+  /// ANYmal B's where the log has none [kg].
+  [[nodiscard]] double assumed_mass() const { return mass > 0.0 ? mass : 30.475; }
+  /// Normal force from which a foot counts as loaded: 1/300 of the weight [N].
   [[nodiscard]] double least_load() const;
 };
 

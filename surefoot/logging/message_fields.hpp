@@ -141,10 +141,9 @@ void fields(Archive& field, T& user) {
   field(
       "shift", user.shift,
       "of the centre of mass of flat feet, from their middle, forward and lateral; since 3.1 [m]");
-  field(
-      "gait", user.gait,
-      "its place in the scenario's `gaits`; -1: the scenario's own, -2: by the speed, -3: the one "
-      "before, as the command has NaN; since 3.1");
+  field("gait", user.gait,
+        "its place in the scenario's `gaits`; -1: the scenario's own, -2: by the speed, -3: the "
+        "present one, as the command has NaN; since 3.1");
 }
 
 template <typename Archive, Is<ReachCommand> T>

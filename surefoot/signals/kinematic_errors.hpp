@@ -14,7 +14,10 @@ struct KinematicErrors {
   Vec3 imu = Vec3::Zero();
   Mat3 imu_covariance = Mat3::Zero();  ///< of what is left of it, in B [rad²]
 
-  [[nodiscard]] bool operator==(const KinematicErrors&) const = default;
+  /// Of the errors themselves.
+  [[nodiscard]] bool operator==(const KinematicErrors& other) const {
+    return thigh == other.thigh && shank == other.shank && zero == other.zero && imu == other.imu;
+  }
 };
 
 [[nodiscard]] inline KinematicErrors no_errors(int num_legs) {

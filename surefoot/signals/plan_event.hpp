@@ -35,8 +35,9 @@ enum class PlanEvent : int {
   lifted = 24,      ///< the feet carry little and the robot does not fall: legs relax
   stands_up = 25,   ///< back on its feet, or began lying: gets up
   gait_changed = 26,
-  too_fast = 27,  ///< the command is faster than the gait can go
-  unclear = 28,   ///< the command has NaN, or a gait that there is not
+  too_fast = 27,         ///< the command is faster than the gait can go
+  invalid_command = 28,  ///< numbers of the command are not finite: they count as 0
+  unknown_gait = 29,     ///< the command names a gait that there is not: the gait stays
 };
 
 [[nodiscard]] constexpr std::string_view name(PlanEvent event) {
@@ -97,8 +98,10 @@ enum class PlanEvent : int {
       return "gait changed";
     case PlanEvent::too_fast:
       return "too fast for this gait: walking slower than commanded";
-    case PlanEvent::unclear:
-      return "command has NaN, which counts as 0, or an unknown gait: the gait stays";
+    case PlanEvent::invalid_command:
+      return "command has NaN or infinity, which counts as 0";
+    case PlanEvent::unknown_gait:
+      return "command names an unknown gait: the gait stays";
   }
   return "unknown";
 }

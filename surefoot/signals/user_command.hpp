@@ -22,7 +22,7 @@ struct UserCommand {
   static constexpr double kMostHeight = 0.3;  ///< [m]
   static constexpr int kOwnGait = -1;         ///< that of the planner's options
   static constexpr int kAutoGait = -2;        ///< the speed decides
-  static constexpr int kNoGait = -3;          ///< of a command with NaN: the gait stays
+  static constexpr int kKeepGait = -3;        ///< the present one; of a command with NaN
 
   bool walk = false;        ///< false: stand on all feet
   Vec2 velocity{0.0, 0.0};  ///< forward (x) and lateral (y) [m/s]

@@ -20,9 +20,11 @@ TEST(OwnPartTimes, those_above_the_tick_in_the_median_are_told_with_their_names)
   EXPECT_TRUE(notes_of(all, fast, slow).empty()) << "one slow tick of three";
   EXPECT_EQ(notes_of(all, slow, fast),
             (std::vector<std::string>{
-                "your own estimator: 3 ms in the median, and a tick has 2.5 ms",
-                "your own planner and gait sway: 10.1 ms in the median, and a tick has 2.5 ms",
-                "your own task a and task b: 2.6 ms in the median, and a tick has 2.5 ms"}));
+                "the stage of your own estimator takes 3 ms in the median, and a tick has 2.5 ms",
+                "the stage of your own planner and gait sway takes 10.1 ms in the median, and a "
+                "tick has 2.5 ms",
+                "the stage of your own task a and task b takes 2.6 ms in the median, and a tick "
+                "has 2.5 ms"}));
   EXPECT_EQ(notes_of({"task a"}, slow, slow).size(), 1u) << "the library's are not the user's";
   EXPECT_TRUE(notes_of({}, slow, slow).empty());
   EXPECT_TRUE(notes_of(all, {}, {}).empty()) << "nothing was measured";

@@ -215,7 +215,7 @@ TEST(OwnPlanner, ThatFailsEndsInTheSafetyLadderUnderItsName) {
       {[](MotionPlan& plan) { plan.feet[1].p_WF.x() = kNaN; },
        "the planner's plan has NaN or infinity in foot RF"},
       {[](MotionPlan& plan) { plan.feet[2].friction = -1.0; },
-       "the planner's plan has friction -1, which is below 0, in foot LH"},
+       "the planner's plan has friction -1 below 0 in foot LH"},
       {[](MotionPlan& plan) { plan.feet[3].force_min = 2.0 + plan.feet[3].force_max; },
        "the planner's plan has force_min 402 N above force_max 400 N in foot RH"},
       {[](MotionPlan& plan) { plan.torso.height = kNaN; },

@@ -72,7 +72,6 @@ struct Bench {
   TurningRobot robot;
   model::RobotModel model;
   KinematicCalibration calibration{robot.description(), TurningRobot::kPeriod};
-  KinematicErrors at_first = calibration.errors();
   RobotState state;
   Quat tilt = Quat::Identity();  // by which the orientation is believed askew
   Vec3 bias = Vec3::Zero();      // of the gyroscope
@@ -132,7 +131,7 @@ TEST(KinematicCalibration, FindsHowTheImuIsMounted) {
     EXPECT_LT(error_between_feet(bench.robot, found), 0.35 * before) << seed;
   }
   EXPECT_LT(std::sqrt(square), 0.35 * imu.norm());
-  EXPECT_GT(nees, 0.1);
+  EXPECT_GT(nees, 0.3);
   EXPECT_LT(nees, 2.0) << "what is left is as large as believed";
 }
 
@@ -179,7 +178,7 @@ TEST(KinematicCalibration, WhatItFindsComesIntoUseLittleByLittle) {
   while (bench.robot.time() < kAll) {
     bench.tick();
     const KinematicErrors& now = bench.calibration.errors();
-    EXPECT_TRUE(now == bench.at_first || bench.robot.stage() != CalibrationStage::turning);
+    EXPECT_TRUE(now == KinematicErrors{} || bench.robot.stage() != CalibrationStage::turning);
     largest = std::max(largest, (now.zero - before.zero).cwiseAbs().maxCoeff());
     before = now;
   }
@@ -192,7 +191,7 @@ TEST(KinematicCalibration, ForgetsAMotionInWhichAFootDidNotStay) {
   bench.run(5.5);
   bench.calibration.forget();  // what is left of the turning is too little
   bench.run(kAll);
-  EXPECT_EQ(bench.calibration.errors(), bench.at_first);
+  EXPECT_EQ(bench.calibration.errors(), KinematicErrors{});
   EXPECT_FALSE(bench.calibration.knows_legs());
   const KinematicErrors truth = some_errors(10, 0.01, 0.0);
   Bench early(truth);
@@ -245,7 +244,7 @@ TEST(KinematicCalibration, AfterALongerGapItListensAnew) {
   bench.run(5.5);
   bench.deaf_until = 5.5 + 10.0 * TurningRobot::kPeriod;
   bench.run(kAll);
-  EXPECT_EQ(bench.calibration.errors(), bench.at_first) << "what is left is too little";
+  EXPECT_EQ(bench.calibration.errors(), KinematicErrors{}) << "what is left is too little";
 }
 
 TEST(KinematicCalibration, WhatPassesWhileItDoesNotListenIsNoPartOfTheTurn) {

@@ -99,22 +99,24 @@ TEST(GaitChange, waits_until_the_robot_is_slow_enough_for_the_next_gait) {
 }
 
 TEST(GaitChange, that_can_not_be_is_told_once_and_the_gait_stays) {
-  for (const int unknown : {7, -5, UserCommand::kNoGait}) {
+  for (const int unknown : {7, -5, UserCommand::kKeepGait}) {
+    const PlanEvent event =
+        unknown == UserCommand::kKeepGait ? PlanEvent::invalid_command : PlanEvent::unknown_gait;
     test::Puppet puppet = walker(kCrawl, 0.1);
     puppet.run(4.0);
-    ASSERT_TRUE(puppet.happenings(PlanEvent::unclear).empty());
+    ASSERT_TRUE(puppet.happenings(event).empty());
     puppet.user.gait = unknown;
     puppet.run(2.0);
     EXPECT_EQ(puppet.plan().gait, kCrawl);
-    EXPECT_EQ(puppet.happenings(PlanEvent::unclear).size(), 1u) << unknown;
+    EXPECT_EQ(puppet.happenings(event).size(), 1u) << unknown;
     for (const int known : {UserCommand::kOwnGait, kCrawl, UserCommand::kAutoGait}) {
       puppet.user.gait = known;
       puppet.run(0.1);
     }
-    EXPECT_EQ(puppet.happenings(PlanEvent::unclear).size(), 1u) << unknown;
+    EXPECT_EQ(puppet.happenings(event).size(), 1u) << unknown;
     puppet.user.gait = unknown;
     puppet.run(0.1);
-    EXPECT_EQ(puppet.happenings(PlanEvent::unclear).size(), 2u) << "asked for once more";
+    EXPECT_EQ(puppet.happenings(event).size(), 2u) << "asked for once more";
   }
 }
 

@@ -131,7 +131,7 @@ def test_parts_that_take_longer_than_a_tick_are_told():
     fast.pause = 0
     assert notes(fast) == []
     [note] = notes(Slow("slow"))
-    assert re.fullmatch(r"your own task slow: \S+ ms in the median, and a tick has 2.5 ms", note)
+    assert re.fullmatch(r"the stage of your own task slow takes \S+ ms in the median, and a tick has 2.5 ms", note)
     [note] = notes(fast, planner=SlowPlanner(standing(fast)))
     assert note.startswith("your own planner: ")
 
@@ -229,7 +229,7 @@ def test_an_empty_plan_is_told():
 
 
 @pytest.mark.parametrize("change, said", [
-    ({"friction": -1.0}, "friction -1, which is below 0,"), ({"force_max": -3.0}, "force_max -3 N, which is below 0,"),
+    ({"friction": -1.0}, "friction -1 below 0"), ({"force_max": -3.0}, "force_max -3 N below 0"),
     ({"force_min": 900.0, "force_max": 10.0}, "force_min 900 N above force_max 10 N"),
 ])  # fmt: skip
 def test_feet_whose_limits_make_no_sense_are_told(change, said):

@@ -154,7 +154,7 @@ TEST(LogReplay, also_behind_a_tick_at_which_the_controller_was_not_called) {
 }
 
 /// Commands NaN or an unknown gait for a tenth of a second each.
-class GarbledCommands final : public closed_loop::RunSteering {
+class InvalidCommands final : public closed_loop::RunSteering {
  public:
   void begin(const closed_loop::RunParts&) override {}
   closed_loop::RunOrder before_tick(double time) override {
@@ -173,20 +173,22 @@ class GarbledCommands final : public closed_loop::RunSteering {
   double time_ = 0.0;
 };
 
-TEST(LogReplay, also_of_a_run_with_garbled_commands_which_are_told_once_each) {
+TEST(LogReplay, also_of_a_run_with_invalid_commands_which_are_told_once_each) {
   const test::TemporaryFolder folder;
-  GarbledCommands garbled;
+  InvalidCommands invalid;
   closed_loop::ClosedLoopOptions options;
   options.record_path = folder / "run.mcap";
-  options.steering = &garbled;
+  options.steering = &invalid;
   const closed_loop::RunResult result = closed_loop::run_closed_loop(
       config::load_scenario({"walk_flat_ideal", 0, {"duration=3"}}), options);
   EXPECT_FALSE(result.metrics.fell);
-  const auto told =
-      std::ranges::find(result.events, PlanEvent::unclear, &evaluation::EventCount::event);
-  ASSERT_NE(told, result.events.end());
-  EXPECT_EQ(told->count, 2);
-  EXPECT_NEAR(told->first, 1.0, 0.006);
+  for (const auto& [event, time] :
+       {std::pair(PlanEvent::invalid_command, 1.0), std::pair(PlanEvent::unknown_gait, 2.0)}) {
+    const auto told = std::ranges::find(result.events, event, &evaluation::EventCount::event);
+    ASSERT_NE(told, result.events.end());
+    EXPECT_EQ(told->count, 1);
+    EXPECT_NEAR(told->first, time, 0.006);
+  }
   const Verification verification = verify_log(folder / "run.mcap");
   EXPECT_TRUE(verification.is_same() && verification.is_whole());
   for (const MessageDifferences& topic : verification.messages)

@@ -1,6 +1,5 @@
 #include "server/view_tick.hpp"
 
-#include "surefoot/logging/visible_residual.hpp"
 #include "surefoot/solver/solution.hpp"
 
 #include <gtest/gtest.h>
@@ -56,18 +55,6 @@ struct Tick {
 };
 
 using Words = std::vector<std::string>;
-
-TEST(ViewTick, WhatPeopleShouldSeeGoesWithTheRobotsSize) {
-  const Scale small{.length = 0.5, .mass = 0.125};
-  const auto visible = [&](const char* unit) {
-    return logging::visible_residual("torso", unit, small) /
-           logging::visible_residual("torso", unit, Scale());
-  };
-  EXPECT_DOUBLE_EQ(visible("N"), 0.125);
-  EXPECT_DOUBLE_EQ(visible("N·m"), 0.0625);
-  EXPECT_DOUBLE_EQ(visible("rad/s²"), 2.0);
-  EXPECT_DOUBLE_EQ(visible("m/s²"), 1.0);
-}
 
 TEST(ViewTick, ALevelGivesWayFromWhatPeopleShouldSeeOn) {
   EXPECT_EQ(Tick({0.4, 0.019, 0.0}).states(), (Words{"met", "met", "minimised"}));

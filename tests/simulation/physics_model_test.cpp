@@ -39,7 +39,7 @@ Vec3 in_link(const StockMujoco& mujoco, const std::string& link, const Vec3& p_W
 
 StockMujoco stock(const Plant& plant) { return {plant.model_xml(), plant.truth()}; }
 
-TEST(PhysicsModel, SolesAreAsThickAsTheyAreLong) {
+TEST(PhysicsModel, SoleThicknessGoesWithItsLength) {
   std::vector<double> shares;
   for (const double size : {1.0, 2.0}) {
     model::RobotDescription robot = test::biped();
