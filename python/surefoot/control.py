@@ -25,7 +25,7 @@ PLAIN = "walk_flat"  # whose options a controller of a robot alone has
 def load_scenario(
     name: str | os.PathLike[str],
     seed: int = 0,
-    set: Sequence[str] = (),
+    set: Sequence[str] | Mapping[str, Any] = (),
     *,
     robot: Robot | str | None = None,
     stack: Stack | str | None = None,
@@ -34,12 +34,24 @@ def load_scenario(
     """Reads a scenario, by its name or as a path that ends in .yaml.
 
     seed: 0 is the nominal run; any other draws what `randomise:` lists.
-    set: "path.to.key=value", laid over the file; `surefoot list options` has all keys.
+    set: ["path.to.key=value"] or {"path.to.key": value}, laid over the file; `surefoot list options` has all keys.
     robot, stack: others than the file's.
     gaits: your own, {"sway": Sway}, which `gait:` and commands may then name; each controller makes one.
     Raises Error, naming file, line and key, on everything that is unknown or out of range."""
-    words = list(set) + [f"stack={stack}"] * isinstance(stack, str)
+    words = words_in(set) + [f"stack={stack}"] * isinstance(stack, str)
     return _load_scenario(os.fspath(name), seed, words, robot, stack if isinstance(stack, Stack) else None, dict(gaits or {}), registered_tasks())
+
+
+def words_in(given: Sequence[str] | Mapping[str, Any]) -> list[str]:
+    """As the program's --set takes them. A text is YAML already; other values have JSON, which is YAML."""
+    if not isinstance(given, Mapping):
+        return list(given)
+    return [f"{key}={value if isinstance(value, str) else json.dumps(value, default=plain)}" for key, value in given.items()]
+
+
+def plain(value: Any) -> Any:
+    """Of an array or a path."""
+    return value.tolist() if hasattr(value, "tolist") else os.fspath(value)
 
 
 def _load_scenario(
@@ -118,7 +130,7 @@ class Controller(_core.ControllerBase):
         plant: Plant | None = None,
         *,
         stack: Stack | str | None = None,
-        set: Sequence[str] = (),
+        set: Sequence[str] | Mapping[str, Any] = (),
         estimator: Estimator | None = None,
         planner: Planner | None = None,
     ) -> None:

@@ -30,7 +30,7 @@ def run(
     scenario: Scenario | str,
     *,
     seed: int = 0,
-    set: Sequence[str] = (),
+    set: Sequence[str] | Mapping[str, Any] = (),
     robot: Robot | str | None = None,
     stack: Stack | str | None = None,
     gaits: Mapping[str, Callable[[], Gait]] | None = None,

@@ -133,7 +133,7 @@ def test_parts_that_take_longer_than_a_tick_are_told():
     [note] = notes(Slow("slow"))
     assert re.fullmatch(r"the stage of your own task slow takes \S+ ms in the median, and a tick has 2.5 ms", note)
     [note] = notes(fast, planner=SlowPlanner(standing(fast)))
-    assert note.startswith("your own planner: ")
+    assert note.startswith("the stage of your own planner takes ")
 
 
 @pytest.mark.parametrize("make, said", [
