@@ -66,7 +66,9 @@ bool run_python(const std::string& package, const std::vector<std::string>& word
 
 void check_has_python(const std::string& option) {
   if (python().empty()) {
-    throw Error(option + ": the program was started without its launcher; bin/surefoot has it");
+    throw Error(option +
+                ": Python does this, and the program was started without it: use the `surefoot` of "
+                "`pip install`, or bin/surefoot of the source tree");
   }
   if (access(python().c_str(), X_OK) != 0) {
     throw Error(option + ": $SUREFOOT_PYTHON is " + python() + ", which can't be started");

@@ -145,8 +145,10 @@ control::LevelSpec take_level(const ConfigNode& name, const std::string& path,
   if (found != base.end()) return *found;
   fail_at(name, path,
           "unknown level \"" + name.text + "\"" +
-              (base.empty() ? "; a level by its name needs a base: the stack that has it"
-                            : "; " + valid_names(name.text, names_of(base))));
+              (base.empty()
+                   ? "; a level by its name needs a base: the stack that has it"
+                   : "; " + valid_names(name.text, names_of(base)) +
+                         "; a task that the base has not is a level as {task: " + name.text + "}"));
 }
 
 /// Scaling of a file's numbers to the robot.

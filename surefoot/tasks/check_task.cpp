@@ -89,6 +89,8 @@ std::string fault_of(const Task& task, const TaskInput& input) {
       return "write() allocates; make its memory in the constructor or in fixed-size matrices";
   } catch (const std::exception& error) {
     return "write() threw: " + std::string(error.what());
+  } catch (...) {
+    return "write() threw something that is no std::exception";
   }
   const std::string wrong = what_is_wrong(task, first, 0);
   if (!wrong.empty()) return wrong;
@@ -138,6 +140,8 @@ std::vector<std::string> check_task(std::string_view name, const model::RobotDes
       for (int i = 0; i < kNumStates; ++i) note(fault_of(*task, trial.draw()));
     } catch (const std::exception& error) {
       note(error.what());
+    } catch (...) {
+      note("it threw something that is no std::exception");
     }
   }
   return faults;

@@ -54,7 +54,7 @@ def test_a_film_that_fails_changes_no_exit_code(tmp_path, fake_python):
 
 def test_a_film_that_can_not_be_made_is_told_before_the_run(tmp_path):
     done = program(*SHORT, "--video", tmp_path / "run.mp4")
-    assert (done.returncode, done.stdout) == (2, "") and "started without its launcher" in done.stderr
+    assert (done.returncode, done.stdout) == (2, "") and "the program was started without it" in done.stderr
     done = program(*SHORT, "--video", tmp_path / "no/run.mp4", python=sys.executable)
     assert done.returncode == 2 and "there is no folder" in done.stderr
     done = program(*SHORT, "--video", tmp_path / "run.avi", python=sys.executable)
@@ -72,7 +72,7 @@ def test_a_report_that_fails_costs_no_result(tmp_path, fake_python):
 def test_a_report_that_can_not_be_made_is_told_before_the_run(tmp_path):
     for arguments in ([*SHORT, "--report", tmp_path / "out"], ["demo", "--out", tmp_path / "out"]):
         done = program(*arguments)
-        assert (done.returncode, done.stdout) == (2, "") and "started without its launcher" in done.stderr and not (tmp_path / "out").exists()
+        assert (done.returncode, done.stdout) == (2, "") and "the program was started without it" in done.stderr and not (tmp_path / "out").exists()
 
 
 def test_seeds_have_a_film_and_a_report_each(tmp_path, fake_python):

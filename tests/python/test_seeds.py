@@ -145,4 +145,7 @@ def test_what_the_program_refuses_is_told_before_any_run():
 
 def test_without_python_one_sentence_says_what_seeds_need():
     alone = {key: value for key, value in os.environ.items() if key != "SUREFOOT_PYTHON"}
-    assert complaint("run", "walk_flat", "--seeds", 2, env=alone) == "surefoot: --seeds: the program was started without its launcher; bin/surefoot has it"
+    assert complaint("run", "walk_flat", "--seeds", 2, env=alone) == (
+        "surefoot: --seeds: Python does this, and the program was started without it: "
+        "use the `surefoot` of `pip install`, or bin/surefoot of the source tree"
+    )

@@ -41,6 +41,9 @@ TEST(CheckTask, FindsWhatIsWrongAndNamesTheTask) {
   EXPECT_EQ(faults_of([](const auto&, const auto&, auto&) { throw std::runtime_error("oh"); }),
             std::vector<std::string>{R"(task "own": write() threw: oh)"});
   EXPECT_EQ(
+      faults_of([](const auto&, const auto&, auto&) { throw 42; }),
+      std::vector<std::string>{R"(task "own": write() threw something that is no std::exception)"});
+  EXPECT_EQ(
       faults_of([&](const auto& task, const auto&, auto& level) { row(task, level, kNaN); }),
       std::vector<std::string>{R"(task "own": wrote row 0 (base upward) with the bounds nan and )"
                                "nan; two numbers, the lower first, would be valid"});
