@@ -31,6 +31,12 @@ std::string_view what_is_wrong(const RobotState& state) {
   return within(state.torque, kMaxTorque) ? "" : "torque";
 }
 
+/// An estimator that waits for a robot that stands says nothing of the base.
+bool is_unknown(const RobotState& state) {
+  return state.p_WB.array().isNaN().all() && state.q_WB.coeffs().array().isNaN().all() &&
+         state.v_WB.array().isNaN().all() && state.w_WB_B.array().isNaN().all();
+}
+
 /// An estimator that got NaN is not to blame for NaN.
 bool has_numbers(const SensorReading& reading) {
   return reading.q.allFinite() && reading.torque.allFinite() && reading.gyro.allFinite() &&
@@ -104,7 +110,8 @@ bool StateEstimation::estimate_motion(const estimation::ReadingGuard& seen, cons
   const std::string_view wrong = what_is_wrong(state_);
   const bool plausible = wrong.empty() && !(std::abs(state_.time - time_) > kMaxGap);
   if (plausible) time_ = state_.time;
-  if (!wrong.empty() && are_all_there(health, bridge_time_) && has_numbers(seen.repaired())) {
+  if (!wrong.empty() && !is_unknown(state_) && are_all_there(health, bridge_time_) &&
+      has_numbers(seen.repaired())) {
     fault_.set("the state estimator gave NaN, infinity or an impossible value in ", wrong);
     take_joints_alone(seen);
   }

@@ -319,5 +319,28 @@ TEST(OwnEstimator, ThatGivesNanIsNamedWithWhatIsNan) {
   }
 }
 
+TEST(OwnEstimator, MayNotKnowTheBaseYet) {
+  const ControllerOptions options = test::options_of();
+  RobotState state = test::standing(options.planner.stance);
+  const JointVector q = state.q;
+  const bool throws = false;
+  Controller controller(test::anymal_b(), options,
+                        std::make_unique<FailingEstimator>(state, throws));
+  SensorReading reading;
+  for (int i = 1; i <= 101; ++i) {
+    const double noise = 1e-4 * (i % 2);  // otherwise sensors seem frozen
+    reading.time = state.time = i * options.period;
+    reading.q = q.array() + noise;
+    reading.gyro.setConstant(noise);
+    reading.accelerometer = Vec3(0.0, 0.0, kGravity + noise);
+    reading.torque = state.torque = controller.record().command.torque;
+    state.p_WB = state.v_WB = state.w_WB_B = Vec3::Constant(kNaN);
+    state.q_WB.coeffs().setConstant(kNaN);
+    ASSERT_NO_FATAL_FAILURE(test::expect_legal(controller.step(reading, {})));
+  }
+  EXPECT_NE(controller.record().command.cause, StopCause::own_part);
+  EXPECT_EQ(controller.fault(), "");
+}
+
 }  // namespace
 }  // namespace surefoot::control
