@@ -51,7 +51,12 @@ def words_in(given: Sequence[str] | Mapping[str, Any]) -> list[str]:
 
 def plain(value: Any) -> Any:
     """Of an array or a path."""
-    return value.tolist() if hasattr(value, "tolist") else os.fspath(value)
+    if hasattr(value, "tolist"):
+        return value.tolist()
+    if not isinstance(value, os.PathLike):
+        name = type(value).__name__
+        raise Error(f"set has a {name}; numbers, texts, lists, dicts and paths would be valid, and robot= and stack= take objects")
+    return os.fspath(value)
 
 
 def _load_scenario(

@@ -339,3 +339,8 @@ def test_a_name_that_a_dict_has_not_is_told_with_those_that_it_has(world):
         with pytest.raises(KeyError, match=said):
             given[name]
         assert name not in given and given.get(name) is None
+
+
+def test_an_object_among_the_settings_is_told_where_it_goes():
+    with pytest.raises(surefoot.Error, match=r"set has a Stack; .*stack= take objects"):
+        surefoot.load_scenario("walk_flat", set={"stack": surefoot.Stack("walk")})
