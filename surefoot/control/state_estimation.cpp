@@ -33,8 +33,9 @@ std::string_view what_is_wrong(const RobotState& state) {
 
 /// An estimator that waits for a robot that stands says nothing of the base.
 bool is_unknown(const RobotState& state) {
-  return state.p_WB.array().isNaN().all() && state.q_WB.coeffs().array().isNaN().all() &&
-         state.v_WB.array().isNaN().all() && state.w_WB_B.array().isNaN().all();
+  return std::isfinite(state.time) && state.p_WB.array().isNaN().all() &&
+         state.q_WB.coeffs().array().isNaN().all() && state.v_WB.array().isNaN().all() &&
+         state.w_WB_B.array().isNaN().all();
 }
 
 /// An estimator that got NaN is not to blame for NaN.

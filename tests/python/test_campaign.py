@@ -357,7 +357,7 @@ def test_the_help_tells_the_form_of_a_spec():
 def test_the_program_lists_campaigns_and_says_what_they_need():
     assert "campaign" in surefoot("--help").stdout
     alone = {key: value for key, value in os.environ.items() if key != "SUREFOOT_PYTHON"}
-    assert "launcher" in complaint("campaign", "x.yaml", "--jobs", 2, env=alone)
+    assert "use the `surefoot` of `pip install`, or bin/surefoot" in complaint("campaign", "x.yaml", "--jobs", 2, env=alone)
 
 
 REAL = """\
