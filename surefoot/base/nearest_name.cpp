@@ -69,7 +69,7 @@ std::string near_names(std::string_view given, const std::vector<std::string>& v
     return edit_distance(lower_case(given), lower_case(name)) / (is_part ? 4 : 1);
   });
   nearest.resize(static_cast<std::size_t>(std::min(kMost, std::ssize(nearest))));
-  return hint(given, valid) + "near are: " + listed(nearest);
+  return hint(given, valid) + "closest: " + listed(nearest);
 }
 
 }  // namespace surefoot

@@ -14,7 +14,7 @@ namespace surefoot {
 
 /// The same where there are many: the nearest alone.
 ///
-///     did you mean "LF_FOOT"? near are: LF_FOOT, RF_FOOT, …
+///     did you mean "LF_FOOT"? closest: LF_FOOT, RF_FOOT, …
 [[nodiscard]] std::string near_names(std::string_view given, const std::vector<std::string>& valid);
 
 }  // namespace surefoot

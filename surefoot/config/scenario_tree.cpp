@@ -144,6 +144,9 @@ void check_assignments(const std::vector<std::string>& assignments) {
   for (const std::string& assignment : assignments) {
     if (assignment == "gait=")
       throw Error("--set gait=: a name is missing; gait=none takes the scenario's gait away");
+    if (assigned_path(assignment) == "base")
+      throw Error(
+          "base: stands in a file alone; give a file of your own that has it, or run its scenario");
   }
 }
 

@@ -24,6 +24,12 @@ constexpr std::array<std::string_view, 2> kEfforts{"contact_force_minimisation",
 constexpr double kHeldGain = 800.0;    // [1/s²]
 constexpr double kHeldDamping = 56.0;  // [1/s]
 
+// Of an arm that reaches, beside its tip: where its tip can't follow, as beyond its reach or
+// through a singular posture, its joints are slow instead of fast, and a tip that stands is not
+// held back.
+constexpr double kSlowing = 10.0;       // [1/s]
+constexpr double kSlowingWeight = 0.1;  // of rad/s² against m/s² [m]
+
 constexpr const char* kStops = "joint_position_limits";
 
 LevelSpec level_of(const char* name, std::initializer_list<const char*> tasks) {
@@ -108,6 +114,17 @@ void insert_below_physics(LevelSpec level, StackOptions& stack) {
   stack.levels.insert(last.base(), std::move(level));
 }
 
+/// The tip of the arm that reaches, with slow joints.
+LevelSpec tip_level(const Scale& scale) {
+  LevelSpec level = level_of("arm_tip", {"frame_position", "frame_orientation", "posture"});
+  TaskSpec& slow = level.tasks.back();
+  slow.choices["joints"] = "reaching_arm";
+  slow.numbers["kp"] = 0.0;
+  slow.numbers["kd"] = scale.rate() * kSlowing;
+  slow.weight = scale.length * kSlowingWeight;
+  return level;
+}
+
 /// Does a thigh of the standing robot nearly meet its stop?
 bool has_thighs_at_stops(const model::RobotDescription& robot) {
   constexpr double kNear = 0.9;  // about twice what half a stride turns it [rad]
@@ -167,10 +184,11 @@ StackOptions with_arms(StackOptions stack, const model::RobotDescription& robot)
       stack.levels, [&](const LevelSpec& one) { return std::ranges::all_of(one.tasks, saves); });
   LevelSpec rest = level_of("arm_rest", {"posture"}), idle = level_of("arm_posture", {"posture"});
   if (found.followed.empty()) {
+    LevelSpec limits = level_of("arm_limits", {kStops});
+    limits.tasks.front().choices["joints"] = "reaching_arm";
     rest.tasks.front().choices["joints"] = "reaching_arm";
     idle.tasks.front().choices["joints"] = "idle_arms";
-    stack.levels.insert(effort,
-                        {level_of("arm_tip", {"frame_position", "frame_orientation"}), rest});
+    stack.levels.insert(effort, {limits, tip_level(robot.scale), rest});
   } else {
     rest.tasks.front().choices["joints"] = found.followed;
     idle.tasks.front().choices["joints"] = found.others;

@@ -45,9 +45,10 @@ void check_physics(const StackOptions& stack);
 
 /// The stack of a robot with arms, unless its tasks move arms already. Below the levels that keep
 /// the physics, `arm_posture` holds the arms that do not reach: lower down they would be thrown
-/// about to save the torso's pose. Before the levels that only save effort, `arm_tip` and
-/// `arm_rest` move the one that reaches, as far as balance and torso leave it. Arms of which a task
-/// follows a frame have `arm_rest` right below it. Throws UnknownNameError for an unknown frame.
+/// about to save the torso's pose. Before the levels that only save effort, `arm_limits`, `arm_tip`
+/// and `arm_rest` move the one that reaches, as far as balance and torso leave it, with slow
+/// joints: in `arm_tip` a posture without kp shares the tip's level. Arms of which a task follows a
+/// frame have `arm_rest` right below it. Throws UnknownNameError for an unknown frame.
 [[nodiscard]] StackOptions with_arms(StackOptions stack, const model::RobotDescription& robot);
 
 /// The stack of a robot whose legs have further joints, unless a posture of it is for them: below

@@ -23,6 +23,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <optional>
 #include <sstream>
 #include <utility>
@@ -45,6 +46,13 @@ struct Catalog {
 };
 
 constexpr std::string_view kNoUnit = "–";
+
+/// Of `ChosenJoints`.
+constexpr std::initializer_list<const char*> kJointWords{"arms", "legs",      "further",
+                                                         "all",  "idle_arms", "reaching_arm"};
+constexpr std::string_view kJointHelp =
+    "which joints: further ones are a leg's beside HAA, HFE and KFE; an arm is idle while it does "
+    "not reach";
 
 constexpr std::string_view kErrorHelp = "larger tracking errors are shortened to this";
 
@@ -155,6 +163,8 @@ void add_motion_bounds(Catalog& catalog) {
             catalog);
   add_bound(Entry<JointPositionLimits>("joint_position_limits", "joints stay in their ranges",
                                        "by (27)", "rad/s²")
+                .text("joints", &JointPositionLimits::Options::joints,
+                      {kJointWords.begin(), kJointWords.end()}, "JOINT …", kJointHelp)
                 .number("margin", &JointPositionLimits::Options::margin, "rad",
                         "distance kept from the ends of the range"),
             catalog);
@@ -205,11 +215,8 @@ void add_frames(Catalog& catalog) {
       .number("max_error", &FrameOrientation::Options::max_error, "rad", kErrorHelp)
       .add_to(catalog);
   Entry<Posture>("posture", "joints go to a posture and stay there", kNoUnit, "rad/s²")
-      .text(
-          "joints", &Posture::Options::joints,
-          {"arms", "legs", "further", "all", "idle_arms", "reaching_arm"}, "JOINT …",
-          "which joints: further ones are a leg's beside HAA, HFE and KFE; an arm is idle while it "
-          "does not reach")
+      .text("joints", &Posture::Options::joints, {kJointWords.begin(), kJointWords.end()},
+            "JOINT …", kJointHelp)
       .choice("target", &Posture::Options::target, {"nominal", "plan"},
               "the robot's posture, or the plan's: where they were at first, unless a planner says")
       .number("kp", &Posture::Options::kp, "1/s²", "position gain")

@@ -1,20 +1,24 @@
 #pragma once
 
+#include "surefoot/tasks/chosen_joints.hpp"
 #include "surefoot/tasks/motion_bound.hpp"
 #include "surefoot/tasks/task.hpp"
 
+#include <string>
+
 namespace surefoot::tasks {
 
-/// Keeps every joint inside the robot's range, by the rule of Bellicoso 2016, Eq. 27.
+/// Keeps joints inside the robot's ranges, by the rule of Bellicoso 2016, Eq. 27.
 ///
 ///     q_min + margin ≤ q ≤ q_max − margin
 ///
-/// Writes n_τ rows [rad/s²].
+/// Writes a row for each joint that it is for [rad/s²].
 class JointPositionLimits final : public Task {
  public:
   struct Options {
-    double margin = 0.05;  ///< distance kept from the ends of the range [rad]
-    double dt = 0.1;       ///< δt of Eq. 27 [s]
+    std::string joints = "all";  ///< words of `ChosenJoints`
+    double margin = 0.05;        ///< distance kept from the ends of the range [rad]
+    double dt = 0.1;             ///< δt of Eq. 27 [s]
     BoundResponse response = BoundResponse::no_overshoot;
   };
 
@@ -27,8 +31,11 @@ class JointPositionLimits final : public Task {
   [[nodiscard]] std::string row_name(int id) const override { return joint_name(id); }
 
  private:
+  void find_parts(const model::RobotDescription& robot) override;
+
   Options options_;
   MotionBound bound_;
+  ChosenJoints joints_;
 };
 
 }  // namespace surefoot::tasks

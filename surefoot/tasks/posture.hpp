@@ -1,9 +1,9 @@
 #pragma once
 
+#include "surefoot/tasks/chosen_joints.hpp"
 #include "surefoot/tasks/task.hpp"
 
 #include <string>
-#include <vector>
 
 namespace surefoot::tasks {
 
@@ -17,9 +17,7 @@ class Posture final : public Task {
   enum class Target { nominal, plan };
 
   struct Options {
-    /// `arms`, `legs`, `further` ones of legs, `all`, `idle_arms`, `reaching_arm`, or names,
-    /// separated by spaces.
-    std::string joints = "arms";
+    std::string joints = "arms";  ///< words of `ChosenJoints`
     Target target = Target::nominal;
     double kp = 60.0;         ///< [1/s²]
     double kd = 15.0;         ///< [1/s]
@@ -35,17 +33,11 @@ class Posture final : public Task {
   [[nodiscard]] bool follows_joints() const override { return options_.target == Target::plan; }
 
  private:
-  enum class When { always, reaches, idle };
-  struct Joint {
-    int joint, arm;
-  };
-
   void find_parts(const model::RobotDescription& robot) override;
   void write(const TaskInput& input, int joint, solver::Level& level) const;
 
   Options options_;
-  When when_ = When::always;   ///< of a joint's arm
-  std::vector<Joint> joints_;  ///< that it is for
+  ChosenJoints joints_;
 };
 
 }  // namespace surefoot::tasks

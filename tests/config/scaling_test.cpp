@@ -261,6 +261,11 @@ TEST_F(Scaling, StandsInAFileAlone) {
                           "scaled: stands in a file alone"));
 }
 
+TEST_F(Scaling, SoDoesABase) {
+  EXPECT_TRUE(test::holds(test::message_of([&] { (void)load("", {"base=step_down"}); }),
+                          "base: stands in a file alone"));
+}
+
 TEST_F(Scaling, ANumberMayHaveAPlus) {
   EXPECT_DOUBLE_EQ(
       load("scaled: true\nplanner: {swing: {apex: +0.1}}\n").controller.planner.swing.apex,

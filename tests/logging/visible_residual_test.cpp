@@ -16,5 +16,9 @@ TEST(VisibleResidual, GoesWithTheRobotsSize) {
   EXPECT_DOUBLE_EQ(visible("m/s²"), 1.0);
 }
 
+TEST(VisibleResidual, OfATipIsMoreThanItsSlowJointsCost) {
+  EXPECT_EQ(visible_residual("arm_tip", "", Scale()), 1.5);
+}
+
 }  // namespace
 }  // namespace surefoot::logging

@@ -114,7 +114,7 @@ TEST(Frames, ThatAreUnknownAreToldWithTheNearest) {
   const Frames frames(test::anymal_b());
   const std::string text = test::message_of([&] { (void)frames.number("LF_SHNK"); });
   EXPECT_TRUE(test::holds(text,
-                          "has no frame \"LF_SHNK\"; did you mean \"LF_SHANK\"? near are: "
+                          "has no frame \"LF_SHNK\"; did you mean \"LF_SHANK\"? closest: "
                           "LF_SHANK, "));
   EXPECT_LT(text.size(), 200u) << "not all of them";
 }

@@ -108,7 +108,7 @@ def test_posture_is_of_any_joints(stack):
 
 
 def test_a_frame_that_the_robot_has_not_is_told_with_near_ones(stack):
-    with pytest.raises(surefoot.Error, match='has no frame "LF_SHNK"; did you mean "LF_SHANK"\\? near are: LF_SHANK, '):
+    with pytest.raises(surefoot.Error, match='has no frame "LF_SHNK"; did you mean "LF_SHANK"\\? closest: LF_SHANK, '):
         surefoot.load_scenario("walk_flat", stack=stack.last(tasks.FramePosition("LF_SHNK")))
 
 

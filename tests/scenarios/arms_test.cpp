@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace surefoot {
 namespace {
@@ -55,6 +56,22 @@ TEST(Arms, LightJointsKeepStillAsTheRobotGetsUp) {
 TEST(Arms, FollowTheOperatorStandingAndWalking) {
   const evaluation::Metrics metrics = walked("reach");
   EXPECT_EQ(metrics.succeeded, true) << metrics.reason << ", hand " << metrics.reach_error_max_m;
+}
+
+// Beyond its reach, straight up from its shoulder, and behind a singular posture.
+TEST(Arms, KeepStillWhereTheTipCanNotFollow) {
+  for (const auto& [robot, target] : {std::pair{"anymal_b_kinova", "[0.7, 0, 1.6]"},
+                                      {"anymal_b_kinova", "[0.3, 0.9, 0.3]"},
+                                      {"b1_z1", "[2.5, 0, 0.8]"},
+                                      {"spot_arm", "[1.0, 0, 0.8]"}}) {
+    const std::string user = std::string("user=[{time: 10, reach: {arm: 0, position: ") + target +
+                             "}}, {time: 20, reach: {arm: 0, position: [0.6, 0, 0.5]}}]";
+    const evaluation::Metrics metrics =
+        walked("reach", {std::string("robot=") + robot, user, "duration=28", "criteria=none"});
+    EXPECT_EQ(metrics.succeeded, true) << robot << target << ": " << metrics.reason;
+    EXPECT_LT(metrics.max_tilt_rad, 0.1) << robot << target;
+    EXPECT_LT(metrics.fallback_ticks, 5) << robot << target;
+  }
 }
 
 TEST(Arms, ThatTheRobotDoesNotHaveCanNotReach) {

@@ -1,6 +1,7 @@
 #include "surefoot/math/rotation.hpp"
 #include "surefoot/tasks/frame_orientation.hpp"
 #include "surefoot/tasks/frame_position.hpp"
+#include "surefoot/tasks/joint_position_limits.hpp"
 #include "surefoot/tasks/posture.hpp"
 #include "tests/support/messages.hpp"
 #include "tests/tasks/scene.hpp"
@@ -103,6 +104,15 @@ TEST(Posture, PullsTheJointsItIsForToTheNominalPosture) {
       EXPECT_EQ(rows.ids[static_cast<std::size_t>(i)], j);
     }
   }
+}
+
+TEST(JointPositionLimits, BoundTheJointsTheyAreFor) {
+  Bench bench;
+  const auto of_arm = [&] { return bench.rows(JointPositionLimits({.joints = "reaching_arm"})); };
+  EXPECT_EQ(of_arm().count(), 0) << "no arm reaches";
+  bench.plan.arm.arm = 0;
+  EXPECT_EQ(of_arm().ids, (std::vector<int>{12, 13, 14, 15, 16, 17}));
+  EXPECT_EQ(bench.rows(JointPositionLimits({.joints = "RH_KFE"})).ids, std::vector<int>{11});
 }
 
 TEST(Posture, FollowsThePlansJoints) {

@@ -180,8 +180,9 @@ TEST(LimbExtensionLimits, stay_finite_where_a_leg_has_no_length) {
 TEST(JointPositionLimits, bound_every_joint_inside_its_range) {
   Scene scene;
   Random random(64);
-  const JointPositionLimits task({.margin = 0.1, .dt = 0.1, .response = BoundResponse::paper});
+  JointPositionLimits task({.margin = 0.1, .dt = 0.1, .response = BoundResponse::paper});
   const model::RobotDescription& robot = scene.model.description();
+  task.prepare(robot);
   for (int trial = 0; trial < kTrials; ++trial) {
     const Motion motion = random_motion(random, robot.q_nominal);
     for (int j = 0; j < kNumLegJoints; ++j) {
@@ -195,7 +196,10 @@ TEST(JointPositionLimits, bound_every_joint_inside_its_range) {
 TEST(JointPositionLimits, stay_consistent_where_the_margins_are_wider_than_the_range) {
   Scene scene;
   const TaskInput input = scene.update(Random(65).state());
-  const WrittenRows rows = written(JointPositionLimits({.margin = 10.0}), input);
+  JointPositionLimits task({.margin = 10.0});
+  task.prepare(scene.model.description());
+  const WrittenRows rows = written(task, input);
+  EXPECT_EQ(rows.count(), kNumLegJoints);
   EXPECT_TRUE((rows.lower.array() <= rows.upper.array()).all());
 }
 
