@@ -30,7 +30,8 @@ std::string TroubleCounter::vain_reach(const TickRecord& record,
   const bool is_off = (is_at_end || waits) && (tip - target).norm() > scale_.length * kOff;
   if (!is_off) tip_since_ = kNaN;
   if (is_off && std::isnan(tip_since_)) tip_since_ = truth.time;
-  return truth.time - tip_since_ > scale_.time() * kPatience ? name + ": target out of reach" : "";
+  return truth.time - tip_since_ > scale_.time() * kPatience ? name + ": can't get to its target"
+                                                             : "";
 }
 
 void TroubleCounter::add(double time, const TickRecord& record,

@@ -12,7 +12,7 @@ namespace surefoot::closed_loop {
 
 /// Count of a fault of a sensor, of a safe command mode or of a vain command, in a run.
 struct TroubleCount {
-  std::string what;    ///< "IMU stopped", "command mode: sit", "arm 0: target out of reach"
+  std::string what;    ///< "IMU stopped", "command mode: sit", "arm 0: can't get to its target"
   int count = 0;       ///< number of times that it began
   double first = 0.0;  ///< time of its first begin [s]
 };

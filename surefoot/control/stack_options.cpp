@@ -2,6 +2,7 @@
 
 #include "surefoot/base/error.hpp"
 #include "surefoot/model/frames.hpp"
+#include "surefoot/tasks/catalog.hpp"
 
 #include <algorithm>
 #include <array>
@@ -46,6 +47,16 @@ bool is_physical(const TaskSpec& task) {
   return std::ranges::find(kPhysics, task.task) != kPhysics.end();
 }
 
+bool is_of_frame(const TaskSpec& task) {
+  return task.task == "frame_position" || task.task == "frame_orientation";
+}
+
+/// Empty where none is given.
+std::string choice(const TaskSpec& task, const char* name) {
+  const auto given = task.choices.find(name);
+  return given == task.choices.end() ? std::string() : given->second;
+}
+
 /// Does a posture of these joints move arms?
 bool is_of_arms(const std::string& joints, const model::RobotDescription& robot) {
   constexpr std::array<std::string_view, 5> kOfArms{"", "arms", "all", "idle_arms", "reaching_arm"};
@@ -83,16 +94,13 @@ ArmTasks arm_tasks(const StackOptions& stack, const model::RobotDescription& rob
   ArmTasks found;
   std::vector<bool> follows(robot.arms.size(), false);
   const auto note = [&](const LevelSpec& level, const TaskSpec& task) {
-    const auto choice = [&](const char* name) {
-      const auto given = task.choices.find(name);
-      return given == task.choices.end() ? std::string() : given->second;
-    };
-    const bool is_frame = task.task == "frame_position" || task.task == "frame_orientation";
-    if (is_frame && choice("frame").empty()) found.move_arms = true;
-    if (task.task == "posture" && is_of_arms(choice("joints"), robot)) found.move_arms = true;
-    if (!is_frame || choice("frame").empty()) return;
+    const bool is_frame = is_of_frame(task);
+    const std::string frame = choice(task, "frame");
+    if (is_frame && frame.empty()) found.move_arms = true;
+    if (task.task == "posture" && is_of_arms(choice(task, "joints"), robot)) found.move_arms = true;
+    if (!is_frame || frame.empty()) return;
     const model::Frames frames(robot);
-    const int arm = frames.arm_of(frames.number(choice("frame")));
+    const int arm = frames.arm_of(frames.number(frame));
     if (arm < 0) return;
     follows[static_cast<std::size_t>(arm)] = true;
     found.last = level.name;
@@ -198,6 +206,17 @@ StackOptions with_arms(StackOptions stack, const model::RobotDescription& robot)
   if (!found.followed.empty() && found.others.empty()) return stack;
   insert_below_physics(std::move(idle), stack);
   return stack;
+}
+
+bool follows_tip(const StackOptions& stack) {
+  const std::vector<std::string> ours = tasks::task_names();
+  const auto may_follow = [&](const TaskSpec& task) {
+    const bool is_own = std::ranges::find(ours, task.task) == ours.end();
+    return is_own || (is_of_frame(task) && choice(task, "frame").empty());
+  };
+  return std::ranges::any_of(stack.levels, [&](const LevelSpec& level) {
+    return std::ranges::any_of(level.tasks, may_follow);
+  });
 }
 
 StackOptions with_further_joints(StackOptions stack, const model::RobotDescription& robot) {

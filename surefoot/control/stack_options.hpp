@@ -50,6 +50,8 @@ void check_physics(const StackOptions& stack);
 /// joints: in `arm_tip` a posture without kp shares the tip's level. Arms of which a task follows a
 /// frame have `arm_rest` right below it. Throws UnknownNameError for an unknown frame.
 [[nodiscard]] StackOptions with_arms(StackOptions stack, const model::RobotDescription& robot);
+/// Does a task follow the tip of the arm that reaches? One of the user's own may.
+[[nodiscard]] bool follows_tip(const StackOptions& stack);
 
 /// The stack of a robot whose legs have further joints, unless a posture of it is for them: below
 /// the levels that keep the physics, `leg_posture` holds them.

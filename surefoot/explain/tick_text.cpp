@@ -64,22 +64,27 @@ std::string place(const Vec3& p) {
                    rounded(p.z(), 1e-3));
 }
 
-/// Of an arm that follows the operator, and where its tip is in truth; empty without one.
-std::string reach(const TickExplanation& explanation) {
-  const ReachCommand& command = explanation.tick.user.reach;
-  if (command.arm < 0) return "";
-  const std::string wanted = "arm " + std::to_string(command.arm) + " to " +
-                             place(command.position) + (command.in_world ? " in W" : " in B");
-  const ArmPlan& plan = explanation.tick.plan.arm;
-  const auto arm = static_cast<std::size_t>(std::max(plan.arm, 0));
-  if (plan.arm < 0) return wanted + "; its tip follows nothing";
-  const std::string out = wanted + "; reference now " + place(plan.p_WT) + " in W";
-  if (!explanation.truth || arm >= explanation.truth->p_ST.size()) return out;
-  const Vec3 is = explanation.truth->q_SB.conjugate() *
-                  (explanation.truth->p_ST[arm] - explanation.truth->p_SB);
-  const RobotState& state = explanation.tick.state;
-  const double off = (is - state.q_WB.conjugate() * (plan.p_WT - state.p_WB)).norm();
-  return out + formatted(", the tip is %.1f cm from it, seen from the base", 100.0 * off);
+/// Of an arm or a frame that follows the operator; empty without one.
+std::string reach(const TickRecord& tick) {
+  const ReachCommand& command = tick.user.reach;
+  const FramePlan* frame = tick.plan.frames.find(command.frame);
+  if (command.arm < 0 && command.frame < 0) return "";
+  const std::string wanted = (command.arm >= 0 ? "arm " + std::to_string(command.arm)
+                                               : "frame " + std::to_string(command.frame)) +
+                             " to " + place(command.position) +
+                             (command.in_world ? " in W" : " in B");
+  Vec3 reference = Vec3::Constant(kNaN);  // in the command's frame
+  if (command.arm >= 0 && tick.plan.arm.arm == command.arm) {
+    const Vec3 from_base = tick.state.q_WB.conjugate() * (tick.plan.arm.p_WT - tick.state.p_WB);
+    reference = command.in_world ? tick.plan.arm.p_WT : from_base;
+  } else if (command.arm < 0 && frame != nullptr) {
+    reference = frame->p_XF;
+  }
+  if (!reference.allFinite()) return wanted + ", which nothing follows";
+  return wanted +
+         formatted("; the reference is %.1f cm from there, at ",
+                   100.0 * (command.position - reference).norm()) +
+         place(reference);
 }
 
 std::string asked(const UserCommand& user) {
@@ -145,7 +150,7 @@ std::string facts(const TickExplanation& explanation) {
     table.push_back({"pushed by", logging::applied_force_text(force, explanation.bodies) +
                                       " (truth: the controller is not told)"});
   table.push_back({"asked", asked(tick.user)});
-  const std::string reaches = reach(explanation);
+  const std::string reaches = reach(explanation.tick);
   if (!reaches.empty()) table.push_back({"reaches", reaches});
   table.push_back({"command", command(explanation)});
   std::string out;

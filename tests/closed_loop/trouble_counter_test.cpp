@@ -70,7 +70,7 @@ TEST(TroubleCounter, TellsOnceOfATargetThatAnArmDoesNotComeTo) {
   EXPECT_EQ(told_of_reach(0.82, 0.8).size(), 1U) << "its reference waits";
   const std::vector<TroubleCount> troubles = told_of_reach(1.0, 0.8);
   ASSERT_EQ(troubles.size(), 1U);
-  EXPECT_EQ(troubles[0].what, "arm 0: target out of reach");
+  EXPECT_EQ(troubles[0].what, "arm 0: can't get to its target");
   EXPECT_EQ(troubles[0].count, 1);
   EXPECT_NEAR(troubles[0].first, 1.1, 0.15);
 }

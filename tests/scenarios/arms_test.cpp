@@ -1,8 +1,8 @@
 // Robots with arms walk by the stacks of the others, and their hands follow the operator.
-#include "surefoot/base/error.hpp"
 #include "surefoot/closed_loop/closed_loop.hpp"
 #include "surefoot/config/scenario_file.hpp"
 #include "tests/scenarios/loop.hpp"
+#include "tests/support/messages.hpp"
 
 #include <gtest/gtest.h>
 
@@ -74,15 +74,14 @@ TEST(Arms, KeepStillWhereTheTipCanNotFollow) {
   }
 }
 
-TEST(Arms, ThatTheRobotDoesNotHaveCanNotReach) {
-  try {
-    (void)config::load_scenario({"reach", 1, {"robot=anymal_b"}});
-    FAIL();
-  } catch (const Error& error) {
-    EXPECT_NE(std::string(error.what()).find("reach.arm: is 0, but the robot has no arms"),
-              std::string::npos)
-        << error.what();
-  }
+TEST(Arms, ThatTheRobotDoesNotHaveOrNoTaskFollowsCanNotReach) {
+  const auto error_of = [](std::vector<std::string> assignments) {
+    return test::message_of(
+        [&] { (void)config::load_scenario({"reach", 1, std::move(assignments)}); });
+  };
+  EXPECT_TRUE(
+      test::holds(error_of({"robot=anymal_b"}), "reach.arm: is 0, but the robot has no arms"));
+  EXPECT_TRUE(test::holds(error_of({"stack=flat_feet"}), "reach.arm: no task of the stack"));
 }
 
 }  // namespace
