@@ -17,12 +17,14 @@
 
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/string.h>
+#include <nanobind/stl/tuple.h>
 #include <nanobind/stl/vector.h>
 
 #include <cmath>
 #include <functional>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <vector>
 
 namespace surefoot::python {
@@ -47,6 +49,18 @@ void bind_criterion(nb::module_& module) {
           "limits", [](const CriterionResult& self) { return limits(self.criterion); }, "in words")
       .def_ro("value", &CriterionResult::value, "of the metric; 1 and 0 for true and false")
       .def_ro("passed", &CriterionResult::passed, "None: not judged, as the run was too short")
+      .def("__getstate__",
+           [](const CriterionResult& self) {
+             const auto& [metric, min, max, equals] = self.criterion;
+             return std::make_tuple(metric, min, max, equals, self.value, self.passed);
+           })
+      .def("__setstate__",
+           [](CriterionResult& self,
+              const std::tuple<std::string, std::optional<double>, std::optional<double>,
+                               std::optional<bool>, double, std::optional<bool>>& state) {
+             const auto& [metric, min, max, equals, value, passed] = state;
+             new (&self) CriterionResult{{metric, min, max, equals}, value, passed};
+           })
       .def("__repr__", [](const CriterionResult& self) {
         return "<" + self.criterion.metric + " " + limits(self.criterion) +
                (!self.passed   ? ": not judged, "

@@ -41,6 +41,12 @@ inline std::string unit_in(std::string_view description) {
   return std::string(description.substr(begin + 1, description.rfind(']') - begin - 1));
 }
 
+inline void append(FrameList& list, const FramePlan& frame) {
+  if (list.count == FrameList::kMost)
+    throw Error("a plan has at most " + std::to_string(FrameList::kMost) + " frames");
+  list.add(frame);
+}
+
 /// Gives a class one property for each field of its struct, by the functions `fields` that also
 /// define the log: the same names, units and frames, written down once.
 ///
@@ -154,20 +160,15 @@ class FieldProperties {
     type_.def_prop_ro(name, get, doc.c_str());
   }
 
-  /// A list that is set as a whole.
   void add(const char* name, Place<FrameList> place, const std::string& doc) {
-    const auto get = [place](Self self) {
-      return std::vector<FramePlan>(place.in(self).begin(), place.in(self).end());
-    };
+    const auto get = [place](Self self) -> FrameList& { return place.in(self); };
     const auto set = [place](Self self, const std::vector<FramePlan>& frames) {
-      if (frames.size() > FrameList::kMost)
-        throw Error("a plan has at most " + std::to_string(FrameList::kMost) + " frames; " +
-                    std::to_string(frames.size()) + " were given");
-      FrameList& list = place.in(self);
-      list = {};
-      for (const FramePlan& frame : frames) list.add(frame);
+      FrameList list;
+      for (const FramePlan& frame : frames) append(list, frame);
+      place.in(self) = list;
     };
-    type_.def_prop_rw(name, get, set, doc.c_str());
+    type_.def_prop_rw(name, get, set, nb::for_getter(nb::rv_policy::reference_internal),
+                      doc.c_str());
   }
 
   /// A copy, because the order in memory is x, y, z, w; read-only, so that nobody writes into it.

@@ -3,6 +3,7 @@
 #include "surefoot/base/error.hpp"
 #include "surefoot/base/nearest_name.hpp"
 #include "surefoot/config/number_range.hpp"
+#include "surefoot/config/row_ids.hpp"
 #include "surefoot/math/numbers.hpp"
 #include "surefoot/solver/hierarchy.hpp"
 
@@ -52,7 +53,7 @@ Array numbers_of(nb::handle given, const std::string& name, std::size_t axes, co
 struct Block {
   std::string key;
   std::vector<std::string> names;
-  std::vector<int> ids;  ///< empty: rows are known by their places
+  std::vector<int> ids;
   solver::Rows::RowMajor A;
   Eigen::VectorXd lower, upper, weights;
 };
@@ -86,8 +87,8 @@ class LevelDict {
     fail("damping " + config::not_positive(text(nb::repr(dict_["damping"]))));
   }
 
-  /// In the order A, D.
-  [[nodiscard]] std::vector<Block> blocks() const {
+  /// In the order A, D; `ids` gets those of their rows.
+  [[nodiscard]] std::vector<Block> blocks(config::RowIds& ids) const {
     const bool has_bounds = has("lower") || has("f");
     if (has("upper") || (has("A") && !has("b") && !has("D") && has_bounds))
       fail(config::kRowsWithBounds + given());
@@ -101,6 +102,12 @@ class LevelDict {
     std::vector<Block> blocks;
     if (has("A")) blocks.push_back(block("A", "b", "b"));
     if (has("D")) blocks.push_back(block("D", "lower", "f"));
+    for (const Block& each : blocks) {
+      for (std::size_t i = 0; i < each.ids.size(); ++i)
+        if (!ids.take(each.ids[i]))
+          fail(config::RowIds::taken(each.key + "_ids", i + 1, std::to_string(each.ids[i])));
+    }
+    for (Block& each : blocks) ids.fill_up(static_cast<std::size_t>(each.A.rows()), each.ids);
     return blocks;
   }
 

@@ -53,8 +53,10 @@ void bind_estimator(nb::module_& module) {
           [](Self* self, const config::Scenario& scenario) {
             new (self) Self{{[robot = scenario.robot, options = scenario.estimator,
                               period = scenario.controller.period] {
-              return std::make_unique<estimation::LegInertialEstimator>(robot, options, period);
-            }}};
+                               return std::make_unique<estimation::LegInertialEstimator>(
+                                   robot, options, period);
+                             },
+                             scenario.robot.name}};
           },
           nb::arg("scenario"), "With the library's, which super().update() then asks.")
       .def(
@@ -64,7 +66,7 @@ void bind_estimator(nb::module_& module) {
           },
           nb::arg("reading"), nb::arg("context"),
           "A tick: the state now, in a world W of its own. Numbers that are not known are NaN; the "
-          "controller\nestimates foot_force itself.")
+          "controller\nestimates foot_force, external forces and slips itself, over what is there.")
       .def(
           "restart",
           [](Self& self) {
@@ -75,8 +77,8 @@ void bind_estimator(nb::module_& module) {
 }
 
 std::unique_ptr<estimation::StateEstimator> own_estimator(const SharedObject& object,
-                                                          const model::RobotDescription&) {
-  begin_anew<BoundEstimator>(object, "reading, context");
+                                                          const model::RobotDescription& robot) {
+  begin_anew<BoundEstimator>(object, "reading, context", robot);
   return std::make_unique<PythonEstimator>(object);
 }
 

@@ -12,6 +12,7 @@
 
 #include <functional>
 #include <memory>
+#include <string>
 #include <utility>
 
 namespace surefoot::python {
@@ -37,6 +38,7 @@ class SharedObject {
 template <typename Part>
 struct BoundPart {
   std::function<std::unique_ptr<Part>()> make;
+  std::string robot{};  ///< that it is made for, by name
   std::unique_ptr<Part> library = make ? make() : nullptr;
 };
 
@@ -44,9 +46,10 @@ struct BoundPart {
 /// takes other arguments. `takes`: what is valid.
 void check_update(nb::handle object, nb::handle base, bool asks_library, const char* takes);
 
-/// Before a controller takes it: what it remembers of another run is gone.
+/// Before a controller of the robot takes it: what it remembers of another run is gone.
 template <typename Bound>
-void begin_anew(const SharedObject& object, const char* takes) {
+void begin_anew(const SharedObject& object, const char* takes,
+                const model::RobotDescription& robot) {
   const nb::gil_scoped_acquire python;
   if (nb::inst_check(*object) && !nb::inst_ready(*object))
     throw Error(text_of((*object).type().attr("__name__")) +
@@ -54,6 +57,10 @@ void begin_anew(const SharedObject& object, const char* takes) {
   Bound* base = nullptr;
   (void)nb::try_cast<Bound*>(*object, base);
   check_update(*object, nb::type<Bound>(), base != nullptr && base->make, takes);
+  if (base != nullptr && base->make && base->robot != robot.name)
+    throw Error(text_of((*object).type().attr("__name__")) + " is of the robot " + base->robot +
+                ", and the controller of " + robot.name +
+                "; both of the same scenario would be valid");
   (*object).attr("restart")();
   if (base != nullptr && base->make) base->library = base->make();
 }

@@ -5,9 +5,12 @@
 #include "python/named_command.hpp"
 #include "python/numbers.hpp"
 #include "python/own_parts.hpp"
+#include "surefoot/base/formatted.hpp"
 
 #include <cmath>
 #include <memory>
+#include <string>
+#include <utility>
 
 namespace surefoot::python {
 namespace {
@@ -63,6 +66,13 @@ class PythonPlanner final : public gaits::MotionPlanner {
 
 MotionPlan standing_plan(const NamedDynamics& dynamics, double time, double friction,
                          double force_max) {
+  check_finite(time, "time");
+  for (const auto& [value, name] : {std::pair(friction, std::string("friction")),
+                                    std::pair(force_max, std::string("force_max"))}) {
+    check_finite(value, name);
+    if (value < 0.0)
+      throw Error(name + formatted(" is %g; a number of at least 0 would be valid", value));
+  }
   const model::Dynamics& now = dynamics.values;
   const int num_legs = now.num_legs();
   MotionPlan plan;
@@ -103,9 +113,10 @@ void bind_planner(nb::module_& module) {
           "__init__",
           [](Self* self, const config::Scenario& scenario) {
             new (self) Self{[options = scenario.controller, scale = scenario.robot.scale] {
-              return gaits::make_planner(options.planner, options.period, scale, options.gaits,
-                                         options.first_gait);
-            }};
+                              return gaits::make_planner(options.planner, options.period, scale,
+                                                         options.gaits, options.first_gait);
+                            },
+                            scenario.robot.name};
           },
           nb::arg("scenario"), "With the library's, which super().update() then asks.")
       .def(
@@ -135,7 +146,7 @@ void bind_planner(nb::module_& module) {
 
 std::unique_ptr<gaits::MotionPlanner> own_planner(const SharedObject& object,
                                                   const model::RobotDescription& robot) {
-  begin_anew<BoundPlanner>(object, "user, state, dynamics, last");
+  begin_anew<BoundPlanner>(object, "user, state, dynamics, last", robot);
   const nb::gil_scoped_acquire python;
   return std::make_unique<PythonPlanner>(object, robot);
 }

@@ -34,6 +34,19 @@ std::string shown_short(nb::handle given) {
   return text_of(nb::module_::import_("surefoot._arguments").attr("shown")(given));
 }
 
+[[noreturn]] void refuse(const nb::object& task, const char* attribute, const std::string& valid) {
+  throw Error("task \"" + text_of(task.attr("task")) + "\": " + attribute + " is " +
+              shown_short(task.attr(attribute)) + "; " + valid + " would be valid");
+}
+
+/// Of a task of the user's. Throws Error if it is none; `valid`: what would be.
+template <typename T>
+T attribute(const nb::object& task, const char* name, const std::string& valid) {
+  T value;
+  if (!nb::try_cast(task.attr(name), value)) refuse(task, name, valid);
+  return value;
+}
+
 template <typename Array>
 Array numbers(nb::handle given, const char* what) {
   const nb::object made =
@@ -48,19 +61,20 @@ class PythonTask final : public tasks::Task {
  public:
   explicit PythonTask(const SharedObject& object) : object_(object) {
     const nb::object& task = *object;
-    name_ = nb::cast<std::string>(task.attr("task"));
-    const nb::object most = task.attr("max_rows");
-    if (!nb::try_cast<int>(most, max_rows_) || max_rows_ < 1 || max_rows_ > tasks::Task::kMostRows)
-      throw Error("task \"" + name_ + "\": max_rows is " + text_of(nb::repr(most)) +
-                  "; the largest number of rows that rows() gives, from 1 to " +
-                  std::to_string(tasks::Task::kMostRows) + ", is valid");
-    row_names_ = nb::cast<std::vector<std::string>>(task.attr("row_names"));
+    name_ = attribute<std::string>(task, "task", "a text");
+    unit_ = attribute<std::string>(task, "unit", "a text");
+    row_names_ = attribute<std::vector<std::string>>(task, "row_names", "a list of texts");
+    const std::string most = "the largest number of rows that rows() gives, from 1 to " +
+                             std::to_string(tasks::Task::kMostRows) + ",";
+    max_rows_ = attribute<int>(task, "max_rows", most);
+    if (max_rows_ < 1 || max_rows_ > tasks::Task::kMostRows) refuse(task, "max_rows", most);
     if (row_names_.size() > static_cast<std::size_t>(max_rows_))
       throw Error("task \"" + name_ + "\": row_names has " + std::to_string(row_names_.size()) +
                   " names, and max_rows is " + std::to_string(max_rows_) +
                   "; as many names as rows, or fewer, are valid");
   }
 
+  [[nodiscard]] const std::string& unit() const { return unit_; }
   int max_rows() const override { return max_rows_; }
   std::string_view name() const override { return name_; }
   std::string row_name(int id) const override {
@@ -107,7 +121,7 @@ class PythonTask final : public tasks::Task {
   }
 
   SharedObject object_;
-  std::string name_;
+  std::string name_, unit_;
   int max_rows_ = 0;
   std::vector<std::string> row_names_;
   mutable std::shared_ptr<Robot> robot_;  // made when it is known
@@ -149,9 +163,8 @@ tasks::OwnTasks own_tasks(const nb::list& list) {
     if (!nb::hasattr(each, "rows"))
       throw Error("own has " + text_of(nb::repr(each)) + "; an OwnTask would be valid");
     const SharedObject object(nb::borrow<nb::object>(each));
-    (void)PythonTask(object);  // refuses one without rows
-    own.add({.info = {.name = nb::cast<std::string>(each.attr("task")),
-                      .unit = nb::cast<std::string>(each.attr("unit"))},
+    const PythonTask task(object);  // refuses one that makes no sense
+    own.add({.info = {.name = std::string(task.name()), .unit = task.unit()},
              .make = [object](const tasks::TaskParameters&) -> std::unique_ptr<tasks::Task> {
                const nb::gil_scoped_acquire python;
                return std::make_unique<PythonTask>(object);

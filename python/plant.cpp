@@ -84,6 +84,11 @@ void push(BoundPlant& self, const std::vector<double>& force, const std::string&
   check_duration(duration);
   check_finite(duration, "duration");
   check_finite(push.time, "time");
+  if (push.time < self->time() - kTimeRounding)
+    throw Error(
+        formatted("time is %g s, and the plant is at %g s; a time from then on would be "
+                  "valid",
+                  push.time, self->time()));
   push.time = std::max(push.time, self->time());
   self->push(push);
   if (body.empty()) push.body = self.base();
@@ -124,7 +129,7 @@ void bind_plant(nb::module_& module) {
       .def("push", &push, nb::arg("force"), nb::arg("body") = "", nb::arg("duration") = 0.1,
            nb::arg("time") = nb::none(),
            "Pushes a link of the URDF, by default the base, with a force [N] along the axes of the "
-           "ground, from a time on [s]; without it from now on.")
+           "ground, from a time on [s], which has not passed; without it from now on.")
       .def_prop_ro(
           "bodies", [](const Self& self) { return self->bodies(); }, "links that can be pushed")
       .def("fail", &fail, nb::arg("sensor"), nb::arg("kind") = "stops",

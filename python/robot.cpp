@@ -30,6 +30,7 @@ Robot::Robot(const std::string& name_or_path) : file_(name_or_path) {
     file_ = config::find_data_file("robots", name_or_path);
     description_ = config::load_robot(file_);
   }
+  source_ = std::filesystem::absolute(is_description ? name_or_path : file_);
 }
 
 Robot::Robot(const doctor::Diagnosis& diagnosis) { guess(diagnosis); }
@@ -246,6 +247,17 @@ void bind_robot(nb::module_& module) {
           "By the name of a robot that ships, or as a path of a robot file (.yaml), a URDF (.urdf) "
           "or an MJCF (.xml).\nOf the latter two, what the doctor guesses stands in for what they "
           "lack: see doctor().")
+      .def("__copy__", [](nb::handle_t<Self> self) { return self; })
+      .def("__deepcopy__", [](nb::handle_t<Self> self, nb::handle) { return self; })
+      .def("__reduce__",
+           [](nb::handle_t<Self> self) {
+             const std::string& source = nb::inst_ptr<Self>(self)->source();
+             if (source.empty())
+               throw nb::type_error(
+                   "only a Robot(name_or_path) can be pickled; of a scenario, pickle that and take "
+                   "its robot_model there; of a diagnosis, write() a robot file first");
+             return nb::make_tuple(self.type(), nb::make_tuple(source));
+           })
       .def("__repr__",
            [](const Self& self) {
              const model::RobotDescription& given = self.description();

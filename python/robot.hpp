@@ -23,6 +23,8 @@ class Robot {
   [[nodiscard]] const model::RobotDescription& description() const { return description_; }
   /// That a scenario can name; it goes with the object if it was guessed.
   [[nodiscard]] const std::string& file() const { return file_; }
+  /// The path that makes the same robot again; empty: there is none.
+  [[nodiscard]] const std::string& source() const { return source_; }
   [[nodiscard]] model::RobotModel& model();
   [[nodiscard]] const model::Frames& frames();
 
@@ -30,7 +32,7 @@ class Robot {
   void guess(const doctor::Diagnosis& diagnosis);
 
   model::RobotDescription description_;
-  std::string file_;
+  std::string file_, source_;
   std::shared_ptr<const doctor::GuessedFile> guessed_;
   std::optional<model::RobotModel> model_;  // once they are asked for
   std::optional<model::Frames> frames_;

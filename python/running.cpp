@@ -13,12 +13,15 @@
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/string_view.h>
+#include <nanobind/stl/tuple.h>
 #include <nanobind/stl/vector.h>
 
+#include <cstdint>
 #include <exception>
 #include <functional>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -27,53 +30,62 @@ namespace {
 
 using evaluation::CriterionResult;
 
-/// `Result` in Python.
+/// `Result` in Python: data, which `pickle` may send to another process.
 struct Result {
   std::string scenario;
-  closed_loop::RunResult run;
   std::optional<std::string> log;
+  evaluation::Metrics metrics;
+  std::vector<CriterionResult> criteria;
+  std::vector<std::string> events, notes;
+  std::string fault;
+  std::uint64_t torques_hash = 0;
 };
 
-std::vector<std::string> events(const Result& self) {
+/// Of events and troubles, a line each.
+std::vector<std::string> event_lines(const closed_loop::RunResult& run) {
   std::vector<std::string> lines;
-  for (const evaluation::EventCount& each : self.run.events)
+  for (const evaluation::EventCount& each : run.events)
     lines.push_back(std::string(name(each.event)) +
                     formatted(": %d, first at %.4f s", each.count, each.first));
-  for (const closed_loop::TroubleCount& each : self.run.troubles)
+  for (const closed_loop::TroubleCount& each : run.troubles)
     lines.push_back(each.what + formatted(": %d, first at %.4f s", each.count, each.first));
   return lines;
 }
+
+using ResultState =
+    std::tuple<std::string, std::optional<std::string>, nb::dict, std::vector<CriterionResult>,
+               std::vector<std::string>, std::vector<std::string>, std::string, std::uint64_t>;
 
 void bind_result(nb::module_& module) {
   using Self = Result;
   nb::class_<Self>(module, "Result", "How a run went.")
       .def_prop_ro(
-          "succeeded", [](const Self& self) { return self.run.metrics.succeeded; },
+          "succeeded", [](const Self& self) { return self.metrics.succeeded; },
           "all criteria held, the controller did not stop, and no part of your own failed; None: "
           "not "
           "judged")
       .def_prop_ro(
-          "reason", [](const Self& self) { return self.run.metrics.reason; }, "why it ended")
+          "reason", [](const Self& self) { return self.metrics.reason; }, "why it ended")
       .def_prop_ro(
-          "metrics", [](const Self& self) { return as_dict(self.run.metrics); },
+          "metrics", [](const Self& self) { return as_dict(self.metrics); },
           nb::sig("def metrics(self) -> dict[str, typing.Any]"),
           "by name, each with its unit in it; NaN: not measured")
       .def_prop_ro(
-          "fault", [](const Self& self) { return self.run.fault; },
+          "fault", [](const Self& self) { return self.fault; },
           "what a part of your own did wrong last; empty if nothing")
       .def_prop_ro(
-          "criteria", [](const Self& self) { return self.run.criteria; }, "of the scenario")
-      .def_prop_ro("events", &events, "notable ones, and faults: a line each")
+          "criteria", [](const Self& self) { return self.criteria; }, "of the scenario")
+      .def_ro("events", &Self::events, "notable ones, and faults: a line each")
       .def_prop_ro(
-          "notes", [](const Self& self) { return self.run.notes; }, "lines worth telling")
+          "notes", [](const Self& self) { return self.notes; }, "lines worth telling")
       .def_prop_ro(
-          "torques_hash", [](const Self& self) { return self.run.torques_hash; },
+          "torques_hash", [](const Self& self) { return self.torques_hash; },
           "of all commanded torques: equal for runs that are equal to the bit")
       .def_ro("log", &Self::log, "its path, if it was recorded")
       .def(
           "__getitem__",
           [](const Self& self, const std::string& metric) {
-            const Metrics metrics = as_dict(self.run.metrics);
+            const Metrics metrics = as_dict(self.metrics);
             if (!metrics.contains(metric.c_str())) {
               const auto names = nb::cast<std::vector<std::string>>(nb::list(metrics));
               throw nb::key_error(
@@ -82,17 +94,28 @@ void bind_result(nb::module_& module) {
             return nb::object(metrics[metric.c_str()]);
           },
           nb::sig("def __getitem__(self, metric: str) -> typing.Any"))
-      .def("__repr__", [](const Self& self) {
-        std::string missed;
-        for (const CriterionResult& each : self.run.criteria)
-          if (each.passed == false)
-            missed += (missed.empty() ? "; missed: " : ", ") + each.criterion.metric;
-        return "<run of " + self.scenario +
-               (!self.run.metrics.succeeded   ? ", not judged"
-                : *self.run.metrics.succeeded ? ", succeeded"
-                                              : ", did not succeed") +
-               formatted(", %.4g s: ", self.run.metrics.duration_s) + self.run.metrics.reason +
-               missed + ">";
+      .def("__repr__",
+           [](const Self& self) {
+             std::string missed;
+             for (const CriterionResult& each : self.criteria)
+               if (each.passed == false)
+                 missed += (missed.empty() ? "; missed: " : ", ") + each.criterion.metric;
+             return "<run of " + self.scenario +
+                    (!self.metrics.succeeded   ? ", not judged"
+                     : *self.metrics.succeeded ? ", succeeded"
+                                               : ", did not succeed") +
+                    formatted(", %.4g s: ", self.metrics.duration_s) + self.metrics.reason +
+                    missed + ">";
+           })
+      .def("__getstate__",
+           [](const Self& self) {
+             return ResultState(self.scenario, self.log, as_dict(self.metrics), self.criteria,
+                                self.events, self.notes, self.fault, self.torques_hash);
+           })
+      .def("__setstate__", [](Self& self, const ResultState& state) {
+        const auto& [scenario, log, metrics, criteria, events, notes, fault, torques_hash] = state;
+        new (&self)
+            Self{scenario, log, metrics_of(metrics), criteria, events, notes, fault, torques_hash};
       });
 }
 
@@ -194,16 +217,17 @@ Result run(const config::Scenario& scenario, const std::optional<std::string>& r
       return own_planner(shared, scenario.robot);
     };
   options.steering = hook ? &*hook : nullptr;
-  Result result{scenario.name, {}, record};
+  closed_loop::RunResult run;
   {
     const nb::gil_scoped_release others_may_run;
-    result.run = closed_loop::run_closed_loop(scenario, options);
+    run = closed_loop::run_closed_loop(scenario, options);
   }
   interrupt.raise();
   if (hook) hook->raise();
-  if (const std::string& fault = result.run.fault; !fault.empty())
-    if (PyErr_WarnEx(PyExc_RuntimeWarning, fault.c_str(), 4) != 0) throw nb::python_error();
-  return result;
+  if (!run.fault.empty())
+    if (PyErr_WarnEx(PyExc_RuntimeWarning, run.fault.c_str(), 4) != 0) throw nb::python_error();
+  return {scenario.name,    record,    run.metrics, run.criteria,
+          event_lines(run), run.notes, run.fault,   run.torques_hash};
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 #include "python/field_properties.hpp"
 #include "python/joint_command.hpp"
 #include "python/named_command.hpp"
+#include "surefoot/base/formatted.hpp"
 #include "surefoot/signals/plan_event.hpp"
 #include "surefoot/signals/tick_context.hpp"
 
@@ -79,6 +80,32 @@ void bind_context(nb::module_& module) {
       .def_ro("off_its_feet", &TickContext::off_its_feet, "lifted, or lying");
   def_view(context, "joint_velocity", &TickContext::joint_velocity,
            "from the encoders, observed [rad/s]");
+}
+
+void bind_frames(nb::module_& module) {
+  nb::class_<FrameList>(module, "FrameList", "The frames of a plan; what is written into it stays.")
+      .def("__len__", [](const FrameList& self) { return self.count; })
+      .def(
+          "__getitem__",
+          [](FrameList& self, nb::ssize_t place) -> FramePlan& {
+            const auto count = static_cast<nb::ssize_t>(self.count);
+            const nb::ssize_t from_begin = place < 0 ? place + count : place;
+            if (from_begin < 0 || from_begin >= count)
+              throw nb::index_error(
+                  formatted("there is no frame %d, of %d", int(place), int(count)).c_str());
+            return self.items[static_cast<std::size_t>(from_begin)];
+          },
+          nb::arg("place"), nb::rv_policy::reference_internal)
+      .def(
+          "__iter__",
+          [](nb::handle_t<FrameList> self) {
+            nb::list frames;
+            for (std::size_t i = 0; i < nb::len(self); ++i) frames.append(self[i]);
+            return nb::iter(frames);
+          },
+          nb::sig("def __iter__(self) -> collections.abc.Iterator[FramePlan]"))
+      .def("append", &append, nb::arg("frame"), "Adds one at the end; a plan has at most 6.")
+      .def("__repr__", [](nb::handle_t<FrameList> self) { return nb::repr(nb::list(self)); });
 }
 
 }  // namespace
@@ -160,7 +187,8 @@ void bind_signals(nb::module_& module) {
             new (self) RobotState(robot_state(num_joints, num_legs));
           },
           nb::arg("num_joints") = kNumLegJoints, nb::arg("num_legs") = kNumLegs,
-          "All unknown, for an estimator to fill in.");
+          "All unknown, for an estimator to fill in; the controller writes foot_force, external "
+          "forces and slips itself.");
   bind_context(module);
   signal<FootPlan>(module, "FootPlan", "Reference of one foot F, the centre of its sphere, in W.");
   signal<TorsoPlan>(module, "TorsoPlan", "Reference of the torso.");
@@ -168,6 +196,7 @@ void bind_signals(nb::module_& module) {
   signal<FramePlan>(module, "FramePlan",
                     "Reference of a frame F in X, which is the base or W: MotionPlan.frames.")
       .def(nb::init<>());
+  bind_frames(module);
   signal<ComPlan>(module, "ComPlan", "Reference of the centre of mass, x and y in W.");
   signal<NamedEvent, GaitEvent>(module, "GaitEvent", "Something that happened at a tick.")
       .def_prop_ro(

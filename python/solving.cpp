@@ -41,8 +41,7 @@ void append(const Block& block, solver::Level& level, std::vector<std::string>& 
             std::vector<double>& weights) {
   for (Eigen::Index i = 0; i < block.A.rows(); ++i) {
     const auto k = static_cast<std::size_t>(i);
-    const int place = static_cast<int>(level.num_rows());
-    solver::Rows row = level.add(1, block.ids.empty() ? place : block.ids[k]);
+    solver::Rows row = level.add(1, block.ids[k]);
     row.A = block.A.row(i);
     row.lower[0] = block.lower[i];
     row.upper[0] = block.upper[i];
@@ -97,7 +96,8 @@ Eigen::Index check_unknowns(const std::vector<LevelDict>& levels,
 }
 
 void append_level(const LevelDict& level, const std::vector<Block>& blocks,
-                  const Eigen::VectorXd& x_ref, config::NamedHierarchy& result) {
+                  const config::RowIds& ids, const Eigen::VectorXd& x_ref,
+                  config::NamedHierarchy& result) {
   Eigen::Index rows = 0;
   for (const Block& block : blocks) rows += block.A.rows();
   const double damping = level.damping();
@@ -108,7 +108,7 @@ void append_level(const LevelDict& level, const std::vector<Block>& blocks,
   result.units.push_back(level.unit());
   for (const Block& block : blocks) append(block, result.hierarchy.level(index), names, weights);
   if (damping == 0.0) return;
-  solver::add_damping(result.hierarchy.level(index), damping, x_ref, static_cast<int>(rows));
+  solver::add_damping(result.hierarchy.level(index), damping, x_ref, ids.first_of(rows));
   append_names("damping", rows, names);
   weights.resize(names.size(), 1.0);
 }
@@ -116,16 +116,17 @@ void append_level(const LevelDict& level, const std::vector<Block>& blocks,
 config::NamedHierarchy read_hierarchy(const nb::list& given, const nb::object& given_reference) {
   std::vector<LevelDict> levels;
   std::vector<std::vector<Block>> blocks;
+  std::vector<config::RowIds> ids;
   for (const nb::handle level : given) {
     levels.emplace_back(level, levels.size() + 1);
-    blocks.push_back(levels.back().blocks());
+    blocks.push_back(levels.back().blocks(ids.emplace_back()));
   }
   const Eigen::Index unknowns = check_unknowns(levels, blocks);
   const std::optional<Eigen::VectorXd> x_ref = read_reference(given_reference, unknowns);
   const Eigen::VectorXd reference = x_ref.value_or(Eigen::VectorXd::Zero(unknowns));
   config::NamedHierarchy result{solver::Hierarchy(unknowns), {}, {}};
   for (std::size_t k = 0; k < levels.size(); ++k)
-    append_level(levels[k], blocks[k], reference, result);
+    append_level(levels[k], blocks[k], ids[k], reference, result);
   if (!x_ref) return result;
   solver::add_reference(result.hierarchy.level(result.hierarchy.add_level("x_ref", unknowns)),
                         reference, 0);
@@ -283,8 +284,9 @@ void bind_solving(nb::module_& module) {
       .def_prop_ro(
           "x",
           [](nb::handle_t<NamedSolution> self) {
-            Eigen::VectorXd& x = nb::inst_ptr<NamedSolution>(self)->solution.x;
-            return View<-1>(x.data(), {static_cast<std::size_t>(x.size())}, self);
+            const Eigen::VectorXd& x = nb::inst_ptr<NamedSolution>(self)->solution.x;
+            return nb::ndarray<nb::numpy, const double, nb::shape<-1>>(
+                x.data(), {static_cast<std::size_t>(x.size())}, self);
           },
           "shape (unknowns,)")
       .def_ro("levels", &NamedSolution::levels, "how each level came out, highest priority first")
@@ -308,6 +310,12 @@ void bind_solving(nb::module_& module) {
            "Why each level came out as it did, as `surefoot solve --explain` tells it: what it\n"
            "missed, which rows above hold it back, and what they cost, in the level's unit. Takes\n"
            "one solve for each row that may hold a level back.")
+      .def("__reduce__",
+           [](const NamedSolution&) -> nb::object {
+             throw nb::type_error(
+                 "a Solution can't be pickled; its x, status, flops and verdict can, and "
+                 "{level.name: level.residual for level in solution.levels}");
+           })
       .def("__repr__", [](nb::handle_t<NamedSolution> self) {
         return nb::str("Solution({!r}, x={}, levels={})")
             .format(self.attr("status"), self.attr("x"), self.attr("levels"));
@@ -323,8 +331,9 @@ void bind_solving(nb::module_& module) {
            "budget: of each solve, as for solve().")
       .def("solve", &Warm::solve, nb::arg("levels"), nb::kw_only(), nb::arg("x_ref") = nb::none(),
            nb::arg("certify") = false,
-           nb::sig("def solve(self, levels: list[dict[str, typing.Any]], *, x_ref: list[float] | "
-                   "None = None, certify: bool = False) -> Solution"),
+           nb::sig("def solve(self, levels: list[dict[str, typing.Any]], *, x_ref: "
+                   "collections.abc.Sequence[float] | None = None, certify: bool = False) -> "
+                   "Solution"),
            "A tick: levels, x_ref and certify as for surefoot.solve(), weights of rows and damping "
            "included.")
       .def("forget", &Warm::forget, "The next solve begins without a guess.")
@@ -339,7 +348,8 @@ void bind_solving(nb::module_& module) {
       "solve", &solve_levels, nb::arg("levels"), nb::kw_only(), nb::arg("x_ref") = nb::none(),
       nb::arg("method") = std::string(name(control::SolverMethod::lexicographic)),
       nb::arg("budget") = std::numeric_limits<double>::infinity(), nb::arg("certify") = false,
-      nb::sig("def solve(levels: list[dict[str, typing.Any]], *, x_ref: list[float] | None = None, "
+      nb::sig("def solve(levels: list[dict[str, typing.Any]], *, x_ref: "
+              "collections.abc.Sequence[float] | None = None, "
               "method: str = 'lexicographic', budget: float = float('inf'), certify: bool = False) "
               "-> Solution"),
       "Solves a strict hierarchy exactly, highest priority first (Eqs. 8–13).\n\n"
@@ -348,7 +358,7 @@ void bind_solving(nb::module_& module) {
       "  D, lower, f   lower ≤ D x ≤ f; one of the two may be missing, and None or infinite is no\n"
       "                bound: a row with none at all asks for nothing\n"
       "  A_names, D_names   what rows are called in the result; A_ids and D_ids, which lines of\n"
-      "                `surefoot dump` have, change nothing\n"
+      "                `surefoot dump` have, change nothing; unique in a level\n"
       "  unit          of the rows, a text for Solution.explain()\n"
       "  A_weights, D_weights   by which each row and its bounds are multiplied, above 0: "
       "residuals\n"

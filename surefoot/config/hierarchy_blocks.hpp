@@ -1,11 +1,11 @@
 #pragma once
 
+#include "surefoot/config/row_ids.hpp"
 #include "surefoot/solver/hierarchy.hpp"
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -50,8 +50,8 @@ struct Block {
 [[nodiscard]] Vector read_numbers(const Json& array, const Place& place);
 [[nodiscard]] double read_positive(const Json& value, const Place& place);
 
-/// Unique ids of a level's rows.
-class LevelIds {
+/// The ids of a level's rows.
+class LevelIds : public RowIds {
  public:
   LevelIds(const Json& level, const Place& place) : level_(level), place_(place) {}
 
@@ -66,26 +66,7 @@ class LevelIds {
     }
     for (const Json& id : *found) {
       ids.push_back(id.get<int>());
-      if (taken_.insert(ids.back()).second) continue;
-      place_.fail(key + ": element " + std::to_string(ids.size()) + " is " + quoted(id) +
-                  ", which another row of the level has; expected one that none has");
-    }
-  }
-
-  /// The first of `count` consecutive free ids.
-  [[nodiscard]] int first_of(Eigen::Index count) const {
-    int first = 0;
-    for (const int id : taken_) {
-      if (id >= first && id < first + count) first = id + 1;
-    }
-    return first;
-  }
-
-  /// Gives rows without ids the free ones of 0, 1, …
-  void fill_up(std::size_t rows, std::vector<int>& ids) {
-    while (ids.size() < rows) {
-      if (taken_.insert(next_).second) ids.push_back(next_);
-      ++next_;
+      if (!take(ids.back())) place_.fail(taken(key, ids.size(), quoted(id)));
     }
   }
 
@@ -96,8 +77,6 @@ class LevelIds {
 
   const Json& level_;
   const Place& place_;
-  std::set<int> taken_;
-  int next_ = 0;
 };
 
 }  // namespace surefoot::config::hierarchy_file

@@ -41,6 +41,7 @@ UserCommand limited(const UserCommand& user) {
 std::string what_is_wrong(const MotionPlan& plan, const model::RobotDescription& robot) {
   if (static_cast<int>(plan.feet.size()) != robot.num_legs())
     return "the planner's plan does not have the robot's number of feet";
+  if (!std::isfinite(plan.time)) return "the planner's plan has NaN or infinity in its time";
   for (const Leg leg : plan.feet.legs()) {
     const std::string wrong = what_is_wrong(plan.feet[index(leg)]);
     if (!wrong.empty())

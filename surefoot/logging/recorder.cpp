@@ -37,6 +37,10 @@ void check_place(const std::string& path) {
     throw FileError(path + " is a folder; the name of a file would be valid, e.g. " + path +
                     "/run.mcap");
   }
+  if (std::filesystem::path(path).extension() != ".mcap") {
+    throw FileError(path +
+                    ": logs are written as MCAP; a name that ends with .mcap would be valid");
+  }
 }
 
 constexpr Recorder::Channel kTick = -1;

@@ -32,7 +32,8 @@ class Recorder {
   /// Appends a message to its argument.
   using Encode = std::function<void(std::string&)>;
 
-  /// Throws FileError, with the other process, while another recorder writes to the same path.
+  /// Throws FileError for a path that does not end with .mcap, which may be another file of the
+  /// user's, and, with the other process, while another recorder writes to the same path.
   Recorder(std::string path, LogHeader header, RecorderOptions options = {});
   /// Without `close`: completes the ticks so far to a readable file, still named `.partial`.
   ~Recorder();

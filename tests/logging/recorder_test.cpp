@@ -297,13 +297,15 @@ TEST(Recorder, ALogThatIsBeingRecordedIsNotRecordedByAnother) {
   EXPECT_NO_THROW(Recorder(path, SyntheticRun::header()));
 }
 
-TEST(Recorder, AMissingFolderAndAFolderInPlaceOfAFileAreNamed) {
+TEST(Recorder, AMissingFolderAFolderInPlaceOfAFileAndAnotherKindOfFileAreNamed) {
   const TemporaryFolder folder;
   const auto told = [](const std::string& path) {
     return message_of([&] { Recorder recorder(path, SyntheticRun::header()); });
   };
   EXPECT_TRUE(holds(told(folder / "none/run.mcap"), folder / "none"));
   EXPECT_EQ(told(folder.path()).find(folder.path() + " is a folder"), 0u);
+  EXPECT_TRUE(holds(told(folder / "run.py"), "a name that ends with .mcap would be valid"));
+  EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
 }
 
 // While it lives no file may grow beyond some bytes: as if the disk were full.

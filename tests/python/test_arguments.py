@@ -89,7 +89,8 @@ class World:
             "TickTiming": self.controller.timing, "Tick": self.tick, "Solution": surefoot.solve([{"A": [[1.0]], "b": [1.0]}]),
         }  # fmt: skip
         inside = {"Alignment": lambda: surefoot.Aligner().update(self.plant, self.controller), "TrueContact": lambda: self.plant.truth.feet["LF"],
-                  "WorldPose": lambda: surefoot.Aligner().update(self.plant, self.controller).feet}  # fmt: skip
+                  "WorldPose": lambda: surefoot.Aligner().update(self.plant, self.controller).feet,
+                  "FrameList": lambda: surefoot.MotionPlan().frames}  # fmt: skip
         return made[kind.__name__] if kind.__name__ in made else inside.get(kind.__name__, kind)()
 
 

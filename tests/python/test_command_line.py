@@ -245,10 +245,10 @@ def test_an_output_that_can_not_be_written_is_told_before_the_run(tmp_path):
     (tmp_path / "file").write_text("in the way")
     start = time.monotonic()
     for option, place in [("--record", tmp_path / "none/run.mcap"), ("--record", tmp_path), ("--report", tmp_path / "file/report"),
-                          ("--report", "/proc/report"), ("--record", "/proc/run.mcap")]:  # fmt: skip
+                          ("--report", "/proc/report"), ("--record", "/proc/run.mcap"), ("--record", tmp_path / "file")]:  # fmt: skip
         assert str(place) in complaint("run", "walk_flat", option, place)
     assert time.monotonic() - start < 5
-    assert [entry.name for entry in tmp_path.iterdir()] == ["file"]
+    assert [entry.name for entry in tmp_path.iterdir()] == ["file"] and (tmp_path / "file").read_text() == "in the way"
 
 
 @pytest.fixture

@@ -129,6 +129,14 @@ def test_a_warm_solver_gives_the_answers_of_a_cold_one_in_fewer_sweeps():
     assert warm.num_sweeps > 1 and repr(warm).startswith("<hierarchical solver, ")
 
 
+def test_an_answer_does_not_change():
+    solution = surefoot.solve([{"name": "wish", "A": [[1, 1]], "b": [2]}], x_ref=np.array([1.0, 0.0]))
+    before = str(solution.explain())
+    with pytest.raises(ValueError, match="read-only"):
+        solution.x[0] = 100
+    assert solution.x == pytest.approx([1.5, 0.5]) and str(solution.explain()) == before
+
+
 def test_a_warm_solver_knows_rows_by_their_ids_wherever_they_are():
     D, f = np.vstack([np.eye(6), -np.eye(6)]), np.full(12, 0.5)
     wish = {"name": "wish", "A": np.eye(6), "b": [9, -9, 9, -9, 9, 0]}
@@ -141,6 +149,12 @@ def test_a_warm_solver_knows_rows_by_their_ids_wherever_they_are():
     straight, turned = list(range(12)), list(range(11, -1, -1))
     assert sweeps(straight, straight) > 1 and sweeps(straight, straight) == 1
     assert sweeps(turned, turned) == 1
+    for solve in (surefoot.solve, warm.solve):
+        for ids, said in [({"A_ids": [3, 3]}, "A_ids: element 2 is 3"), ({"A_ids": [1, 3], "D_ids": [3]}, "D_ids: element 1 is 3")]:
+            with pytest.raises(surefoot.Error, match=f"level 1: {said}, which another row of the level has; expected one that none has"):
+                solve([{"A": np.eye(2), "b": [1, 2], "D": [[1, 1]], "f": [2], **ids}])
+    mixed = {"A": np.eye(2), "b": [1, 2], "D": [[1, 1]], "f": [2], "damping": 0.1}  # ids that places have, too
+    assert warm.solve([mixed | {"A_ids": [2, 4]}]).x == pytest.approx(surefoot.solve([mixed]).x)
     with pytest.raises(surefoot.Error, match="D_ids has 2 elements, D has 12 rows"):
         warm.solve([{"D": D, "f": f, "D_ids": [1, 2]}])
     with pytest.raises(surefoot.Error, match="a budget is a number of flops"):

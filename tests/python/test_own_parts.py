@@ -136,10 +136,24 @@ def test_parts_that_take_longer_than_a_tick_are_told():
     assert note.startswith("the stage of your own planner takes ")
 
 
+@pytest.mark.parametrize("attribute, given, said", [
+    ("max_rows", "3", "max_rows is the text '3'; the largest number of rows"),
+    ("unit", 3, "unit is 3; a text"), ("unit", None, "unit is None; a text"),
+    ("row_names", "xyz", "row_names is the text 'xyz'; a list of texts"), ("row_names", [1, 2], r"row_names is \[1, 2\]; a list of texts"),
+    ("row_names", None, "row_names is None; a list of texts"),
+])  # fmt: skip
+def test_an_attribute_of_a_task_that_makes_no_sense_is_named(monkeypatch, attribute, given, said):
+    odd = type("Odd", (Height,), {attribute: given})("odd")
+    monkeypatch.setattr(surefoot.stack, "_registered", {"odd": odd})  # as one that was changed later
+    for use in (lambda: Stack("terrain_adaptation").last(odd), lambda: Stack("terrain_adaptation"), lambda: surefoot.load_scenario("walk_flat")):
+        with pytest.raises(surefoot.Error, match=f'task "odd": {said}.* would be valid'):
+            use()
+
+
 @pytest.mark.parametrize("make, said", [
     (lambda: type("Sizeless", (OwnTask,), {"rows": raising})("sizeless"), "max_rows is 0; the largest number of rows that rows"),
     (lambda: Height("com_xy"), "com_xy"),
-    (lambda: type("Vast", (OwnTask,), {"max_rows": 10**7, "rows": raising})("vast"), "max_rows is 10000000; .* from 1 to 1000, is valid"),
+    (lambda: type("Vast", (OwnTask,), {"max_rows": 10**7, "rows": raising})("vast"), "max_rows is 10000000; .* from 1 to 1000, would be valid"),
     (lambda: type("Named", (OwnTask,), {"max_rows": 1, "row_names": ["a", "b"], "rows": raising})("named"), "row_names has 2 names, and max_rows is 1"),
     (lambda: type("Writes", (OwnTask,), {"max_rows": 3, "write": lambda self, tick: None})("writes"), "Writes has no rows"),
     (lambda: Height("a: b"), "is no name of a level"),
@@ -242,6 +256,42 @@ def test_feet_whose_limits_make_no_sense_are_told(change, said):
 
     with pytest.warns(RuntimeWarning, match=f"{said} in foot LF"):
         assert not surefoot.run("walk_flat_ideal", set=["duration=1"], planner=Odd())["fell"]
+
+
+def test_a_plan_without_a_time_is_told():
+    class Timeless(Still):
+        def update(self, user, state, dynamics, last):
+            plan = super().update(user, state, dynamics, last)
+            plan.time = np.nan
+            return plan
+
+    with pytest.warns(RuntimeWarning, match="the planner's plan has NaN or infinity in its time"):
+        assert surefoot.run("walk_flat_ideal", set=["duration=1"], planner=Timeless()).succeeded is False
+
+
+@pytest.mark.parametrize("given, said", [
+    ({"time": np.nan}, "time is nan"), ({"friction": -1.0}, "friction is -1; a number of at least 0 would be valid"),
+    ({"friction": np.inf}, "friction is inf"), ({"force_max": -1.0}, "force_max is -1"),
+])  # fmt: skip
+def test_a_standing_plan_that_no_controller_would_follow_is_not_made(given, said):
+    with pytest.raises(surefoot.Error, match=said):
+        surefoot.standing_plan(surefoot.Robot("anymal_b").dynamics(), **given)
+
+
+def test_what_is_written_into_the_frames_of_a_plan_stays():
+    plan, frame = surefoot.MotionPlan(), surefoot.FramePlan()
+    frame.frame = 7
+    plan.frames.append(frame)
+    plan.frames[0].p_XF = [1, 2, 3]
+    assert len(plan.frames) == 1 and [(each.frame, list(each.p_XF)) for each in plan.frames] == [(7, [1, 2, 3])]
+    plan.frames = [*plan.frames, frame]
+    plan.frames = plan.frames
+    assert plan.frames[-1].p_XF[2] == 0 and plan.frames[0].p_XF[2] == 3 and "frame=7" in repr(plan.frames)
+    with pytest.raises(IndexError, match="there is no frame 2, of 2"):
+        plan.frames[2]
+    for more in (lambda: [plan.frames.append(frame) for _ in range(5)], lambda: setattr(plan, "frames", [frame] * 7)):
+        with pytest.raises(surefoot.Error, match="a plan has at most 6 frames"):
+            more()
 
 
 @pytest.mark.parametrize("methods, said", [

@@ -89,6 +89,42 @@ def test_a_run_is_that_of_the_program_to_the_bit(scenario):
         ours["com_error"]
 
 
+@pytest.mark.parametrize("changes", [["duration=0.5"], ["duration=3", "criteria={steps_taken: {min: 900}}"]])
+def test_the_result_of_a_run_comes_back_from_another_process(changes):
+    with multiprocessing.get_context("spawn").Pool(1) as pool:
+        [sent] = pool.map(partial(surefoot.run, set=changes, seed=3), ["walk_flat"])
+    here = surefoot.run("walk_flat", set=changes, seed=3)
+    by_clock = {"tick_us", "solve_us", "realtime_factor"}
+    assert [*sent.metrics] == [*here.metrics]
+    assert all(str(sent[name]) == str(value) for name, value in here.metrics.items() if name not in by_clock)
+    for name in ("succeeded", "reason", "fault", "events", "notes", "torques_hash", "log"):
+        assert getattr(sent, name) == getattr(here, name), name
+    assert str(sent.criteria) == str(here.criteria) and len(sent.criteria) > 0 and repr(sent) == repr(here)
+
+
+def test_a_robot_is_sent_by_its_file_and_what_can_not_be_sent_is_told_with_what_can(scenario, tmp_path, monkeypatch):
+    urdf = pathlib.Path(surefoot.Robot("anymal_b").urdf)
+    monkeypatch.chdir(urdf.parent)
+    sent = [pickle.dumps(surefoot.Robot(name)) for name in ("go1", urdf.name)]
+    monkeypatch.chdir(tmp_path)
+    assert [pickle.loads(each).joint_names[0] for each in sent] == [surefoot.Robot(name).joint_names[0] for name in ("go1", str(urdf))]
+    with pytest.raises(TypeError, match=r"only a Robot\(name_or_path\) can be pickled; of a scenario, pickle that"):
+        pickle.dumps(scenario.robot_model)
+    with pytest.raises(TypeError, match="a Solution can't be pickled; its x"):
+        pickle.dumps(surefoot.solve([{"A": [[1.0]], "b": [1.0]}]))
+
+
+def test_a_log_overwrites_no_file_of_another_kind(scenario, tmp_path):
+    script = tmp_path / "script.py"
+    script.write_text("precious")
+    plant = surefoot.Plant(scenario)
+    controller = surefoot.Controller(scenario, plant)
+    for record in (lambda: surefoot.run(scenario, record=script), lambda: surefoot.Evaluator(scenario, plant, controller, str(script))):
+        with pytest.raises(surefoot.Error, match=r"script.py: logs are written as MCAP; a name that ends with .mcap would be valid"):
+            record()
+    assert script.read_text() == "precious" and [*tmp_path.iterdir()] == [script]
+
+
 def test_other_threads_go_on_while_a_run_runs(scenario):
     counted, done = [0], threading.Event()
 
@@ -188,6 +224,12 @@ def test_pushes_that_make_no_sense_are_refused(scenario):
         plant.push([0, 0, 1], duration=-1)
     with pytest.raises(surefoot.UnknownNameError, match='"nobody"; the robot has: base'):
         plant.push([0, 0, 1], body="nobody")
+    while plant.time < 0.0249:
+        plant.write([0.0] * 12)
+    for time in (0.0, -3.0):
+        with pytest.raises(surefoot.Error, match=f"time is {time:g} s, and the plant is at 0.025 s; a time from then on would be valid"):
+            plant.push([0, 0, 1], time=time, duration=0.01)
+    plant.push([0, 0, 1], time=plant.time)
     assert "LF_SHANK" in plant.bodies
 
 
@@ -263,6 +305,14 @@ def test_what_belongs_to_another_robot_is_refused(scenario):
     controller = surefoot.Controller(scenario, surefoot.Plant(scenario))
     with pytest.raises(surefoot.Error, match=r"reading.q has 18 numbers, and anymal_b has 12 joints; that of SensorReading\(12\) would be valid"):
         controller.step(surefoot.SensorReading(18), surefoot.UserCommand())
+
+
+@pytest.mark.parametrize("base, part", [(surefoot.Planner, "planner"), (surefoot.Estimator, "estimator")])
+def test_a_part_that_asks_the_librarys_of_another_robot_is_refused(scenario, base, part):
+    other = {part: base(surefoot.load_scenario("walk_flat", robot="go1"))}
+    for use in (lambda: surefoot.run(scenario, **other), lambda: surefoot.Controller(scenario, surefoot.Plant(scenario), **other)):
+        with pytest.raises(surefoot.Error, match=f"{base.__name__} is of the robot go1, and the controller of anymal_b; both of the same scenario"):
+            use()
 
 
 def test_an_evaluator_and_an_aligner_are_of_one_robot_and_from_the_first_tick_on(scenario):
