@@ -16,6 +16,10 @@ from surefoot._arguments import checked
 from surefoot.stack import Task, name_of
 
 __all__ = {names}
+
+
+def __dir__() -> list[str]:
+    return sorted(__all__)
 '''
 
 

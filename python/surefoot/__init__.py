@@ -29,19 +29,23 @@ if _trouble := _installation.two_versions():
 
 from surefoot import _arguments as _arguments
 from surefoot import _copies as _copies
+from surefoot import _derived as _derived
+from surefoot import _errors as _errors
 from surefoot import _named as _named
 from surefoot import _printed as _printed
 from surefoot import _worlds as _worlds
 
+_errors.tell()
 _worlds.tell()
 _arguments.tell()
+_derived.tell()
 _named.tell()
 _printed.tell()
 _copies.tell()
 
 from surefoot._core import *
 from surefoot import tasks as tasks
-from surefoot._errors import told_as_error as _told_as_error
+from surefoot._worlds import WorldError as WorldError
 from surefoot.control import Controller as Controller
 from surefoot.control import load_scenario as load_scenario
 from surefoot.running import Campaign as Campaign
@@ -72,7 +76,7 @@ def _find_program() -> None:
 @_arguments.checked
 def read(path: "str | _os.PathLike[str]") -> "Recorded":
     """Reads the log of a run: `read("run.mcap")["state.p_WB.x"]` is a NumPy array. A topic is read when something of it is asked for."""
-    with _told_as_error():
+    with _errors.told_as_error():
         return __getattr__("Recorded")(path)  # type: ignore[no-any-return]
 
 

@@ -14,6 +14,8 @@ import re
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from typing import Any, TypeVar
 
+import numpy as np
+
 from surefoot import _core
 from surefoot._core import Error
 
@@ -30,12 +32,21 @@ class Unbound(Exception):
     """Arguments of other names, or of another number."""
 
 
+def is_one(value: object, kinds: str) -> bool:
+    """No array, and of these of NumPy's kinds of numbers; " ": what is not NumPy's."""
+    return getattr(value, "shape", ()) == () and getattr(getattr(value, "dtype", None), "kind", " ") in kinds
+
+
 def is_number(value: object) -> bool:
-    return (hasattr(value, "__float__") or hasattr(value, "__index__")) and getattr(value, "shape", ()) == ()
+    return (hasattr(value, "__float__") or hasattr(value, "__index__")) and is_one(value, " fiub")
 
 
 def is_whole(value: object) -> bool:
-    return hasattr(value, "__index__") and getattr(value, "shape", ()) == ()
+    return hasattr(value, "__index__") and is_one(value, " iu")
+
+
+def is_truth(value: object) -> bool:
+    return isinstance(value, bool) or is_one(value, "b")
 
 
 def is_list(value: object) -> bool:
@@ -43,10 +54,17 @@ def is_list(value: object) -> bool:
     return isinstance(value, Iterable) and hasattr(value, "__len__") and not is_scalar and not isinstance(value, str | bytes | Mapping | set | frozenset)
 
 
+def has_complex(given: Iterable[object]) -> bool:
+    for each in given:  # in a loop's every tick: no generator
+        if isinstance(each, np.ndarray) and each.dtype.kind == "c":
+            return True
+    return False
+
+
 PLAIN: dict[str, tuple[Callable[[object], bool], str]] = {
     "float": (is_number, "a number"),
     "int": (is_whole, "a whole number"),
-    "bool": (lambda value: isinstance(value, bool) or type(value).__name__ == "bool_", "True or False"),
+    "bool": (is_truth, "True or False"),
     "str": (lambda value: isinstance(value, str), "a text"),
     "None": (lambda value: value is None, "None"),
     "PathLike": (lambda value: isinstance(value, os.PathLike), "a path"),
@@ -55,28 +73,47 @@ PLAIN: dict[str, tuple[Callable[[object], bool], str]] = {
     "dict": (lambda value: isinstance(value, dict), "a dict"),
     "list": (lambda value: isinstance(value, list), "a list"),
 }
+
+
+def same(value: Any) -> Any:
+    return value
+
+
+def number(value: Any) -> Any:
+    """Python's own: neither JSON nor YAML has NumPy's."""
+    if type(value) in (bool, int, float):
+        return value
+    return bool(value) if is_truth(value) else operator.index(value) if is_whole(value) else float(value)
+
+
+NUMBERS = {"float", "int", "bool"}
 LISTS = {"Sequence", "list"}
 MANY = {"a number": "numbers", "a whole number": "whole numbers", "a text": "texts", "a dict": "dicts"}
 
 
 class Kind:
-    """What an annotation allows: `fits(value)`, and `text` for people. One that is not known allows everything."""
+    """What an annotation allows: `fits(value)`, and `text` for people. One that is not known allows everything. `plain(value)`: of one that fits,
+    in Python's own numbers."""
 
     def __init__(self, node: ast.expr, names: Mapping[str, Any]) -> None:
+        self.plain = same
         self.fits, self.text = self._read(node, names)
 
     def _read(self, node: ast.expr, names: Mapping[str, Any]) -> tuple[Callable[[object], bool], str]:
         if isinstance(node, ast.BinOp):
             left, right = Kind(node.left, names), Kind(node.right, names)
+            self.plain = lambda value: (left if left.fits(value) else right).plain(value)
             text = left.text if (left.text, right.text) == ("a text", "a path") else " or ".join(filter(None, [left.text, right.text]))
             return lambda value: left.fits(value) or right.fits(value), text
         if isinstance(node, ast.Constant) and isinstance(node.value, str):
             return self._read(ast.parse(node.value, mode="eval").body, names)
         name = ast.unparse(node.value if isinstance(node, ast.Subscript) else node).rpartition(".")[2]
         if isinstance(node, ast.Subscript) and name in LISTS:
-            one, fits = Kind(node.slice, names), PLAIN["list"][0] if name == "list" else is_list
-            return lambda value: fits(value) and all(map(one.fits, value)), f"a list of {MANY.get(one.text, one.text or 'values')}"  # type: ignore[arg-type]
+            one = Kind(node.slice, names)
+            self.plain = lambda value: list(map(one.plain, value))
+            return lambda value: is_list(value) and all(map(one.fits, value)), f"a list of {MANY.get(one.text, one.text or 'values')}"  # type: ignore[arg-type]
         if name in PLAIN:
+            self.plain = number if name in NUMBERS else same
             return PLAIN[name]
         kind = names.get(name)
         if isinstance(kind, type):
@@ -108,21 +145,46 @@ class Form:
                 each = list(value.items())
             yield from ((called, one, self.kinds[name].text) for called, one in each if not self.kinds[name].fits(one))
 
+    def plain(self, args: tuple[Any, ...], kwargs: dict[str, Any]) -> tuple[tuple[Any, ...], dict[str, Any]]:
+        """The same arguments, which fit."""
+        bound = self.signature.bind(*args, **kwargs)
+        for name, value in bound.arguments.items():
+            if name not in self.kinds:
+                continue
+            kind, one = self.signature.parameters[name].kind, self.kinds[name].plain
+            if kind is inspect.Parameter.VAR_POSITIONAL:
+                bound.arguments[name] = tuple(map(one, value))
+            elif kind is inspect.Parameter.VAR_KEYWORD:
+                bound.arguments[name] = {each: one(given) for each, given in value.items()}
+            else:
+                bound.arguments[name] = one(value)
+        return bound.args, bound.kwargs
+
 
 def shown(value: object) -> str:
     text = " ".join(repr(value).split())
     return ("the text " if isinstance(value, str) else "") + (text if len(text) < 80 else text[:77] + "…")
 
 
+def shape_of(value: Any) -> tuple[int, ...]:
+    with contextlib.suppress(ValueError):  # its rows differ
+        return tuple(np.shape(value))
+    return ()
+
+
 def complaint(misfits: list[tuple[str, Any, str]]) -> ArgumentError:
     """Of one argument, by what each of a function's forms would take."""
     name, value, _ = misfits[0]
+    valid = " or ".join(dict.fromkeys(text for _, _, text in misfits))
+    if "a list of numbers" in valid and is_list(value) and len(shape := shape_of(value)) > 1:
+        return ArgumentError(f"{name} has the shape {shape}; {valid} would be valid, of one dimension")
     how = f": its place, robot.frames.index({value!r})" if name == "frame" and isinstance(value, str) else ""
-    return ArgumentError(f"{name} is {shown(value)}; {' or '.join(dict.fromkeys(text for _, _, text in misfits))} would be valid{how}")
+    return ArgumentError(f"{name} is {shown(value)}; {valid} would be valid{how}")
 
 
 def checked(given: F) -> F:
-    """A function of Python, or all public ones of a class, whose arguments are checked by their annotations before each call."""
+    """A function of Python, or all public ones of a class, whose arguments are checked by their annotations before each call, which then has
+    Python's own numbers."""
     if isinstance(given, type):
         for name, member in list(vars(given).items()):
             if inspect.isfunction(member) and (name == "__init__" or name[0] != "_") and not hasattr(member, "__wrapped__"):
@@ -137,6 +199,7 @@ def checked(given: F) -> F:
         try:
             for misfit in forms[0].misfits(args, kwargs):
                 raise complaint([misfit])
+            args, kwargs = forms[0].plain(args, kwargs)
         except Unbound as error:
             raise unbound(given.__qualname__.removesuffix(".__init__"), str(error), forms[0].signature, kwargs) from None
         return given(*args, **kwargs)
@@ -156,7 +219,7 @@ def check_takes(name: str, function: Callable[..., Any], names: str) -> None:
 
 def unbound(name: str, error: str, signature: inspect.Signature, kwargs: Mapping[str, Any]) -> ArgumentError:
     takes = [one for one in signature.parameters if one != "self"]
-    field = next((each for each in kwargs if isinstance(getattr(getattr(_core, name, None), each, None), property)), None)
+    field = next((each for each in kwargs if each not in takes and isinstance(getattr(getattr(_core, name, None), each, None), property)), None)
     if field is not None:
         return ArgumentError(f"{name}(): {field} is set behind it: made = {name}({', '.join(takes)}); made.{field} = …")
     near = next((found[0] for each in kwargs if each not in takes and (found := difflib.get_close_matches(each, takes, n=1))), None)
@@ -192,16 +255,29 @@ def signature_of(text: str, defaults: tuple[Any, ...] | None) -> inspect.Signatu
 def told(function: Any, name: str, argument: str = "") -> Callable[..., Any]:
     """A compiled function whose complaint about its arguments names one. argument: what its only one is called."""
     signatures = function.__nb_signature__
+    takes_numbers = any("Sequence[float]" in each[0] for each in signatures)
     forms: list[Form] = []
 
     def call(*args: Any, **kwargs: Any) -> Any:
         try:
-            return function(*args, **kwargs)
+            # Without a word the imaginary part of an array would be left out.
+            if not (takes_numbers and (has_complex(args) or has_complex(kwargs.values()))):
+                return function(*args, **kwargs)
         except TypeError as error:
             if MISMATCH not in str(error):
                 raise
         if not forms:
             forms.extend(Form(signature_of(each[0], each[2]), vars(_core)) for each in signatures)
+        for form in forms:
+            try:
+                if not [*form.misfits(args, kwargs)]:
+                    plain = form.plain(args, kwargs)
+                    return function(*plain[0], **plain[1])
+            except Unbound:
+                continue
+            except TypeError as error:
+                if MISMATCH not in str(error):
+                    raise
         raise explained(forms, name, argument, args, kwargs) from None
 
     call.__wrapped__, call.__doc__ = function, function.__doc__  # type: ignore[attr-defined]
@@ -218,7 +294,7 @@ def explained(forms: list[Form], name: str, argument: str, args: tuple[Any, ...]
         try:
             found.append([(argument or each, value, text) for each, value, text in form.misfits(args, kwargs)])
         except Unbound as error:
-            unfit = str(error)
+            unfit = unfit or str(error)
     if not found:
         return unbound(name, unfit, forms[0].signature, kwargs)
     fewest = min(found, key=len)

@@ -7,9 +7,17 @@ from typing import Any
 import numpy as np
 
 from surefoot import _core
+from surefoot_log import worlds
 from surefoot_log.worlds import in_world, world_of
 
 OF_BOTH = {"WorldPose", "Alignment"}  # what takes one to the other
+
+
+class WorldError(_core.Error, worlds.WorldError):  # type: ignore[misc]
+    """An expression mixes numbers in the controller's world W with numbers in the simulator's S."""
+
+
+WorldError.__module__ = "surefoot"
 
 
 def marked(inner: property, world: str) -> property:
@@ -21,6 +29,7 @@ def marked(inner: property, world: str) -> property:
 
 
 def tell() -> None:
+    worlds.WorldError = WorldError  # what reads logs does so without this package, too
     for name, kind in vars(_core).items():
         if not isinstance(kind, type) or name in OF_BOTH:
             continue

@@ -12,10 +12,10 @@ from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
 from surefoot import _core
-from surefoot._arguments import ArgumentError, checked
+from surefoot._arguments import ArgumentError, checked, is_number, number
 from surefoot._core import Error, Estimator, Gait, Planner, Plant, Robot, Scenario
 from surefoot._paths import absolute_path, is_path, with_absolute_paths
-from surefoot.stack import OwnTask, Stack, registered_tasks
+from surefoot.stack import OwnTask, Stack, own_tasks_told, registered_tasks
 
 _arguments_of: weakref.WeakKeyDictionary[Scenario, tuple[Any, ...]] = weakref.WeakKeyDictionary()
 PLAIN = "walk_flat"  # whose options a controller of a robot alone has
@@ -49,13 +49,16 @@ def words_in(given: Sequence[str] | Mapping[str, Any]) -> list[str]:
     return [f"{key}={value if isinstance(value, str) else json.dumps(value, default=plain)}" for key, value in given.items()]
 
 
-def plain(value: Any) -> Any:
-    """Of an array or a path."""
+def plain(value: Any, whose: str = "set", objects: str = "robot= and stack= take objects") -> Any:
+    """Of a number, an array, a range or a path."""
+    if is_number(value):
+        return number(value)
     if hasattr(value, "tolist"):
         return value.tolist()
+    if isinstance(value, range):
+        return [*value]
     if not isinstance(value, os.PathLike):
-        name = type(value).__name__
-        raise Error(f"set has a {name}; numbers, texts, lists, dicts and paths would be valid, and robot= and stack= take objects")
+        raise Error(f"{whose} has a {type(value).__name__}; numbers, texts, lists, dicts and paths would be valid, and {objects}")
     return os.fspath(value)
 
 
@@ -108,7 +111,8 @@ def robot_of(name: str, seed: int, words: list[str], gaits: dict[str, Callable[[
 def read_scenario(name: str, seed: int, words: list[str], own: list[OwnTask], gaits: dict[str, Callable[[], Gait]]) -> Scenario:
     """What the program says of its option --set is told of the argument that the word came from."""
     try:
-        return _core.read_scenario(name, seed, words, own, gaits)
+        with own_tasks_told():
+            return _core.read_scenario(name, seed, words, own, gaits)
     except Error as error:
         text = str(error)
         for word in words:

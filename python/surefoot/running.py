@@ -18,7 +18,7 @@ from surefoot import _core
 from surefoot._core import Error, Estimator, Gait, Planner, Result, Robot, Scenario, Tick
 from surefoot._arguments import check_takes, checked
 from surefoot._errors import told_as_error
-from surefoot.control import load_scenario
+from surefoot.control import load_scenario, plain
 from surefoot.stack import Stack
 
 if TYPE_CHECKING:
@@ -117,6 +117,8 @@ def campaign(spec: str | os.PathLike[str] | Mapping[str, Any], *, out: str | os.
 
     if jobs is not None and jobs < 1:
         raise Error(f"jobs is {jobs}; a whole number above 0 would be valid")
+    if isinstance(spec, Mapping):
+        spec = plain_spec(spec)
     if isinstance(spec, Mapping) and "name" not in spec:
         spec = {**spec, "name": f"campaign_{hashlib.sha1(repr(spec_text(spec)).encode()).hexdigest()[:8]}"}
     program, workers = Program(), jobs or len(os.sched_getaffinity(0))
@@ -140,6 +142,19 @@ def campaign(spec: str | os.PathLike[str] | Mapping[str, Any], *, out: str | os.
     if status == WRONG_INPUT:
         raise KeyboardInterrupt(f"rows that are finished are kept in {place}; the same call goes on there")
     return Campaign(place, json.loads((place / "summary.json").read_text()))
+
+
+def plain_spec(value: Any) -> Any:
+    """In lists, dicts, texts and numbers, but for each Stack."""
+    if isinstance(value, Mapping):
+        return {str(key): plain_spec(each) for key, each in value.items()}
+    if isinstance(value, list | tuple):
+        return [*map(plain_spec, value)]
+    if value is None or isinstance(value, Stack) or type(value) in (str, int, float, bool):
+        return value
+    if isinstance(value, str):
+        return str(value)
+    return plain_spec(plain(value, "spec", "`stack` may be a Stack; scenarios and robots go by their names"))
 
 
 def with_stacks_as_files(spec: Mapping[str, Any], folder: pathlib.Path) -> Any:

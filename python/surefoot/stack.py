@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import contextlib
 import copy
 import json
+import operator
 import os
 import pathlib
 import re
@@ -15,7 +17,7 @@ from typing import Any
 import numpy.typing as npt
 
 from surefoot import _core
-from surefoot._arguments import checked
+from surefoot._arguments import checked, is_list, is_whole
 from surefoot._core import Error, Robot, TaskTick, UnknownNameError
 from surefoot._named import Named, named
 from surefoot._paths import absolute_path
@@ -107,6 +109,17 @@ def registered_tasks() -> list[OwnTask]:
     return list(_registered.values())
 
 
+@contextlib.contextmanager
+def own_tasks_told() -> Iterator[None]:
+    """What is read may name a task that is the user's own."""
+    try:
+        yield
+    except Error as error:
+        if ": unknown task " not in str(error):
+            raise
+        raise type(error)(f"{error}; one of your own is known after register_task()") from None
+
+
 @checked
 def catalog() -> list[dict[str, Any]]:
     """All tasks that a stack may have, with their parameters: the library's, then those of register_task()."""
@@ -136,7 +149,7 @@ class StackLevel:
 
     def __post_init__(self) -> None:
         check_name(self.name)
-        object.__setattr__(self, "tasks", tuple(self.tasks))
+        object.__setattr__(self, "tasks", tuple(self.tasks) if is_list(self.tasks) else (self.tasks,))
         wrong = [task for task in self.tasks if not isinstance(task, Task)]
         if wrong or not self.tasks:
             raise Error(f"level {self.name}: {f'{wrong[0]!r} is no task' if wrong else 'has no task'}; one of surefoot.tasks or an OwnTask is valid")
@@ -159,7 +172,8 @@ def parse_alone(task: Task) -> None:
     """Raises Error on what no stack would take."""
     level = yaml_of(StackLevel(task.name, (task,)))
     try:
-        _core.parse_stack(f"name: own\nlevels:\n  - {level}\n", "stack", own=registered_tasks())
+        with own_tasks_told():
+            _core.parse_stack(f"name: own\nlevels:\n  - {level}\n", "stack", own=registered_tasks())
     except Error as error:
         raise type(error)(re.sub(rf"^stack:\d+: levels\.0\.(task: |[\w.]+: {re.escape(task.task)}: )?", f"task {task.task}: ", str(error))) from None
 
@@ -196,7 +210,8 @@ class Stack:
 
     def levels(self, robot: Robot | None = None, changed: Mapping[str, Mapping[str, float | str]] = {}) -> list[StackLevel]:
         """With the numbers of the base for this robot; without one for ANYmal B. changed: parameters of the base's tasks, as a scenario's `tasks:`."""
-        found = [] if self._base is None else _core.stack_levels(self._base, robot, own=registered_tasks())
+        with own_tasks_told():
+            found = [] if self._base is None else _core.stack_levels(self._base, robot, own=registered_tasks())
         levels = [StackLevel(name, tuple(Task._read(task, name, weight, parameters | dict(changed.get(task, {}))) for task, weight, parameters in tasks), damping)
                   for name, damping, tasks in found]  # fmt: skip
         for step in self._steps:
@@ -245,7 +260,7 @@ class Stack:
         return "\n".join(lines + [f"weighted_from: {self._weighted_from}"] * (self._weighted_from is not None)) + "\n"
 
     def write(self, path: str | os.PathLike[str]) -> None:
-        """Writes that file."""
+        """Writes that file. Tasks of your own stand in it by their names: what reads it needs register_task()."""
         pathlib.Path(path).write_text(self.text())
 
     @property
@@ -266,8 +281,8 @@ class Stack:
     def __getitem__(self, level: str | int) -> StackLevel:
         """By its name, or its place from 0 on."""
         levels = self._parsed()
-        place = place_of(levels, level) if isinstance(level, str) else level
-        if not isinstance(place, int) or not -len(levels) <= place < len(levels):
+        place = place_of(levels, level) if isinstance(level, str) else operator.index(level) if is_whole(level) else len(levels)
+        if not -len(levels) <= place < len(levels):
             raise IndexError(f"the stack has no level {level!r}; a name, or a place from 0 to {len(levels) - 1}, would be valid")
         return levels[place]
 

@@ -2,6 +2,8 @@
 
 import contextlib
 import copy
+import fractions
+import functools
 import inspect
 import math
 import os
@@ -192,6 +194,18 @@ def test_enough_is_looked_at():
     (lambda world: surefoot.run(3), "scenario is 3; a Scenario or a text would be valid"),
     (lambda world: surefoot.campaign({}), "^spec: "),
     (lambda world: surefoot.read(world.log).in_W([1, 2]), r"name is \[1, 2\]; a text would be valid"),
+    (lambda world: surefoot.UserCommand(walk=True, velocty=[0.1, 0]), r"^UserCommand\(\): .*'velocty'; did you mean velocity\? its arguments are walk, velocity"),
+    (lambda world: world.scenario.robot_model.dynamics(u_=[0]), r"^Robot.dynamics\(\): .*'u_'"),
+    (lambda world: setattr(surefoot.UserCommand(), "velocity", [[0.1, 0]]), r"^velocity has the shape \(1, 2\); a list of numbers would be valid, of one dimension$"),
+    (lambda world: world.plant.write(np.zeros((12, 1))), r"^command has the shape \(12, 1\); a JointCommand or a list of numbers would be valid, of one dimension$"),
+    (lambda world: world.scenario.robot_model.dynamics(q=np.zeros((12, 1))), r"^q has the shape \(12, 1\); a list of numbers or None would be valid, of one dimension$"),
+    (lambda world: setattr(surefoot.UserCommand(), "velocity", np.array(["1", "2"])), r"^velocity is array\(\['1', '2'\].*\); a list of numbers would be valid$"),
+    (lambda world: setattr(surefoot.UserCommand(), "velocity", np.array([1j, 2])), r"^velocity is array\(\[0.\+1.j, 2.\+0.j\]\); a list of numbers would be valid$"),
+    (lambda world: world.plant.write(torque=np.zeros(12) * 1j), r"^torque is array\(.*; a list of numbers would be valid$"),
+    (lambda world: surefoot.load_scenario("walk_flat", seed=np.array(1.5)), r"^seed is array\(1.5\); a whole number would be valid$"),
+    (lambda world: surefoot.tasks.ComXy(kp=np.complex128(1)), r"^kp is np.complex128\(1\+0j\); a number or None would be valid$"),
+    (lambda world: surefoot.campaign({"scenario": world.scenario, "seeds": [1]}), "^spec has a Scenario; numbers, texts, .* scenarios and robots go by their names$"),
+    (lambda world: surefoot.campaign({"scenario": "walk_flat", "seeds": np.array([1j])}), "^spec has a complex; numbers, texts, "),
     (lambda world: surefoot.UserCommand(speed=3), r"UserCommand\(\): got an unexpected keyword argument 'speed'; its arguments are walk, velocity"),
     (lambda world: surefoot.SensorReading(q=[0] * 12), r"^SensorReading\(\): q is set behind it: made = SensorReading\(num_joints\); made.q = …$"),
     (lambda world: world.plant.push(), r"Plant.push\(\): missing a required argument: 'force'; its arguments are force, body"),
@@ -345,3 +359,43 @@ def test_a_name_that_a_dict_has_not_is_told_with_those_that_it_has(world):
 def test_an_object_among_the_settings_is_told_where_it_goes():
     with pytest.raises(surefoot.Error, match=r"set has a Stack; .*stack= take objects"):
         surefoot.load_scenario("walk_flat", set={"stack": surefoot.Stack("walk")})
+
+
+ALL_THREE = [np.int64(3), np.uint8(3), np.array(3), np.float32(3), np.longdouble(3), np.array(3.0), fractions.Fraction(3)]
+
+
+@pytest.mark.parametrize("number", ALL_THREE, ids=repr)
+def test_whatever_acts_as_a_number_is_one(world, number):
+    task = surefoot.tasks.ComXy(kp=number, weight=number)
+    assert task == surefoot.tasks.ComXy(kp=3, weight=3) and repr(task).replace(".0", "") == "Task('com_xy', weight=3, kp=3)"
+    assert world.stack.tune("com_xy", kp=number) == world.stack.tune("com_xy", kp=3)
+    assert world.stack.weighted_from("com_xy", com_xy=number) == world.stack.weighted_from("com_xy", com_xy=3)
+    assert surefoot.load_scenario("walk_flat", set={"duration": number}).duration == 3.0
+    world.plant.push([0, number, 0], duration=number)
+    user = surefoot.UserCommand(yaw_rate=number)
+    user.height = number
+    assert user.height == user.yaw_rate == 3.0
+
+
+@pytest.mark.parametrize("number", ALL_THREE[:3], ids=repr)
+def test_so_it_is_with_whole_numbers_and_truths(world, number):
+    assert surefoot.load_scenario("walk_flat", seed=number).drawn == surefoot.load_scenario("walk_flat", seed=3).drawn
+    run = functools.partial(surefoot.run, "walk_flat_ideal", set={"duration": 0.01})
+    assert run(seed=number).torques_hash == run(seed=3).torques_hash
+    assert world.stack[number] == world.stack[3] and surefoot.SensorReading(number).q.shape == (3,)
+    user = surefoot.UserCommand(walk=np.float64(0.3) > 0.1, calibrate=np.False_)
+    assert user.walk is True
+    user.walk = np.array(False)
+    assert user.walk is False
+    levels = ({"A": [[1.0]], "b": [1.0]},)
+    assert surefoot.solve(levels, certify=np.True_).verdict == "proven" and surefoot.HierarchicalSolver().solve(levels, x_ref=np.zeros(1)).x[0] == 1.0
+
+
+def test_the_errors_say_what_they_are():
+    kinds = [kind for kind in vars(surefoot).values() if isinstance(kind, type) and issubclass(kind, Exception)]
+    assert {"Error", "FileError", "UnknownNameError", "WorldError"} <= {kind.__name__ for kind in kinds}
+    assert all(issubclass(kind, surefoot.Error) and kind.__doc__ for kind in kinds)
+
+
+def test_the_tasks_are_all_that_their_module_shows():
+    assert dir(surefoot.tasks) == sorted(surefoot.tasks.__all__) and {"ComXy", "Posture"} <= {*dir(surefoot.tasks)}

@@ -139,6 +139,37 @@ def kept(gait, now):
     return now.com
 
 
+def test_a_gait_without_super_init_is_one(recwarn):
+    class Slow(Crawl):
+        def __init__(self, cycle):
+            self.cycle = cycle
+
+        def stride_duration(self):
+            return self.cycle
+
+        def go_on(self, now):
+            super().go_on(now)
+            return Gait.go_on(self, now)
+
+    assert surefoot.run(walking(lambda: Slow(CYCLE), duration=1.0)).fault == "" and not recwarn.list
+    assert Slow(1.0).height() == Gait().height() == 0.0
+    with pytest.raises(surefoot.Error, match=r"^Gait\(\): too many positional arguments"):
+        Gait(1)
+
+
+@pytest.mark.parametrize(("base", "slip", "near"), [(Gait, "goon", "go_on"), (Gait, "stride_durations", "stride_duration"), (surefoot.Planner, "restrat", "restart"),
+                                                    (surefoot.Estimator, "updat", "update")])  # fmt: skip
+def test_a_method_whose_name_has_a_slip_is_refused_where_it_is_written(base, slip, near):
+    def method(self, *given):
+        return True
+
+    said = rf"^Mine.{slip}: a {base.__name__} has no {slip}; did you mean {near}\? one of your own could be called _{slip}$"
+    with pytest.raises(surefoot.Error, match=said):
+        type("Mine", (base,), {slip: method})
+    for names in ([slip, near], ["_" + slip], ["helps"]):
+        type("Mine", (base,), dict.fromkeys(names, method))
+
+
 WRONG = {
     "raises": ({"go_on": lambda gait, now: 1 / 0}, 'gait "mine": ZeroDivisionError: '),
     "no truth": ({"go_on": lambda gait, now: "yes"}, "go_on returned 'yes'; True or False would be valid"),

@@ -295,7 +295,7 @@ def test_what_is_written_into_the_frames_of_a_plan_stays():
 
 
 @pytest.mark.parametrize("methods, said", [
-    ({"updat": lambda self, user, state, dynamics, last: None}, r"Mine has no update\(self, user, state, dynamics, last\)"),
+    ({}, r"Mine has no update\(self, user, state, dynamics, last\)"),
     ({"update": lambda self, user, state: None}, r"Mine.update\(\): too many positional arguments; a function of user, state, dynamics, last would be valid"),
 ])  # fmt: skip
 def test_a_planner_without_the_right_update_is_refused(methods, said):

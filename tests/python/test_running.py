@@ -255,6 +255,16 @@ def test_of_a_campaign_runs_that_are_not_judged_are_told(tmp_path, criteria, tol
     assert repr(surefoot.campaign(spec, out=tmp_path / "results", jobs=1)).startswith(f"<campaign short: {told}: ")
 
 
+def test_a_campaign_takes_arrays_ranges_and_paths(tmp_path):
+    spec = {"scenario": ROOT / "scenarios/walk_flat_ideal.yaml", "set": {"duration": np.float32(0.05)}, "grid": {"initial.x": np.linspace(0, 1, 2)}}
+    names = set()
+    for seeds in (np.arange(1, 3), range(1, 3), [np.int64(1), np.int64(2)], (1, 2)):
+        found = surefoot.campaign(spec | {"seeds": seeds}, out=tmp_path / "results", jobs=1)
+        names.add(found.summary["name"])
+        assert sorted(found.table["seed"].to_pylist()) == [1, 1, 2, 2] and set(found.table["initial.x"].to_pylist()) == {0.0, 1.0}
+    assert len(names) == 1, "equal specs are one campaign"
+
+
 def test_campaigns_without_a_name_do_not_get_into_each_others_way(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     spec = {"scenario": "walk_flat_ideal", "seeds": [1, 2], "set": {"duration": 0.05, "user": [{"time": 0, "velocity": [0.1, 0]}]}}

@@ -155,6 +155,19 @@ def test_a_registered_task_can_be_named_by_stack_files(tmp_path):
         surefoot.register_task(tasks.ComXy())
 
 
+@pytest.mark.parametrize("read", [Stack, lambda file: surefoot.load_scenario("walk_flat", stack=file),
+                                  lambda file: surefoot.Controller("anymal_b", stack=file)])  # fmt: skip
+def test_a_file_with_a_task_of_ones_own_says_how_that_is_known(stack, tmp_path, read):
+    file = str(tmp_path / "mine.yaml")
+    stack.last(Still("nowhere_registered")).write(file)
+    with pytest.raises(surefoot.Error, match=r'unknown task "nowhere_registered"; valid are: .*; one of your own is known after register_task\(\)$'):
+        read(file)
+
+
+def test_a_level_of_one_task_needs_no_list():
+    assert StackLevel("a", tasks.ComXy()) == StackLevel("a", [tasks.ComXy()])
+
+
 @pytest.mark.parametrize("change, said", [
     (lambda s: s.before("torso_yow", tasks.Posture()), "has no level 'torso_yow'; did you mean \"torso_yaw\"?"),
     (lambda s: s.before("torso_yaw"), "no level was given"),
@@ -168,6 +181,7 @@ def test_a_registered_task_can_be_named_by_stack_files(tmp_path):
     (lambda s: s.weighted_from("torque_limits"), "keeps the physics and can't be weighted"),
     (lambda s: s.last(StackLevel("empty", [])), "level empty: has no task"),
     (lambda s: s.last(StackLevel("odd", ["com_xy"])), "'com_xy' is no task; one of surefoot.tasks or an OwnTask is valid"),
+    (lambda s: StackLevel("odd", 3), "level odd: 3 is no task; one of surefoot.tasks or an OwnTask is valid"),
     (lambda s: Stack("terrain"), 'unknown stack "terrain"; valid are: crouch_first'),
     (lambda s: tasks.ComXy("a: b"), "'a: b' is no name of a level"),
 ])  # fmt: skip

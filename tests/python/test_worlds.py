@@ -27,8 +27,9 @@ def run(file):
 def test_numbers_of_both_worlds_do_not_mix(run):
     for expression in (lambda: run["truth.p_SCom"][:, :2] - run["plan.com.p"], lambda: run["state.p_WB.x"] + run["truth.p_SB.x"],
                        lambda: np.hypot(run["truth.p_SB.x"], run["state.p_WB.x"]), lambda: np.subtract(run["state.p_WB"], run["truth.p_SB"])):  # fmt: skip
-        with pytest.raises(WorldError, match="in W, the controller's world, the other in S.*aligned_error"):
+        with pytest.raises(surefoot.WorldError, match="in W, the controller's world, the other in S.*aligned_error") as raised:
             expression()
+        assert isinstance(raised.value, surefoot.Error) and isinstance(raised.value, WorldError)
     here = run["state.p_WB"]
     here -= here[0]
     assert here.world == "W" and (2 * run["model.p_WCom"] - run["state.p_WB"]).world == "W"
