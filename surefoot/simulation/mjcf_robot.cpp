@@ -50,6 +50,7 @@ class MjcfReader {
     parse();
     find_base();
     refuse_constraints();
+    name_all();
     for (mjsBody* body : subtree(*robot_.base)) check_body(*body);
     robot_.effort = effort_limits(*robot_.spec);
     leave_out_world();
@@ -162,11 +163,34 @@ class MjcfReader {
     const std::string joint = string_of(actuator.target);
     std::vector<std::string> known;
     for (mjsElement* element : elements(*robot_.spec, mjOBJ_JOINT))
-      if (mjs_asJoint(element)->type != mjJNT_FREE) known.push_back(name_of(element));
+      if (mjs_asJoint(element)->type != mjJNT_FREE && !name_of(element).empty())
+        known.push_back(name_of(element));
     if (std::ranges::find(known, joint) != known.end()) return;
     fail(line_of(actuator.info),
          text("actuator \"", name_of(actuator.element), "\" drives an unknown joint, \"", joint,
               "\"; ", valid_names(joint, known)));
+  }
+
+  /// Bodies and joints need no name in an MJCF, but in a URDF: a body gets "body1" and so on, a
+  /// joint that of its body.
+  void name_all() const {
+    std::set<std::string> bodies, joints;
+    for (mjsElement* element : elements(*robot_.spec, mjOBJ_BODY)) bodies.insert(name_of(element));
+    for (mjsElement* element : elements(*robot_.spec, mjOBJ_JOINT)) joints.insert(name_of(element));
+    int num_unnamed = 0;
+    for (mjsBody* body : subtree(*robot_.base)) {
+      std::string name = name_of(body->element);
+      if (name.empty()) {
+        while (!bodies.insert(name = text("body", ++num_unnamed)).second) continue;
+        (void)mjs_setName(body->element, name.c_str());
+      }
+      for (mjsElement* joint : children(*body, mjOBJ_JOINT)) {
+        if (!name_of(joint).empty()) continue;
+        std::string joint_name = name + "_joint";
+        while (!joints.insert(joint_name).second) joint_name += "_";
+        (void)mjs_setName(joint, joint_name.c_str());
+      }
+    }
   }
 
   [[nodiscard]] bool acts(const mjsTendon& tendon) const {

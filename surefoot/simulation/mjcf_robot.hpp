@@ -19,7 +19,7 @@ struct MjcfLook {
 };
 
 /// The robot of an MJCF, alone: one free base and what hangs on it, without the world, actuators,
-/// sensors and files of meshes.
+/// sensors and files of meshes. All its bodies and joints have names.
 struct MjcfRobot {
   SpecHandle spec;
   ModelHandle model;  ///< compiled from `spec`

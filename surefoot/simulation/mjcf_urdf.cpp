@@ -70,28 +70,20 @@ class MjcfWriter {
   std::string write() {
     out_ << "<robot name=" << quoted(mjs_getString(robot_.spec->modelname)) << ">\n";
     for (const std::string& note : robot_.notes) out_ << "<note text=" << quoted(note) << "/>\n";
-    for (const mjsBody* body : subtree(*robot_.base)) (void)name(*body);
+    for (const mjsBody* body : subtree(*robot_.base)) links_.insert(name_of(body->element));
     for (const mjsBody* body : subtree(*robot_.base)) write_body(*body);
     out_ << "</robot>\n";
     return out_.str();
   }
 
  private:
-  /// A body's name, or one that is free.
-  std::string name(const mjsBody& body) {
-    const auto known = names_.find(&body);
-    if (known != names_.end()) return known->second;
-    std::string name = name_of(body.element);
-    while (name.empty() || !links_.insert(name).second) name = text("body", ++num_unnamed_);
-    return names_[&body] = name;
-  }
-
   void write_body(const mjsBody& body) {
     const int id = mjs_getId(body.element);
     // The link's frame has the joint at its origin.
     const Pose in_link = &body == robot_.base ? Pose() : write_joint(body, id);
     offsets_[id] = in_link;
-    out_ << "<link name=" << quoted(name(body)) << " line=\"" << line_of(body.info) << "\">\n";
+    out_ << "<link name=" << quoted(name_of(body.element)) << " line=\"" << line_of(body.info)
+         << "\">\n";
     write_inertia(id, in_link);
     each<mjsGeom>(body, mjOBJ_GEOM, mjs_asGeom,
                   [&](const mjsGeom& geom) { write_geom(geom, in_link); });
@@ -121,7 +113,7 @@ class MjcfWriter {
     const int id = mjs_getId(element.element);
     const std::string line = text(" line=\"", line_of(element.info), "\"");
     out_ << "<link name=" << quoted(frame) << line << "/>\n<joint name=" << quoted(frame + "_fixed")
-         << " type=\"fixed\"" << line << "><parent link=" << quoted(name(body))
+         << " type=\"fixed\"" << line << "><parent link=" << quoted(name_of(body.element))
          << "/><child link=" << quoted(frame) << "/>"
          << origin(in_link * pose(positions + 3 * id, quaternions + 4 * id)) << "</joint>\n";
   }
@@ -141,20 +133,16 @@ class MjcfWriter {
       in_link.p = -anchor;
     }
     const mjsElement* element = mjs_firstChild(&body, mjOBJ_JOINT, 0);
-    const std::string joint_name = joint < 0 ? name(body) + "_fixed" : joint_name_of(body, element);
+    const std::string joint_name =
+        joint < 0 ? name_of(body.element) + "_fixed" : name_of(const_cast<mjsElement*>(element));
     const int line =
         line_of(joint < 0 ? body.info : mjs_asJoint(const_cast<mjsElement*>(element))->info);
     out_ << "<joint name=" << quoted(joint_name) << " type=\"" << type_of(joint) << "\" line=\""
-         << line << "\"><parent link=" << quoted(name(parent))
-         << "/><child link=" << quoted(name(body)) << "/>" << origin(in_parent);
+         << line << "\"><parent link=" << quoted(name_of(parent.element))
+         << "/><child link=" << quoted(name_of(body.element)) << "/>" << origin(in_parent);
     if (joint >= 0) write_limits(joint, joint_name);
     out_ << "</joint>\n";
     return in_link;
-  }
-
-  std::string joint_name_of(const mjsBody& body, const mjsElement* joint) {
-    const std::string given = name_of(const_cast<mjsElement*>(joint));
-    return given.empty() ? name(body) + "_joint" : given;
   }
 
   [[nodiscard]] const char* type_of(int joint) const {
@@ -248,8 +236,6 @@ class MjcfWriter {
   const std::string& folder_;
   std::ostringstream out_;
   std::set<std::string> links_;  // names so far
-  int num_unnamed_ = 0;
-  std::map<const mjsBody*, std::string> names_;
   std::map<int, Pose> offsets_;  // of bodies in their links, by id
 };
 

@@ -1,5 +1,7 @@
 """Everything that can be wrong with a robot in MJCF: each fault is a small edit of a good one, and gives one message with its place and what would be valid."""
 
+import json
+
 import pytest
 
 from marten import refusal, robot_file, written
@@ -146,3 +148,10 @@ def test_a_fault_is_refused_with_its_place_and_what_is_valid(fault, tmp_path):
 def test_a_good_robot_is_not_refused(tmp_path):
     robot = written(tmp_path, GOOD, [])
     assert surefoot("run", "walk_flat", "--check", "--set", f"robot={robot}").stderr == ""
+
+
+def test_bodies_and_joints_need_no_names(tmp_path):
+    edits = [(r'(?a)<body name="\w+"', "<body"), (r'(?a)<joint name="\w+"', "<joint"), (r'(?a)    <motor .*\n', ""), (r'(?a)axis="\d \d 0"', r'\g<0> actuatorfrcrange="-25 25"')]
+    robot = written(tmp_path, GOOD, edits)
+    found = json.loads(surefoot("doctor", robot.with_suffix(".xml"), "--json").stdout)
+    assert [each["what"] for each in found["findings"] if each["severity"] == "error"] == []

@@ -1,4 +1,6 @@
 // A small robot in MJCF, changed place by place: what it becomes, and what is refused.
+#include "surefoot/simulation/mjcf_robot.hpp"
+
 #include "surefoot/model/collision_shapes.hpp"
 #include "surefoot/model/urdf.hpp"
 #include "surefoot/simulation/mjcf_urdf.hpp"
@@ -143,6 +145,31 @@ TEST_F(MjcfRobotFile, has_names_where_the_file_has_none_and_keeps_those_of_xml) 
   change("<joint name=\"kfe\"/>", "<joint name=\"a&quot;b\"/>");
   change("<motor name=\"b\" joint=\"kfe\"", "<motor name=\"b\" joint=\"hfe\"");
   EXPECT_EQ(joint(urdf(), "a\"b").child, "body1");
+}
+
+TEST_F(MjcfRobotFile, has_the_same_names_for_mujoco_where_the_file_has_none) {
+  change("<body name=\"base\"", "<body");
+  change("<body name=\"shank\"", "<body");
+  change("<joint name=\"kfe\"/>", "<joint/>");
+  change("<motor name=\"b\" joint=\"kfe\"", "<motor name=\"b\" joint=\"hfe\"");
+  const model::Urdf urdf = this->urdf();
+  const MjcfRobot robot = read_mjcf(folder_ / "robot.xml");
+  EXPECT_EQ(urdf.root, "body1");
+  EXPECT_EQ(joint(urdf, "body2_joint").parent, "thigh");
+  EXPECT_EQ(joint(urdf, "body2_joint").child, "body2");
+  for (const char* body : {"body1", "body2"})
+    EXPECT_GE(id_of(*robot.model, mjOBJ_BODY, body), 0) << body;
+  EXPECT_GE(id_of(*robot.model, mjOBJ_JOINT, "body2_joint"), 0);
+}
+
+TEST_F(MjcfRobotFile, gives_no_name_that_another_has) {
+  change("<body name=\"shank\"", "<body");
+  change("<body name=\"thigh\"", "<body name=\"body1\"");
+  change("<joint name=\"hfe\"", "<joint name=\"body2_joint\"");
+  change("<motor name=\"a\" joint=\"hfe\"", "<motor name=\"a\" joint=\"body2_joint\"");
+  change("<joint name=\"kfe\"/>", "<joint/>");
+  change("<motor name=\"b\" joint=\"kfe\"", "<motor name=\"b\" joint=\"body2_joint\"");
+  EXPECT_EQ(joint(urdf(), "body2_joint_").child, "body2");
 }
 
 struct Wrong {
