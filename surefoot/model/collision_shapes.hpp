@@ -22,7 +22,8 @@ struct CollisionShape {
 };
 
 /// The collision shapes of a URDF, in the order of the file, which is read again; a mesh has radius
-/// 0. Throws FileError if the file, an origin or a box's size can't be read.
+/// 0. Throws FileError if the file, an origin or a size can't be read, or a radius or length is
+/// negative.
 [[nodiscard]] std::vector<CollisionShape> collision_shapes(const Urdf& urdf);
 
 }  // namespace surefoot::model

@@ -134,7 +134,7 @@ void UrdfReader::fail(int line, const std::string& what) const {
 
 std::string UrdfReader::name(const XMLElement& element) const {
   const char* text = element.Attribute("name");
-  if (text == nullptr) {
+  if (text == nullptr || *text == '\0') {
     fail(line(element), std::string("<") + element.Name() + "> has no name");
   }
   const std::string advice = advice_for(text);

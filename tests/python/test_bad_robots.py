@@ -127,6 +127,7 @@ REFUSED = {
     "floating joint": ([('(<link name="base">)', r'<link name="origin"/><joint name="w" type="floating"><parent link="origin"/><child link="base"/></joint>\1')], 'yaml:2: urdf: marten.urdf:3: joint "w" is floating; the root floats without a joint'),
     "joint that slides": ([('(name="LF_KFE" type=)"revolute"', r'\1"prismatic"')], 'yaml:4: legs.LF.joints: joint "LF_KFE" is prismatic (marten.urdf:33); a leg\'s joint must be revolute'),
     "unknown kind of joint": ([('(name="LF_KFE" type=)"revolute"', r'\1"hinge"')], 'joint "LF_KFE" is hinge (marten.urdf:33)'),
+    "joint without a name": ([('name="LF_KFE"', 'name=""')], "marten.urdf:33: <joint> has no name"),
     "joint without a type": ([('(name="LF_KFE") type="revolute"', r"\1")], 'marten.urdf:33: joint "LF_KFE" has no type'),
     "joint that follows": ([('<parent link="LF_thigh"/>', '<mimic joint="LF_HFE"/><parent link="LF_thigh"/>')], 'joint "LF_KFE" mimics "LF_HFE" (marten.urdf:33); a leg\'s joints must each have a drive of their own'),
     "continuous joint": ([('(name="LF_HFE" type=)"revolute"((?:.*\\n){5}.*<limit )lower="-2.2" upper="2.2" ', r'\1"continuous"\2')], 'limits.position_min: this key is missing, and the URDF does not limit joint "LF_HFE" (marten.urdf:20)'),
