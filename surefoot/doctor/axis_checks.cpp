@@ -1,10 +1,12 @@
 #include "surefoot/base/formatted.hpp"
 #include "surefoot/doctor/checks.hpp"
+#include "surefoot/doctor/found_legs.hpp"
 #include "surefoot/doctor/part_list.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <vector>
 
 namespace surefoot::doctor {
 namespace {
@@ -58,6 +60,16 @@ void check_knees(Diagnosis& robot) {
   }
 }
 
+/// Of legs whose HFE and KFE do not both turn about y.
+bool check_missing(Diagnosis& robot) {
+  std::vector<FoundLeg> odd;
+  for (const FoundLeg& leg : *robot.anatomy.legs) {
+    const double share = std::abs(axis_in_base(leg, 1).dot(Vec3::UnitY()));
+    if (leg.chain.knee_skew() >= kMostSkew || share < std::cos(kWrongAngle)) odd.push_back(leg);
+  }
+  return !odd.empty() && tell_missing_axes(odd, robot.urdf, robot.findings);
+}
+
 /// Legs that reach up.
 void check_up(Diagnosis& robot) {
   const PerLeg<FoundLeg>& legs = *robot.anatomy.legs;
@@ -81,7 +93,7 @@ void check_up(Diagnosis& robot) {
 }  // namespace
 
 void check_axes(Diagnosis& robot) {
-  if (!robot.anatomy.legs) return;
+  if (!robot.anatomy.legs || check_missing(robot)) return;
   check_knees(robot);
   if (has_cause(robot.findings)) return;
   check_hips(robot, 0);

@@ -86,7 +86,7 @@ void load(Diagnosis& robot) {
     robot.robot.reset();
     const std::string what = file.without_path(error.what());
     if (is_told(robot.findings, what)) return;
-    robot.findings.push_back({Severity::error, Confidence::certain, "robot file", 0,
+    robot.findings.push_back({Severity::error, of_refusal(robot.findings), "robot file", 0,
                               "the program refuses the robot: " + what, ""});
   }
 }

@@ -43,4 +43,8 @@ bool has_cause(const Findings& findings) {
   return std::ranges::find(findings, true, &Finding::is_cause) != findings.end();
 }
 
+Confidence of_refusal(const Findings& findings) {
+  return has_error(findings) ? Confidence::likely : Confidence::certain;
+}
+
 }  // namespace surefoot::doctor

@@ -32,4 +32,8 @@ void sort_worst_first(Findings& findings);
 [[nodiscard]] bool has_error(const Findings& findings);
 [[nodiscard]] bool has_cause(const Findings& findings);
 
+/// Of an error that the program itself tells: beside others it may only follow from them, and comes
+/// behind them.
+[[nodiscard]] Confidence of_refusal(const Findings& findings);
+
 }  // namespace surefoot::doctor

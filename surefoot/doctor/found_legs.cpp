@@ -74,22 +74,6 @@ void tell_too_few(const std::vector<FoundLeg>& legs, Findings& findings) {
                           std::string(kNameJoints)});
 }
 
-/// Axes that only the standard tells, of HFE and KFE.
-bool tell_missing_axes(const Anatomy& anatomy, const model::Urdf& urdf, Findings& findings) {
-  const std::vector<std::string> without = model::joints_without_axis(urdf);
-  PartList list;
-  for (const FoundLeg& leg : *anatomy.legs) {
-    for (const std::size_t j : {1u, 2u}) {
-      if (std::ranges::count(without, leg.joints[j].name) > 0)
-        list.add(leg.joints[j], "it has no <axis>, and a URDF then takes x, 1 0 0");
-    }
-  }
-  const std::size_t before = findings.size();
-  list.tell(Severity::error, Confidence::likely,
-            "add <axis>; that of HFE and KFE is y of the base, 0 1 0", findings, true);
-  return findings.size() > before;
-}
-
 /// The legs' axes tell where the base looks, even if the places of the hips do not.
 void check_heading(const Anatomy& anatomy, const model::Urdf& urdf, Findings& findings) {
   Vec3 sideways = Vec3::Zero();
@@ -99,7 +83,7 @@ void check_heading(const Anatomy& anatomy, const model::Urdf& urdf, Findings& fi
     sideways += (haa.R * hfe.R * hfe.axis).cwiseAbs();
   }
   if (sideways.y() >= sideways.x() && sideways.y() >= sideways.z()) return;
-  if (tell_missing_axes(anatomy, urdf, findings)) return;
+  if (tell_missing_axes({anatomy.legs->begin(), anatomy.legs->end()}, urdf, findings)) return;
   findings.push_back({Severity::error, Confidence::likely, "link \"" + anatomy.base + "\"", 0,
                       "most HFE axes do not lie along y of the base; x must point forward and z up",
                       "turn the base's frame, or its joints' origins, by 90°", true});
@@ -154,6 +138,22 @@ void tell_quadrants(const std::vector<FoundLeg>& legs, Findings& findings) {
 }
 
 }  // namespace
+
+bool tell_missing_axes(const std::vector<FoundLeg>& legs, const model::Urdf& urdf,
+                       Findings& findings) {
+  const std::vector<std::string> without = model::joints_without_axis(urdf);
+  PartList list;
+  for (const FoundLeg& leg : legs) {
+    for (const std::size_t j : {1u, 2u}) {
+      if (std::ranges::count(without, leg.joints[j].name) > 0)
+        list.add(leg.joints[j], "it has no <axis>, and a URDF then takes x, 1 0 0");
+    }
+  }
+  const std::size_t before = findings.size();
+  list.tell(Severity::error, Confidence::likely,
+            "add <axis>; that of HFE and KFE is y of the base, 0 1 0", findings, true);
+  return findings.size() > before;
+}
 
 FoundLeg measured_leg(const Limb& limb, const std::map<std::string, model::Weld>& welds,
                       const FootFinder& feet) {

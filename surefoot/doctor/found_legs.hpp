@@ -24,4 +24,9 @@ void keep_lowest(std::vector<FoundLeg>& legs, Anatomy& anatomy);
 void name_legs(const std::vector<FoundLeg>& legs, const model::Urdf& urdf, Anatomy& anatomy,
                Findings& findings);
 
+/// Tells which HFE and KFE have no <axis>, so that they turn about x, as a cause. Returns whether
+/// any has none.
+bool tell_missing_axes(const std::vector<FoundLeg>& legs, const model::Urdf& urdf,
+                       Findings& findings);
+
 }  // namespace surefoot::doctor

@@ -108,20 +108,32 @@ void tell_knees(Diagnosis& robot, const char* side, const std::string& legs) {
                             never ? remedy_of_stiff(robot, knee) : ""});
 }
 
-/// A left and a right knee that bend to no side in common can't stand alike.
+/// A left and a right knee that bend to no side in common can't stand alike. Told of the one that
+/// fewer legs are like, else of the right one, unless it is the axis that turns the other way.
 void check_pair(Diagnosis& robot, Leg left, Leg right) {
   const PerLeg<FoundLeg>& legs = *robot.anatomy.legs;
-  const KneeSides a = knee_sides(legs[index(left)]), b = knee_sides(legs[index(right)]);
+  const auto sides_of = [&](Leg leg) { return knee_sides(legs[index(leg)]); };
+  const KneeSides a = sides_of(left), b = sides_of(right);
   const bool is_one_sided = a.backward != a.forward && b.backward != b.forward;
   if (!is_one_sided || a.backward == b.backward) return;
-  const model::UrdfJoint& knee = legs[index(right)].joints[2];
-  robot.findings.push_back(
-      {Severity::error, Confidence::likely, "joint \"" + knee.name + "\"", knee.line,
-       "by their limits the knee of " +
-           std::string(leg_name(right, static_cast<int>(legs.size()))) + " bends " + name(b) +
-           " only, that of " + std::string(leg_name(left, static_cast<int>(legs.size()))) + " " +
-           name(a) + " only",
-       "exchange and negate lower and upper of the one that is wrong", true});
+  const auto num_like = [&](Leg leg) {
+    return std::ranges::count_if(legs.legs(), [&](Leg each) {
+      return std::string_view(name(sides_of(each))) == name(sides_of(leg));
+    });
+  };
+  const bool is_left_odd = num_like(left) < num_like(right);
+  const Leg odd = is_left_odd ? left : right, other = is_left_odd ? right : left;
+  const model::UrdfJoint& knee = legs[index(odd)].joints[2];
+  const std::string subject = "joint \"" + knee.name + "\"";
+  if (std::ranges::count(robot.findings, subject, &Finding::subject) > 0) return;
+  const auto leg_of = [&](Leg leg) {
+    return std::string(leg_name(leg, static_cast<int>(legs.size())));
+  };
+  robot.findings.push_back({Severity::error, Confidence::likely, subject, knee.line,
+                            "by their limits the knee of " + leg_of(odd) + " bends " +
+                                name(sides_of(odd)) + " only, that of " + leg_of(other) + " " +
+                                name(sides_of(other)) + " only",
+                            "exchange and negate lower and upper of the one that is wrong", true});
 }
 
 /// The leg whose knee alone bends to other sides than all others, which agree; legs.size(): none.

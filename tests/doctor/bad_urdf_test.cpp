@@ -100,6 +100,17 @@ INSTANTIATE_TEST_SUITE_P(
                 "<axis xyz=\"0 1 0\"",
                 "<axis xyz=\"0 0 0\"",
                 {"robot.urdf:", "joint \"LF_KFE\": its axis has no direction; valid is <axis"}},
+        BadUrdf{"<joint name=\"LF_KFE\"", "LF_KFE", "", {"robot.urdf:", "<joint> has no name"}},
+        BadUrdf{"<link name=\"LF_FOOT\"",
+                "<sphere radius=\"0.031\"/>",
+                "<sphere radius=\"nan\"/>",
+                {"robot.urdf:",
+                 "link \"LF_FOOT\": the <sphere> that it collides with has a size of "
+                 "nan m; it must be above 0"}},
+        BadUrdf{"<link name=\"LF_FOOT\"",
+                "<sphere radius=\"0.031\"/>",
+                "<sphere radius=\"-0.031\"/>",
+                {"robot.urdf:", "link \"LF_FOOT\"", "has a size of -0.031 m"}},
         BadUrdf{"<link name=\"LF_SHANK\"",
                 "<box size=\"0.08 0.07 0.13\"/>",
                 "<mesh filename=\"package://nowhere/shank.stl\"/>",
@@ -132,6 +143,21 @@ TEST_F(KneesOfAnymal, one_that_bends_the_wrong_way_is_told_first) {
   EXPECT_EQ(first.subject, "joint \"RH_KFE\"");
   EXPECT_TRUE(test::holds(first.what, "the knee of RH bends forward only, that of LH backward"));
   EXPECT_TRUE(test::holds(first.remedy, "exchange and negate lower and upper"));
+}
+
+TEST_F(KneesOfAnymal, axis_that_is_turned_round_is_told_before_the_stance_that_fails) {
+  for (const char* leg : {"LF", "RF", "LH", "RH"}) limit_knee(leg, "-2.6", "-0.2");
+  change("<joint name=\"LF_KFE\"", "<axis xyz=\"0 1 0\"", "<axis xyz=\"0 -1 0\"");
+  const Diagnosis robot = diagnosis();
+  EXPECT_EQ(robot.findings.front().subject, "joint \"LF_KFE\"");
+}
+
+TEST_F(KneesOfAnymal, one_of_a_left_leg_that_bends_the_wrong_way_is_told_of_it) {
+  for (const char* leg : {"RF", "LH", "RH"}) limit_knee(leg, "-2.6", "-0.5");
+  limit_knee("LF", "0.5", "2.6");
+  const Finding first = diagnosis().findings.front();
+  EXPECT_EQ(first.subject, "joint \"LF_KFE\"");
+  EXPECT_TRUE(test::holds(first.what, "the knee of LF bends forward only, that of RF backward"));
 }
 
 TEST_F(KneesOfAnymal, in_x_are_fine) {
