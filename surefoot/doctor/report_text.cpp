@@ -132,7 +132,7 @@ std::string trials_text(const Diagnosis& robot, const std::vector<Trial>& trials
             trial.why + "\n";
     if (trial.succeeded) continue;
     text += trial.log.empty()
-                ? "  → surefoot run " + trial.scenario + " --set robot=FILE --view shows it\n"
+                ? "  → surefoot run " + trial.base + " --set robot=FILE --view shows it\n"
                 : "  → surefoot report " + trial.log + " shows it\n";
   }
   return text;

@@ -61,10 +61,10 @@ Trial run(Asked asked, const GuessedFile& robot, const TrialOptions& options) {
     const bool succeeded = result.metrics.succeeded.value_or(false);
     if (succeeded && !loop.record_path.empty()) std::filesystem::remove(loop.record_path);
     return {name, succeeded, why(result) + figures(result.metrics),
-            succeeded ? "" : loop.record_path};
+            succeeded ? "" : loop.record_path, asked.scenario};
   } catch (const Error& error) {
     if (options.interrupted && options.interrupted()) throw;
-    return {name, false, robot.without_path(error.what())};
+    return {name, false, robot.without_path(error.what()), "", asked.scenario};
   }
 }
 

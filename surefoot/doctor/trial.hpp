@@ -12,8 +12,9 @@ namespace surefoot::doctor {
 struct Trial {
   std::string scenario;  ///< or "stand"
   bool succeeded = false;
-  std::string why;    ///< how it ended, the criteria that were missed, and some figures
-  std::string log{};  ///< of a run that did not succeed; empty: none was asked for
+  std::string why;     ///< how it ended, the criteria that were missed, and some figures
+  std::string log{};   ///< of a run that did not succeed; empty: none was asked for
+  std::string base{};  ///< the scenario, also of "stand"
 };
 
 struct TrialOptions {

@@ -142,9 +142,12 @@ TEST_F(RobotFileText, is_never_written_over_another_file) {
 TEST_F(RobotFileText, comes_with_a_report_for_people_and_one_for_programs) {
   change("<joint name=\"RH_KFE\"", "<axis xyz=\"0 1 0\"", "<axis xyz=\"0 -1 0\"");
   const Diagnosis robot = diagnosis();
-  const std::string text = report_text(robot, {{"walk_flat", false, "it fell"}});
+  const std::string text = report_text(robot, {{"walk_flat", false, "it fell", "", "walk_flat"}});
   EXPECT_TRUE(holds(text, "error (likely): joint \"RH_KFE\" (robot.urdf:"));
   EXPECT_TRUE(holds(text, "walk_flat: did not succeed: it fell"));
+  EXPECT_TRUE(
+      holds(report_text(robot, {{"stand", false, "it fell", "", "walk_flat"}}),
+            "stand: did not succeed: it fell\n  → surefoot run walk_flat --set robot=FILE"));
   const auto json = nlohmann::json::parse(report_json(robot, {}));
   EXPECT_EQ(json["legs"]["RH"]["joints"][2], "RH_KFE");
   EXPECT_EQ(json["findings"][0]["severity"], "error");
