@@ -6,16 +6,19 @@
 #include <algorithm>
 #include <cmath>
 #include <utility>
+#include <vector>
 
 namespace surefoot::doctor {
 namespace {
 
 // A body's radius of gyration against how far its joints and links reach.
-constexpr double kMostGyration = 4.0, kLeastGyration = 0.02;
-constexpr double kLeastReach = 0.02;  // of a body whose joints lie at one place [m]
-constexpr double kFarCom = 5.0;       // of its reach, and at least
-constexpr double kFarAway = 0.5;      // [m]: an offset of 1 mm is 1 m in the wrong unit
-constexpr double kOtherUnit = 20.0;   // times the most gyration: an error, for the robot falls
+constexpr double kMostGyration = 4.0, kLeastGyration = 0.04;
+constexpr double kFewGyrations = 1.4;  // against its reach, or that share of a leg if it is more:
+constexpr double kStubReach = 0.25;    // what shapes add to a body counts little then
+constexpr double kLeastReach = 0.02;   // of a body whose joints lie at one place [m]
+constexpr double kFarCom = 5.0;        // of its reach, and at least
+constexpr double kFarAway = 0.5;       // [m]: an offset of 1 mm is 1 m in the wrong unit
+constexpr double kOtherUnit = 20.0;    // times the most gyration: an error, for the robot falls
 
 Finding of_link(const model::UrdfLink& link, Severity severity, Confidence confidence,
                 std::string what, std::string remedy) {
@@ -108,12 +111,20 @@ void check_moments(const Body& body, Findings& findings) {
 /// What speaks of other units, or of a mass that is forgotten.
 class UnitCheck {
  public:
+  explicit UnitCheck(const Anatomy& anatomy) {
+    if (!anatomy.legs) return;
+    least_reach_ = kInfinity;
+    for (const FoundLeg& leg : *anatomy.legs)
+      least_reach_ = std::min(least_reach_, kStubReach * (leg.thigh + leg.shank));
+  }
+
   void add(const Body& body) {
     const double gyration = std::sqrt(principal_moments(body.inertia)[2] / body.inertia.mass);
     const std::string within = formatted(" but its joints and links lie within %.3g m", body.reach);
     const std::string seen =
         formatted("its radius of gyration, √(I/m), is %.3g m,", gyration) + within;
-    if (gyration > kMostGyration * body.reach) {
+    if (gyration >
+        std::min(kMostGyration * body.reach, kFewGyrations * std::max(body.reach, least_reach_))) {
       PartList& list = gyration > kOtherUnit * kMostGyration * body.reach ? huge_ : large_;
       list.add(*body.link, seen + ": the inertia is too large for the mass");
     }
@@ -147,8 +158,36 @@ class UnitCheck {
   }
 
  private:
+  double least_reach_ = kInfinity;  // [m]
   PartList huge_, large_, small_, far_, farther_;
 };
+
+/// Links of any mass that have one inertia: nobody filled it in. Tells whether there are such.
+bool check_placeholders(const model::Urdf& urdf, Findings& findings) {
+  constexpr double kAlike = 1e-6, kOtherMass = 3.0;
+  std::vector<const model::UrdfLink*> links;
+  for (const model::UrdfLink& link : urdf.links)
+    if (link.inertia.mass > 0.0 && !model::is_point(link.inertia) &&
+        !model::is_placeholder(link.inertia))
+      links.push_back(&link);
+  for (const model::UrdfLink* first : links) {
+    const Vec3 moments = principal_moments(first->inertia);
+    std::vector<double> masses;
+    for (const model::UrdfLink* link : links)
+      if (principal_moments(link->inertia).isApprox(moments, kAlike))
+        masses.push_back(link->inertia.mass);
+    if (2 * masses.size() <= links.size()) continue;
+    const auto [least, most] = std::ranges::minmax(masses);
+    if (most < kOtherMass * least) return false;
+    findings.push_back(of_link(
+        *first, Severity::warning, Confidence::likely,
+        formatted("%zu links, of %.3g to %.3g kg, have the same inertia, %.3g, %.3g, %.3g kg·m²",
+                  masses.size(), least, most, moments[0], moments[1], moments[2]),
+        "a placeholder? Take each link's <inertia> from CAD"));
+    return true;
+  }
+  return false;
+}
 
 /// The torso of a robot is often fixed to a base without mass; a leg's link has its own.
 void check_own_mass(const Diagnosis& robot, const Body& body, Findings& findings) {
@@ -173,7 +212,7 @@ void check_point(const Body& body, PartList& points) {
 }  // namespace
 
 void check_inertias(Diagnosis& robot) {
-  UnitCheck units;
+  UnitCheck units(robot.anatomy);
   PartList massless, impossible, points;
   for (const model::UrdfLink& link : robot.urdf.links)
     check_link(link, link.name == robot.urdf.root, impossible, robot.findings);
@@ -200,7 +239,8 @@ void check_inertias(Diagnosis& robot) {
       Severity::note, Confidence::certain,
       "take the inertia from CAD anew; what counts is the body with all that is fixed to it",
       robot.findings);
-  if (!has_cause(robot.findings)) units.tell(robot.findings);
+  const bool is_filled_in = !check_placeholders(robot.urdf, robot.findings);
+  if (is_filled_in && !has_cause(robot.findings)) units.tell(robot.findings);
 }
 
 }  // namespace surefoot::doctor

@@ -2,6 +2,7 @@
 #include "surefoot/config/robot_plausibility.hpp"
 #include "surefoot/doctor/checks.hpp"
 #include "surefoot/doctor/limit_guesses.hpp"
+#include "surefoot/model/missing_axes.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -55,39 +56,59 @@ bool is_mjcf(const Diagnosis& robot) { return !robot.urdf.text.empty(); }
 /// The limits of all joints of the legs of one kind.
 class LimitCheck {
  public:
-  explicit LimitCheck(Diagnosis& robot) : robot_(robot), missing_(robot), placeholders_(robot) {}
+  explicit LimitCheck(Diagnosis& robot)
+      : robot_(robot), missing_(robot), useless_(robot), placeholders_(robot) {}
 
-  void run(const auto& missing, const auto& is_placeholder, const auto& value) {
+  /// `written` tells what stands where a limit is missing; empty: nothing.
+  void run(const auto& missing, const auto& written, const auto& is_placeholder,
+           const auto& value) {
     for (const FoundLeg& leg : *robot_.anatomy.legs) {
       for (const model::UrdfJoint& joint : leg.joints) {
         if (missing(joint)) {
-          missing_.add(joint, "");
+          const std::string given = written(joint);
+          (given.empty() ? missing_ : useless_).add(joint, given);
         } else if (is_placeholder(joint)) {
           placeholders_.add(joint, value(joint));
         }
       }
     }
   }
-  void tell(Severity severity, const std::string& missing, const std::string& placeholder,
-            const std::string& remedy, const std::string& what) const {
-    missing_.tell(severity, Confidence::certain,
-                  "the " + std::string(robot_.urdf.format()) + missing, remedy, robot_.findings);
+  /// `taken`: for what is missing.
+  void tell(Severity severity, const std::string& limit, const std::string& taken,
+            const std::string& placeholder, const std::string& remedy,
+            const std::string& what) const {
+    const std::string none = "the " + std::string(robot_.urdf.format()) + " has no " + limit;
+    missing_.tell(severity, Confidence::certain, none + taken, remedy, robot_.findings);
+    useless_.tell(severity, Confidence::certain, none + " above 0" + taken, remedy,
+                  robot_.findings);
     placeholders_.tell(Severity::warning, Confidence::likely, placeholder, remedy + what,
                        robot_.findings);
   }
 
  private:
   Diagnosis& robot_;
-  JointList missing_, placeholders_;
+  JointList missing_, useless_, placeholders_;
 };
+
+/// An effort or velocity limit that is missing, as it is written.
+auto written(const Diagnosis& robot, const char* attribute, double model::UrdfJoint::* limit,
+             const char* unit) {
+  return [&robot, attribute, limit, unit](const model::UrdfJoint& joint) {
+    const std::string text = std::isnan(joint.*limit)
+                                 ? model::written_limit(robot.urdf, joint.name, attribute)
+                                 : formatted("%.4g", joint.*limit);
+    return text.empty() ? "" : text + " " + unit;
+  };
+}
 
 void check_effort(Diagnosis& robot) {
   const double most = most_standing_torque(robot);
   LimitCheck check(robot);
   check.run([](const auto& joint) { return is_missing(joint.effort); },
+            written(robot, "effort", &model::UrdfJoint::effort, "N·m"),
             [&](const auto& joint) { return config::is_effort_placeholder(joint.effort, most); },
             [](const auto& joint) { return number(joint.effort, "N·m"); });
-  check.tell(Severity::error, " has no effort limit",
+  check.tell(Severity::error, "effort limit", "",
              "the effort limit looks like a placeholder, far above what standing needs" +
                  (std::isnan(most) ? std::string() : formatted(" (at most %.3g N·m)", most)),
              "fill in limits.torque of the robot file", " with the drive's torque");
@@ -97,14 +118,35 @@ void check_velocity(Diagnosis& robot) {
   const LimitGuess guess = limit_guesses(robot)[kVelocity];
   LimitCheck check(robot);
   check.run([](const auto& joint) { return is_missing(joint.velocity); },
+            written(robot, "velocity", &model::UrdfJoint::velocity, "rad/s"),
             [](const auto& joint) { return config::is_velocity_placeholder(joint.velocity); },
             [](const auto& joint) { return number(joint.velocity, "rad/s"); });
-  check.tell(is_mjcf(robot) ? Severity::warning : Severity::error,
-             " has no velocity limit" + formatted("; %.3g %s, ANYmal B's to size, is taken for it",
-                                                  guess.numbers[0], guess.unit),
-             formatted("the velocity limit looks like a placeholder, above %g rad/s",
-                       config::kFastestJoint),
-             "fill in limits.velocity of the robot file", " with the drive's no-load speed");
+  check.tell(
+      is_mjcf(robot) ? Severity::warning : Severity::error, "velocity limit",
+      formatted("; %.3g %s, ANYmal B's to size, is taken for it", guess.numbers[0], guess.unit),
+      formatted("the velocity limit looks like a placeholder, above %g rad/s",
+                config::kFastestJoint),
+      "fill in limits.velocity of the robot file", " with the drive's no-load speed");
+}
+
+/// Limits that are below the speeds of a walk's swings.
+void check_speed(Diagnosis& robot) {
+  // Of a usual joint's: with so much Solo12 and Marten walk, with half of it they do not.
+  constexpr double kSwing = 0.1;
+  const LimitGuess guess = limit_guesses(robot)[kVelocity];
+  JointList slow(robot);
+  for (const FoundLeg& leg : *robot.anatomy.legs) {
+    for (const model::UrdfJoint& joint : leg.joints) {
+      if (!is_missing(joint.velocity) && joint.velocity < kSwing * guess.numbers[0])
+        slow.add(joint, number(joint.velocity, guess.unit));
+    }
+  }
+  slow.tell(Severity::warning, Confidence::likely,
+            formatted("the velocity limit is too low for a swing, which takes about %.2g %s at "
+                      "this size",
+                      kSwing * guess.numbers[0], guess.unit),
+            "correct it here or in limits.velocity of the robot file; expected are rad/s",
+            robot.findings);
 }
 
 /// Beyond any turn of a leg: in degrees?
@@ -123,13 +165,14 @@ void check_position(Diagnosis& robot) {
     return config::is_position_placeholder(joint.lower, joint.upper) && !is_in_degrees(joint);
   };
   const std::string keys = "limits.position_min and position_max of the robot file";
-  check.run([&](const auto& joint) { return has_no_stops(joint) && !turns(joint); }, is_placeholder,
-            value);
-  check.tell(Severity::error, " has no position limits",
+  const auto nothing = [](const auto&) { return std::string(); };
+  check.run([&](const auto& joint) { return has_no_stops(joint) && !turns(joint); }, nothing,
+            is_placeholder, value);
+  check.tell(Severity::error, "position limits", "",
              "the position limits look like placeholders, a whole turn or more, or empty",
              "fill in " + keys, " with what the legs can do");
-  in_degrees.run([](const auto&) { return false; }, is_in_degrees, value);
-  in_degrees.tell(Severity::error, "", "the position limits look like degrees",
+  in_degrees.run([](const auto&) { return false; }, nothing, is_in_degrees, value);
+  in_degrees.tell(Severity::error, "", "", "the position limits look like degrees",
                   "give them in rad (1° is 0.01745 rad), here or in " + keys, "");
   JointList turning(robot);
   for (const FoundLeg& leg : *robot.anatomy.legs) {
@@ -180,17 +223,29 @@ void check_arms(Diagnosis& robot) {
   check_arms(robot, guesses[kPositionMin], "position limits", "position_min and position_max");
 }
 
+/// What a leg's drive has at rest.
+struct Strength {
+  double torque;
+  const char* by;  ///< behind the number
+};
+Strength strength_of(const Diagnosis& robot, const model::UrdfJoint& joint, Eigen::Index i) {
+  const double stall = robot.robot ? robot.robot->stall_torque[i] : kInfinity;
+  if (stall < joint.effort) return {stall, " N·m, drives.stall_torque"};
+  return {joint.effort, " N·m"};
+}
+
 void check_strength(Diagnosis& robot) {
   if (std::isnan(most_standing_torque(robot))) return;
   JointList weak(robot), tired(robot);
   for (const Leg leg : robot.anatomy.legs->legs()) {
     for (std::size_t j = 0; j < kJointsPerLeg; ++j) {
       const model::UrdfJoint& joint = (*robot.anatomy.legs)[index(leg)].joints[j];
-      const double needed =
-          std::abs(robot.standing_torque[first_joint(leg) + static_cast<Eigen::Index>(j)]);
-      if (is_missing(joint.effort) || needed < kMostOfLimit * joint.effort) continue;
-      JointList& list = needed > joint.effort ? weak : tired;
-      list.add(joint, formatted("%.3g of %.3g N·m", needed, joint.effort));
+      const Eigen::Index i = first_joint(leg) + static_cast<Eigen::Index>(j);
+      const double needed = std::abs(robot.standing_torque[i]);
+      const Strength strength = strength_of(robot, joint, i);
+      if (is_missing(joint.effort) || needed < kMostOfLimit * strength.torque) continue;
+      JointList& list = needed > strength.torque ? weak : tired;
+      list.add(joint, formatted("%.3g of %.3g%s", needed, strength.torque, strength.by));
     }
   }
   weak.tell(Severity::error, Confidence::likely, "to stand takes more torque than the limit",
@@ -207,6 +262,7 @@ void check_limits(Diagnosis& robot) {
   if (!robot.anatomy.legs) return;
   check_effort(robot);
   check_velocity(robot);
+  check_speed(robot);
   check_position(robot);
   check_strength(robot);
 }

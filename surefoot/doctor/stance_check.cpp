@@ -5,8 +5,10 @@
 #include "surefoot/config/robot_guesses.hpp"
 #include "surefoot/config/robot_plausibility.hpp"
 #include "surefoot/config/scenario_file.hpp"
+#include "surefoot/control/standing_torque.hpp"
 #include "surefoot/doctor/checks.hpp"
 #include "surefoot/doctor/guessed_file.hpp"
+#include "surefoot/gaits/parts/support_region.hpp"
 #include "surefoot/model/physics_urdf.hpp"
 #include "surefoot/model/robot_model.hpp"
 #include "surefoot/simulation/added_sphere.hpp"
@@ -61,6 +63,32 @@ Reach reach_of(const Diagnosis& robot, const JointVector& q) {
     reach.leg = leg;
   }
   return reach;
+}
+
+/// A robot falls over feet that its COM is not above, and steps little where it is near their edge.
+void check_com(Diagnosis& robot, model::RobotModel& model, const JointVector& q) {
+  constexpr double kLeastMargin = 0.15;  // of that in the middle of the feet
+  const model::Dynamics& dynamics = model.update(control::level_at_rest(q), Vec3::UnitZ());
+  PerLeg<Vec2> feet(dynamics.num_legs(), Vec2(0.0, 0.0));
+  Vec2 middle = Vec2::Zero();
+  for (const Leg leg : feet.legs()) {
+    feet[index(leg)] = dynamics.contact[index(leg)].p.head<2>();
+    middle += feet[index(leg)] / dynamics.num_legs();
+  }
+  const gaits::SupportRegion region(feet, PerLeg<double>(dynamics.num_legs(), 1.0));
+  const Vec2 com = (1e4 * dynamics.com.p.head<2>()).array().round() / 1e4 + 0.0;  // no "-0"
+  const double margin = region.margin(com);
+  if (margin > kLeastMargin * region.margin(middle)) return;
+  const bool is_out = margin < 0.0;
+  const std::string& heaviest = robot.anatomy.torso;
+  robot.findings.push_back(
+      {is_out ? Severity::error : Severity::warning, Confidence::likely, "stance", 0,
+       formatted("the robot's centre of mass, at x = %.3g, y = %.3g m, is ", com.x(), com.y()) +
+           (is_out ? formatted("not over its feet, but %.3g m beside them, so that it falls over",
+                               -margin)
+                   : formatted("only %.3g m within its feet, so that it hardly lifts one", margin)),
+       "check masses and centres of mass, first of \"" + heaviest +
+           "\", the heaviest link of the base"});
 }
 
 /// On what the start refuses: a shape of a shank below the foot is rarely the foot's.
@@ -121,10 +149,11 @@ void check_stance(Diagnosis& robot) {
     const config::Scenario scenario = config::load_scenario(
         {.name_or_path = scenario_name, .seed = 0, .assignments = {"robot=" + file.path()}});
     if (walks) {
-      const model::RobotModel model(scenario.robot);
+      model::RobotModel model(scenario.robot);
       const auto q = config::stance_posture(model, scenario.controller.planner.stance);
       robot.reach = reach_of(robot, q);
       check_singular(robot);
+      check_com(robot, model, q);
     }
     for (const std::string& note : closed_loop::check_setup(scenario)) {
       if (is_told_already(note, robot.urdf)) continue;
@@ -135,7 +164,7 @@ void check_stance(Diagnosis& robot) {
     if (has_error(robot.findings) && what.find("it can't stand: ") != std::string_view::npos)
       return;
     robot.findings.push_back(
-        {Severity::error, Confidence::certain, scenario_name, 0,
+        {Severity::error, of_refusal(robot.findings), scenario_name, 0,
          std::string("the robot can't be stood up: ") + file.without_path(error.what()),
          advice_on(robot, what) + "; `surefoot run " + scenario_name +
              " --check --set robot=FILE` checks it again"});

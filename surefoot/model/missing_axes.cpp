@@ -22,4 +22,18 @@ std::vector<std::string> joints_without_axis(const Urdf& urdf) {
   return names;
 }
 
+std::string written_limit(const Urdf& urdf, const std::string& joint, const char* attribute) {
+  const UrdfReader reader(urdf.path, urdf.text);
+  tinyxml2::XMLDocument xml;
+  const tinyxml2::XMLElement& robot = reader.robot(xml);
+  for (const tinyxml2::XMLElement* each = robot.FirstChildElement("joint"); each != nullptr;
+       each = each->NextSiblingElement("joint")) {
+    const tinyxml2::XMLElement* limit = each->FirstChildElement("limit");
+    if (limit == nullptr || reader.name(*each) != joint) continue;
+    const char* text = limit->Attribute(attribute);
+    return text == nullptr ? "" : text;
+  }
+  return "";
+}
+
 }  // namespace surefoot::model

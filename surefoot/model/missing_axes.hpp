@@ -11,4 +11,9 @@ namespace surefoot::model {
 /// again; throws FileError if it can't be.
 [[nodiscard]] std::vector<std::string> joints_without_axis(const Urdf& urdf);
 
+/// What stands in an attribute of a joint's <limit>, a number or not; empty: nothing. Reads the
+/// file again, too.
+[[nodiscard]] std::string written_limit(const Urdf& urdf, const std::string& joint,
+                                        const char* attribute);
+
 }  // namespace surefoot::model

@@ -117,6 +117,18 @@ TEST_F(Checks, inertia_in_square_millimetres) {
       has(diagnosis(), Severity::error, "link \"RF_THIGH\": its radius of gyration, √(I/m), is"));
 }
 
+TEST_F(Checks, inertia_of_a_thigh_that_is_thirty_times_too_large) {
+  in_link("LF_THIGH", "i(xx|yy|zz)=\"[^\"]*\"",
+          [](const std::string& entry) { return entry.substr(0, 5) + "0.4\""; });
+  EXPECT_TRUE(has(diagnosis(), Severity::warning, "the inertia is too large for the mass"));
+}
+
+TEST_F(Checks, inertia_that_is_the_same_everywhere) {
+  replace_all("<inertia [^>]*>",
+              "<inertia ixx=\"0.001\" iyy=\"0.001\" izz=\"0.001\" ixy=\"0\" ixz=\"0\" iyz=\"0\"/>");
+  EXPECT_TRUE(has(diagnosis(), Severity::warning, "have the same inertia, 0.001, 0.001, 0.001"));
+}
+
 TEST_F(Checks, inertias_in_square_millimetres_are_one_finding) {
   urdf_ = std::regex_replace(urdf_, std::regex("(i[xyz][xyz]=\"[^\"e]*)\""), "$1e6\"");
   const Diagnosis robot = diagnosis();
@@ -250,6 +262,49 @@ TEST_F(Checks, leg_that_is_longer_than_its_mirror_image) {
   EXPECT_TRUE(has(diagnosis(), Severity::warning, "LF and RF, thigh, HFE axis to KFE axis"));
 }
 
+/// A change of one joint or link, and what is told of it.
+struct Lopsided {
+  const char *what, *behind, *from, *to, *told;
+};
+
+class EachLopsided : public Checks, public testing::WithParamInterface<Lopsided> {};
+
+TEST_P(EachLopsided, is_told_of_the_leg_that_the_others_are_not_like) {
+  const Lopsided& one = GetParam();
+  for (const std::string leg : {"LF", "RF", "LH", "RH"}) {
+    const std::string sound = urdf_;
+    const auto of_leg = [&](std::string text) {
+      return std::regex_replace(text, std::regex("LF"), leg);
+    };
+    change(of_leg(one.behind), one.from, one.to);
+    const Finding found = finding(diagnosis(), Severity::warning, one.told);
+    EXPECT_TRUE(holds(found.what, "left and right differ")) << leg;
+    EXPECT_TRUE(holds(found.what, "the other legs are as")) << leg;
+    EXPECT_TRUE(holds(found.subject, "\"" + leg + "_")) << found.what;
+    urdf_ = sound;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Each, EachLopsided,
+    testing::Values(Lopsided{"Length", "<joint name=\"LF_KFE\"", "-0.25\"", "-0.28\"",
+                             "thigh, HFE axis to KFE"},
+                    Lopsided{"Mass", "<link name=\"LF_THIGH\"", "<mass value=\"1.634976467\"",
+                             "<mass value=\"0.6\"", "mass that HFE moves"},
+                    Lopsided{"Effort", "<joint name=\"LF_HFE\"", " effort=\"80\"", " effort=\"40\"",
+                             "effort limit of HFE"},
+                    Lopsided{"Velocity", "<joint name=\"LF_HFE\"", " velocity=\"15.0\"",
+                             " velocity=\"8\"", "velocity limit of HFE"},
+                    Lopsided{"Limits", "<joint name=\"LF_HFE\"", "lower=\"-9.42\"", "lower=\"-1\"",
+                             "position limits of HFE"},
+                    Lopsided{"Zero", "<joint name=\"LF_KFE\"", "<origin ",
+                             "<origin rpy=\"0 0.35 0\" ", "shank at the joints' 0"},
+                    Lopsided{"Com", "<link name=\"LF_THIGH\"", "-0.214583373795\"", "-0.05\"",
+                             "centre of mass of what HFE moves"},
+                    Lopsided{"Inertia", "<link name=\"LF_THIGH\"", "ixx=\"0.012", "ixx=\"0.4",
+                             "inertia of what HFE moves"}),
+    [](const auto& each) { return each.param.what; });
+
 TEST_F(Checks, hip_at_the_wrong_place) {
   change("<joint name=\"RH_HAA\"", "xyz=\"-0.277 -0.116", "xyz=\"-0.247 -0.116");
   EXPECT_TRUE(has(diagnosis(), Severity::warning, "LH and RH, place of the hip"));
@@ -257,7 +312,50 @@ TEST_F(Checks, hip_at_the_wrong_place) {
 
 TEST_F(Checks, effort_that_is_missing) {
   change("<joint name=\"LF_HFE\"", "effort=\"80\"", "effort=\"0\"");
+  EXPECT_TRUE(
+      has(diagnosis(), Severity::error, "the URDF has no effort limit above 0: LF_HFE, 0 N·m"));
+  change("<joint name=\"LF_HFE\"", "effort=\"0\"", "");
   EXPECT_TRUE(has(diagnosis(), Severity::error, "the URDF has no effort limit: LF_HFE"));
+}
+
+TEST_F(Checks, effort_that_is_none_is_told_as_it_is_written) {
+  change("<joint name=\"LF_HFE\"", "effort=\"80\"", "effort=\"nan\"");
+  change("<joint name=\"RF_HFE\"", "effort=\"80\"", "effort=\"-80\"");
+  const Diagnosis robot = diagnosis();
+  EXPECT_TRUE(has(robot, Severity::error, "no effort limit above 0: LF_HFE, nan N·m"));
+  EXPECT_TRUE(has(robot, Severity::error, "RF_HFE, -80 N·m"));
+}
+
+TEST_F(Checks, stall_torque_that_is_too_weak_to_stand) {
+  test::write_file(folder_ / "robot.urdf", urdf_);
+  test::write_file(
+      folder_ / "robot.yaml",
+      "name: weak\nurdf: robot.urdf\nlegs: {LF: {foot: LF_FOOT}, RF: {foot: RF_FOOT}, "
+      "LH: {foot: LH_FOOT}, RH: {foot: RH_FOOT}}\nfoot: {radius: 0.031, center: [0, 0, "
+      "0.02325]}\nlimits: {position_min: [-1.2, -2.6, -2.9], position_max: [1.2, 2.6, "
+      "2.9]}\ndrives: {stall_torque: 2}\n");
+  EXPECT_TRUE(
+      has(examine(folder_ / "robot.yaml"), Severity::error, "of 2 N·m, drives.stall_torque"));
+}
+
+TEST_F(Checks, velocity_that_is_too_low_to_swing) {
+  EXPECT_FALSE(has(diagnosis(), Severity::warning, "too low for a swing"));
+  change("<joint name=\"RH_KFE\"", "velocity=\"15.0\"", "velocity=\"0.5\"");
+  EXPECT_TRUE(has(diagnosis(), Severity::warning, "about 1.5 rad/s at this size: RH_KFE"));
+}
+
+TEST_F(Checks, centre_of_mass_beside_the_feet) {
+  EXPECT_FALSE(has(diagnosis(), Severity::warning, "centre of mass"));
+  change("<link name=\"base_inertia\"", "xyz=\"-0.00196", "xyz=\"0.90196");
+  const Finding found = finding(diagnosis(), Severity::error, "the robot's centre of mass");
+  EXPECT_TRUE(holds(found.what, "not over its feet"));
+  EXPECT_TRUE(holds(found.remedy, "\"base_inertia\""));
+}
+
+TEST_F(Checks, centre_of_mass_near_the_edge_of_the_feet) {
+  change("<link name=\"base_inertia\"", "xyz=\"-0.00196", "xyz=\"0.58196");
+  EXPECT_TRUE(
+      has(diagnosis(), Severity::warning, "m within its feet, so that it hardly lifts one"));
 }
 
 TEST_F(Checks, effort_that_is_too_weak_to_stand) {
