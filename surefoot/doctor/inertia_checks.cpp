@@ -13,12 +13,12 @@ namespace {
 
 // A body's radius of gyration against how far its joints and links reach.
 constexpr double kMostGyration = 4.0, kLeastGyration = 0.04;
-constexpr double kFewGyrations = 1.4;  // against its reach, or that share of a leg if it is more:
-constexpr double kStubReach = 0.25;    // what shapes add to a body counts little then
-constexpr double kLeastReach = 0.02;   // of a body whose joints lie at one place [m]
-constexpr double kFarCom = 5.0;        // of its reach, and at least
-constexpr double kFarAway = 0.5;       // [m]: an offset of 1 mm is 1 m in the wrong unit
-constexpr double kOtherUnit = 20.0;    // times the most gyration: an error, for the robot falls
+// Against its reach, or a share of the leg's length if that is more: shapes may reach farther.
+constexpr double kFewGyrations = 1.4, kStubReach = 0.25;
+constexpr double kLeastReach = 0.02;  // of a body whose joints lie at one place [m]
+constexpr double kFarCom = 5.0;       // of its reach, and at least
+constexpr double kFarAway = 0.5;      // [m]: an offset of 1 mm is 1 m in the wrong unit
+constexpr double kOtherUnit = 20.0;   // times the most gyration: an error, for the robot falls
 
 Finding of_link(const model::UrdfLink& link, Severity severity, Confidence confidence,
                 std::string what, std::string remedy) {
