@@ -249,15 +249,17 @@ void bind_robot(nb::module_& module) {
           "lack: see doctor().")
       .def("__copy__", [](nb::handle_t<Self> self) { return self; })
       .def("__deepcopy__", [](nb::handle_t<Self> self, nb::handle) { return self; })
-      .def("__reduce__",
-           [](nb::handle_t<Self> self) {
-             const std::string& source = nb::inst_ptr<Self>(self)->source();
-             if (source.empty())
-               throw nb::type_error(
-                   "only a Robot(name_or_path) can be pickled; of a scenario, pickle that and take "
-                   "its robot_model there; of a diagnosis, write() a robot file first");
-             return nb::make_tuple(self.type(), nb::make_tuple(source));
-           })
+      .def(
+          "__reduce__",
+          [](nb::handle_t<Self> self) {
+            const std::string& source = nb::inst_ptr<Self>(self)->source();
+            if (source.empty())
+              throw nb::type_error(
+                  "only a Robot(name_or_path) can be pickled; of a scenario, pickle that and take "
+                  "its robot_model there; of a diagnosis, write() a robot file first");
+            return nb::make_tuple(self.type(), nb::make_tuple(source));
+          },
+          nb::sig("def __reduce__(self) -> tuple[typing.Any, ...]"))
       .def("__repr__",
            [](const Self& self) {
              const model::RobotDescription& given = self.description();

@@ -53,7 +53,7 @@ std::vector<std::string> event_lines(const closed_loop::RunResult& run) {
 }
 
 using ResultState =
-    std::tuple<std::string, std::optional<std::string>, nb::dict, std::vector<CriterionResult>,
+    std::tuple<std::string, std::optional<std::string>, Metrics, std::vector<CriterionResult>,
                std::vector<std::string>, std::vector<std::string>, std::string, std::uint64_t>;
 
 void bind_result(nb::module_& module) {

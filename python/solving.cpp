@@ -310,12 +310,14 @@ void bind_solving(nb::module_& module) {
            "Why each level came out as it did, as `surefoot solve --explain` tells it: what it\n"
            "missed, which rows above hold it back, and what they cost, in the level's unit. Takes\n"
            "one solve for each row that may hold a level back.")
-      .def("__reduce__",
-           [](const NamedSolution&) -> nb::object {
-             throw nb::type_error(
-                 "a Solution can't be pickled; its x, status, flops and verdict can, and "
-                 "{level.name: level.residual for level in solution.levels}");
-           })
+      .def(
+          "__reduce__",
+          [](const NamedSolution&) -> nb::object {
+            throw nb::type_error(
+                "a Solution can't be pickled; its x, status, flops and verdict can, and "
+                "{level.name: level.residual for level in solution.levels}");
+          },
+          nb::sig("def __reduce__(self) -> tuple[typing.Any, ...]"))
       .def("__repr__", [](nb::handle_t<NamedSolution> self) {
         return nb::str("Solution({!r}, x={}, levels={})")
             .format(self.attr("status"), self.attr("x"), self.attr("levels"));
