@@ -107,11 +107,13 @@ void bind_result(nb::module_& module) {
                     formatted(", %.4g s: ", self.metrics.duration_s) + self.metrics.reason +
                     missed + ">";
            })
-      .def("__getstate__",
-           [](const Self& self) {
-             return ResultState(self.scenario, self.log, as_dict(self.metrics), self.criteria,
-                                self.events, self.notes, self.fault, self.torques_hash);
-           })
+      .def(
+          "__getstate__",
+          [](const Self& self) {
+            return ResultState(self.scenario, self.log, as_dict(self.metrics), self.criteria,
+                               self.events, self.notes, self.fault, self.torques_hash);
+          },
+          nb::sig("def __getstate__(self) -> tuple[typing.Any, ...]"))
       .def("__setstate__", [](Self& self, const ResultState& state) {
         const auto& [scenario, log, metrics, criteria, events, notes, fault, torques_hash] = state;
         new (&self)
