@@ -11,6 +11,7 @@ from surefoot import _core
 
 SHORT = 20  # names that are all told
 OF_FUNCTIONS = ["catalog", "scenarios", "stacks"]
+BY_LEG = {"slips", "contacts", "feet", "hips"}
 OF_OBJECTS = {
     "RobotState": ["slips"], "TickContext": ["contacts"], "MotionPlan": ["feet"], "GroundTruth": ["feet"], "Dynamics": ["hips", "feet", "contacts"],
     "Scenario": ["drawn"], "ControllerBase": ["problem"], "Evaluator": ["metrics"], "Result": ["metrics"],
@@ -30,10 +31,18 @@ class Named(dict[str, Any]):
         return dict, (dict(self),)
 
 
+class ByLeg(Named):
+    """What is put into it would be lost: the object that it is of has the items themselves."""
+
+    def __setitem__(self, leg: object, value: object) -> None:
+        raise _core.Error(f"what is of {leg} can't be replaced: write into the item, as plan.feet[{leg!r}].p_WF = …; slips the controller finds itself")
+
+
 with contextlib.suppress(ImportError):
     _yaml = importlib.import_module("yaml.representer")
     for _kind in (_yaml.SafeRepresenter, _yaml.Representer):
-        _kind.add_representer(Named, _kind.represent_dict)
+        for _dict in (Named, ByLeg):
+            _kind.add_representer(_dict, _kind.represent_dict)
 
 
 def named(value: Any) -> Any:
@@ -49,6 +58,10 @@ def giving_named(function: Any) -> Any:
     return lambda *args, **kwargs: named(function(*args, **kwargs))
 
 
+def giving_by_leg(function: Any) -> Any:
+    return lambda *args, **kwargs: ByLeg(function(*args, **kwargs))
+
+
 def tell() -> None:
     for name in OF_FUNCTIONS:
         function = getattr(_core, name)
@@ -57,4 +70,5 @@ def tell() -> None:
         kind = getattr(_core, name)
         for member in members:
             inner = vars(kind)[member]
-            setattr(kind, member, property(giving_named(inner.fget), inner.fset, doc=inner.__doc__))
+            giving = giving_by_leg if member in BY_LEG else giving_named
+            setattr(kind, member, property(giving(inner.fget), inner.fset, doc=inner.__doc__))

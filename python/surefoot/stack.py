@@ -102,6 +102,7 @@ def register_task(task: OwnTask) -> None:
     the same name that was registered before is replaced."""
     if task.task in [info["name"] for info in _core.catalog()]:
         raise Error(f"there is a task {task.task!r} already; give yours another name")
+    Stack().last(task)  # raises Error on what no stack would take
     _registered[task.task] = task
 
 

@@ -150,6 +150,21 @@ def test_an_attribute_of_a_task_that_makes_no_sense_is_named(monkeypatch, attrib
             use()
 
 
+def test_a_task_with_such_an_attribute_is_not_registered():
+    with pytest.raises(surefoot.Error, match='task "odd": unit is 3; a text would be valid'):
+        surefoot.register_task(type("Odd", (Height,), {"unit": 3})("odd"))
+    surefoot.Stack("terrain_adaptation")
+
+
+def test_what_is_of_a_leg_is_written_in_its_place():
+    plan = surefoot.MotionPlan()
+    for by_leg in (plan.feet, surefoot.RobotState().slips):
+        with pytest.raises(surefoot.Error, match=r"plan.feet\['LF'\].p_WF = "):
+            by_leg["LF"] = True
+    plan.feet["LF"].p_WF = [1, 2, 3]
+    assert plan.feet["LF"].p_WF[2] == 3
+
+
 @pytest.mark.parametrize("make, said", [
     (lambda: type("Sizeless", (OwnTask,), {"rows": raising})("sizeless"), "max_rows is 0; the largest number of rows that rows"),
     (lambda: Height("com_xy"), "com_xy"),
