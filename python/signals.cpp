@@ -105,6 +105,32 @@ void bind_frames(nb::module_& module) {
           },
           nb::sig("def __iter__(self) -> collections.abc.Iterator[FramePlan]"))
       .def("append", &append, nb::arg("frame"), "Adds one at the end; a plan has at most 6.")
+      .def(
+          "extend",
+          [](FrameList& self, const std::vector<FramePlan>& frames) {
+            for (const FramePlan& frame : frames) append(self, frame);
+          },
+          nb::arg("frames"), "Adds some at the end.")
+      .def(
+          "__iadd__",
+          [](nb::handle_t<FrameList> self, const std::vector<FramePlan>& frames) {
+            for (const FramePlan& frame : frames) append(*nb::inst_ptr<FrameList>(self), frame);
+            return self;
+          },
+          nb::sig("def __iadd__(self, arg: collections.abc.Sequence[FramePlan], /) -> FrameList"))
+      .def(
+          "__add__",
+          [](nb::handle_t<FrameList> self, const nb::list& frames) {
+            return nb::list(self) + frames;
+          },
+          nb::sig("def __add__(self, arg: list[FramePlan], /) -> list[FramePlan]"))
+      .def(
+          "__reduce__",
+          [](nb::handle_t<FrameList> self) {
+            return nb::make_tuple(nb::borrow(reinterpret_cast<PyObject*>(&PyList_Type)),
+                                  nb::make_tuple(nb::list(self)));
+          },
+          nb::sig("def __reduce__(self) -> tuple[type[list[FramePlan]], tuple[list[FramePlan]]]"))
       .def("__repr__", [](nb::handle_t<FrameList> self) { return nb::repr(nb::list(self)); });
 }
 

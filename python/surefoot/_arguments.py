@@ -252,6 +252,12 @@ def signature_of(text: str, defaults: tuple[Any, ...] | None) -> inspect.Signatu
     return inspect.Signature(made, return_annotation=ast.unparse(function.returns) if function.returns else inspect.Signature.empty)
 
 
+def is_mismatch(error: TypeError) -> bool:
+    """Of the call itself, and none within it, as of a user's function."""
+    inside = error.__traceback__ and error.__traceback__.tb_next
+    return MISMATCH in str(error) and inside is None
+
+
 def told(function: Any, name: str, argument: str = "") -> Callable[..., Any]:
     """A compiled function whose complaint about its arguments names one. argument: what its only one is called."""
     signatures = function.__nb_signature__
@@ -264,7 +270,7 @@ def told(function: Any, name: str, argument: str = "") -> Callable[..., Any]:
             if not (takes_numbers and (has_complex(args) or has_complex(kwargs.values()))):
                 return function(*args, **kwargs)
         except TypeError as error:
-            if MISMATCH not in str(error):
+            if not is_mismatch(error):
                 raise
         if not forms:
             forms.extend(Form(signature_of(each[0], each[2]), vars(_core)) for each in signatures)
@@ -276,7 +282,7 @@ def told(function: Any, name: str, argument: str = "") -> Callable[..., Any]:
             except Unbound:
                 continue
             except TypeError as error:
-                if MISMATCH not in str(error):
+                if not is_mismatch(error):
                     raise
         raise explained(forms, name, argument, args, kwargs) from None
 

@@ -3,17 +3,17 @@
 from __future__ import annotations
 
 import difflib
+import warnings
 from typing import Any
 
 from surefoot import _core
 from surefoot._arguments import checked
-from surefoot._core import Error
 
-NEAR = 0.8  # of difflib: a slip, no other word
+NEAR = 0.85  # of difflib: a slip, no other word
 
 
-def refuse_slips(kind: Any) -> None:
-    """A method that is called nearly as one that the library calls, and that isn't there, is refused where the class is written."""
+def tell_slips(kind: Any) -> None:
+    """A method that is called nearly as one that the library calls, and that isn't there, is told where the class is written."""
     called = [name for name in vars(kind) if name[0] != "_"]
 
     def check(derived: type, /, **options: Any) -> None:
@@ -22,7 +22,7 @@ def refuse_slips(kind: Any) -> None:
             near = difflib.get_close_matches(name, called, n=1, cutoff=NEAR)
             if name[0] != "_" and callable(member) and near and name not in called and getattr(derived, near[0]) is getattr(kind, near[0]):
                 hint = f"did you mean {near[0]}? one of your own could be called _{name}"
-                raise Error(f"{derived.__name__}.{name}: a {kind.__name__} has no {name}; {hint}")
+                warnings.warn(f"{derived.__name__}.{name}: a {kind.__name__} calls no {name}; {hint}", stacklevel=2)
 
     setattr(kind, "__init_subclass__", classmethod(check))
 
@@ -46,4 +46,4 @@ def begun_at_once(kind: Any) -> type:
 def tell() -> None:
     setattr(_core, "Gait", begun_at_once(_core.Gait))
     for kind in (_core.Gait, _core.Planner, _core.Estimator):
-        refuse_slips(kind)
+        tell_slips(kind)

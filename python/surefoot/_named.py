@@ -34,8 +34,10 @@ class Named(dict[str, Any]):
 class ByLeg(Named):
     """What is put into it would be lost: the object that it is of has the items themselves."""
 
-    def __setitem__(self, leg: object, value: object) -> None:
-        raise _core.Error(f"what is of {leg} can't be replaced: write into the item, as plan.feet[{leg!r}].p_WF = …; slips the controller finds itself")
+    def _refuse(self, *_: object, **__: object) -> Any:
+        raise _core.Error("what is of a leg can't be replaced: write into the item, as plan.feet['LF'].p_WF = …; slips the controller finds itself")
+
+    __setitem__ = __delitem__ = __ior__ = update = setdefault = pop = popitem = clear = _refuse  # type: ignore[assignment]
 
 
 with contextlib.suppress(ImportError):

@@ -66,11 +66,6 @@ void find_reaches(const ConfigNode& tree, Scenario& scenario) {
   for (TimedCommand& command : scenario.commands) {
     ReachCommand& reach = command.user.reach;
     if (!command.frame.empty()) reach.frame = followed_frame(tree, command, scenario);
-    if (reach.arm >= 0 && reach.arm < num_arms && !control::follows_tip(scenario.controller.stack))
-      refuse_reach(tree, command.time,
-                   ".arm: no task of the stack \"" + scenario.controller.stack.name +
-                       "\" follows an arm's tip; valid is a stack with frame_position, without "
-                       "frame, or one without tasks for arms, which then gets them");
     if (reach.arm < num_arms) continue;
     refuse_reach(tree, command.time,
                  formatted(".arm: is %d, but the robot has %s", reach.arm,

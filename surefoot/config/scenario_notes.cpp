@@ -87,6 +87,19 @@ void note_too_fast(const Scenario& scenario, std::vector<std::string>& notes) {
   }
 }
 
+/// A planner of the user's own, or a stack that comes later, may follow it.
+void note_vain_reach(const Scenario& scenario, std::vector<std::string>& notes) {
+  if (control::follows_tip(scenario.controller.stack)) return;
+  const auto reaches = std::ranges::find_if(
+      scenario.commands, [](const TimedCommand& command) { return command.user.reach.arm >= 0; });
+  if (reaches == scenario.commands.end()) return;
+  notes.push_back(
+      formatted("at %g s, reach.arm: no task of the stack \"%s\" follows an arm's tip; "
+                "one with frame_position, without frame, would, or one without tasks "
+                "for arms, which then gets them",
+                reaches->time, scenario.controller.stack.name.c_str()));
+}
+
 }  // namespace
 
 std::vector<std::string> scenario_notes(const ConfigNode& tree, const Scenario& scenario) {
@@ -102,6 +115,7 @@ std::vector<std::string> scenario_notes(const ConfigNode& tree, const Scenario& 
   note_undrawn(assigned, notes);
   note_unused_actuator(assigned, plant.actuators, notes);
   note_too_fast(scenario, notes);
+  note_vain_reach(scenario, notes);
   if (std::string guessed = guessed_note(scenario); !guessed.empty())
     notes.push_back(std::move(guessed));
   std::ranges::copy(control::missing_physics(scenario.controller.stack), std::back_inserter(notes));

@@ -284,8 +284,8 @@ control::StackOptions parse_stack(const std::string& text, const std::string& na
 // Defaults are for a robot of scale 1.
 control::StackOptions with_scaled_arms(const control::StackOptions& stack,
                                        const model::RobotDescription& robot) {
-  control::StackOptions result = control::with_arms(
-      control::with_further_joints(control::with_stops(stack, robot), robot), robot);
+  control::StackOptions result = control::with_stops(
+      control::with_further_joints(control::with_arms(stack, robot), robot), robot);
   for (control::LevelSpec& level : result.levels) {
     const bool is_new = !contains(names_of(stack.levels), level.name);
     if (is_new) scale_level(level, robot.scale, {}, true);

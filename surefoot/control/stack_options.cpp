@@ -25,11 +25,8 @@ constexpr std::array<std::string_view, 2> kEfforts{"contact_force_minimisation",
 constexpr double kHeldGain = 800.0;    // [1/s²]
 constexpr double kHeldDamping = 56.0;  // [1/s]
 
-// Of an arm that reaches, beside its tip: where its tip can't follow, as beyond its reach or
-// through a singular posture, its joints are slow instead of fast, and a tip that stands is not
-// held back.
-constexpr double kSlowing = 10.0;       // [1/s]
-constexpr double kSlowingWeight = 0.1;  // of rad/s² against m/s² [m]
+// Of the damping of an arm that reaches, beside its tip: of rad/s² against m/s² [m].
+constexpr double kSlowingWeight = 0.1;
 
 constexpr const char* kStops = "joint_position_limits";
 
@@ -67,6 +64,14 @@ bool is_of_arms(const std::string& joints, const model::RobotDescription& robot)
       if (std::ranges::find(arm.joints, word) != arm.joints.end()) return true;
   }
   return false;
+}
+
+/// Does it keep joints in their ranges, and not those of arms alone?
+bool bounds_legs(const TaskSpec& task, const model::RobotDescription& robot) {
+  const std::string joints = choice(task, "joints");
+  if (task.task != kStops || joints == "further") return false;
+  if (joints.empty() || joints == "all" || joints == "legs") return true;
+  return !is_of_arms(joints, robot);
 }
 
 /// Is it a posture of a further joint of a leg?
@@ -124,11 +129,9 @@ void insert_below_physics(LevelSpec level, StackOptions& stack) {
 
 /// The tip of the arm that reaches, with slow joints.
 LevelSpec tip_level(const Scale& scale) {
-  LevelSpec level = level_of("arm_tip", {"frame_position", "frame_orientation", "posture"});
+  LevelSpec level = level_of("arm_tip", {"frame_position", "frame_orientation", "joint_damping"});
   TaskSpec& slow = level.tasks.back();
   slow.choices["joints"] = "reaching_arm";
-  slow.numbers["kp"] = 0.0;
-  slow.numbers["kd"] = scale.rate() * kSlowing;
   slow.weight = scale.length * kSlowingWeight;
   return level;
 }
@@ -243,8 +246,11 @@ StackOptions with_stops(StackOptions stack, const model::RobotDescription& robot
   };
   const auto swing = level_with("swing_foot");
   const bool reaches = level_with("limb_extension_limits") != stack.levels.end();
-  if (!reaches || swing == stack.levels.end() || level_with(kStops) != stack.levels.end())
-    return stack;
+  const bool has_stops = std::ranges::any_of(stack.levels, [&](const LevelSpec& level) {
+    return std::ranges::any_of(level.tasks,
+                               [&](const TaskSpec& task) { return bounds_legs(task, robot); });
+  });
+  if (!reaches || swing == stack.levels.end() || has_stops) return stack;
   if (std::any_of(swing, stack.levels.end(), keeps_physics)) return stack;
   LevelSpec stops{.name = kStops, .tasks = {}};
   stops.tasks.emplace_back().task = kStops;

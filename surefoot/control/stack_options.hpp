@@ -47,7 +47,7 @@ void check_physics(const StackOptions& stack);
 /// the physics, `arm_posture` holds the arms that do not reach: lower down they would be thrown
 /// about to save the torso's pose. Before the levels that only save effort, `arm_limits`, `arm_tip`
 /// and `arm_rest` move the one that reaches, as far as balance and torso leave it, with slow
-/// joints: in `arm_tip` a posture without kp shares the tip's level. Arms of which a task follows a
+/// joints: in `arm_tip` `joint_damping` shares the tip's level. Arms of which a task follows a
 /// frame have `arm_rest` right below it. Throws UnknownNameError for an unknown frame.
 [[nodiscard]] StackOptions with_arms(StackOptions stack, const model::RobotDescription& robot);
 /// Does a task follow the tip of the arm that reaches? One of the user's own may.

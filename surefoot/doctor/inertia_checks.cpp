@@ -138,10 +138,18 @@ class UnitCheck {
     }
   }
   /// Moments about places in another unit are in another unit, too: places come first.
-  void tell(Findings& findings) const {
+  /// `is_filled_in`: do the moments come from somewhere?
+  void tell(Findings& findings, bool is_filled_in) const {
     farther_.tell(Severity::error, Confidence::likely,
                   "is <inertial><origin> in mm? Expected are m", findings, true);
     if (has_cause(findings)) return;
+    if (is_filled_in) tell_moments(findings);
+    far_.tell(Severity::warning, Confidence::likely, "is <inertial><origin> in mm? Expected are m",
+              findings);
+  }
+
+ private:
+  void tell_moments(Findings& findings) const {
     for (const auto& [list, severity] :
          {std::pair{&huge_, Severity::error}, std::pair{&large_, Severity::warning}}) {
       list->tell(severity, Confidence::likely,
@@ -153,11 +161,8 @@ class UnitCheck {
                 "is the mass in g (divide by 1000), or <inertia> a placeholder? Expected are kg "
                 "and kg·m²",
                 findings);
-    far_.tell(Severity::warning, Confidence::likely, "is <inertial><origin> in mm? Expected are m",
-              findings);
   }
 
- private:
   double least_reach_ = kInfinity;  // [m]
   PartList huge_, large_, small_, far_, farther_;
 };
@@ -240,7 +245,7 @@ void check_inertias(Diagnosis& robot) {
       "take the inertia from CAD anew; what counts is the body with all that is fixed to it",
       robot.findings);
   const bool is_filled_in = !check_placeholders(robot.urdf, robot.findings);
-  if (is_filled_in && !has_cause(robot.findings)) units.tell(robot.findings);
+  if (!has_cause(robot.findings)) units.tell(robot.findings, is_filled_in);
 }
 
 }  // namespace surefoot::doctor

@@ -248,11 +248,13 @@ void check_strength(Diagnosis& robot) {
       list.add(joint, formatted("%.3g of %.3g%s", needed, strength.torque, strength.by));
     }
   }
-  weak.tell(Severity::error, Confidence::likely, "to stand takes more torque than the limit",
-            "are masses in g or efforts in other units? Expected are kg and N·m", robot.findings);
+  weak.tell(
+      Severity::error, Confidence::likely, "to stand takes more torque than the limit",
+      "are masses in g, efforts or drives.stall_torque in other units? Expected are kg and N·m",
+      robot.findings);
   tired.tell(Severity::warning, Confidence::likely,
              "to stand takes most of the torque limit, so little is left to walk",
-             "check masses and effort limits", robot.findings);
+             "check masses, effort limits and drives.stall_torque", robot.findings);
 }
 
 }  // namespace

@@ -77,7 +77,7 @@ std::string reach(const TickRecord& tick) {
   if (command.arm >= 0 && tick.plan.arm.arm == command.arm) {
     const Vec3 from_base = tick.state.q_WB.conjugate() * (tick.plan.arm.p_WT - tick.state.p_WB);
     reference = command.in_world ? tick.plan.arm.p_WT : from_base;
-  } else if (command.arm < 0 && frame != nullptr) {
+  } else if (command.arm < 0 && frame != nullptr && frame->in_world == command.in_world) {
     reference = frame->p_XF;
   }
   if (!reference.allFinite()) return wanted + ", which nothing follows";

@@ -10,7 +10,7 @@ namespace {
 
 /// Smallest visible residuals by unit, at scale 1.
 constexpr double kOtherUnits = 0.05;
-constexpr double kSlowed = 1.5;  // of a tip that its slow joints let lag, without dimension
+constexpr double kSlowed = 1.5;  // of a tip that its slow joints let lag, m/s² and rad/s² together
 constexpr std::array<std::pair<std::string_view, double>, 4> kVisible{
     {{"m/s²", 0.02}, {"rad/s²", 0.05}, {"N·m", 0.1}, {"N", 0.5}}};
 

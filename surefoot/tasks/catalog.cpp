@@ -8,6 +8,7 @@
 #include "surefoot/tasks/frame_orientation.hpp"
 #include "surefoot/tasks/frame_position.hpp"
 #include "surefoot/tasks/friction_cone.hpp"
+#include "surefoot/tasks/joint_damping.hpp"
 #include "surefoot/tasks/joint_position_limits.hpp"
 #include "surefoot/tasks/limb_extension_limits.hpp"
 #include "surefoot/tasks/manipulability.hpp"
@@ -213,6 +214,12 @@ void add_frames(Catalog& catalog) {
       .number("kp", &FrameOrientation::Options::kp, "1/s²", "orientation gain")
       .number("kd", &FrameOrientation::Options::kd, "1/s", "angular velocity gain")
       .number("max_error", &FrameOrientation::Options::max_error, "rad", kErrorHelp)
+      .add_to(catalog);
+  Entry<JointDamping>("joint_damping", "joints are slow where the rest of their level lets them",
+                      kNoUnit, "rad/s²")
+      .text("joints", &JointDamping::Options::joints, {kJointWords.begin(), kJointWords.end()},
+            "JOINT …", kJointHelp)
+      .number("kd", &JointDamping::Options::kd, "1/s", "velocity gain")
       .add_to(catalog);
   Entry<Posture>("posture", "joints go to a posture and stay there", kNoUnit, "rad/s²")
       .text("joints", &Posture::Options::joints, {kJointWords.begin(), kJointWords.end()},

@@ -73,6 +73,12 @@ TEST(StackPhysics, StopsThatThighsStandNearComeBeforeTheSwingFeet) {
   ASSERT_NE(swing, fitted.levels.end());
   EXPECT_EQ((swing - 1)->name, "joint_position_limits");
   EXPECT_EQ(with_stops(fitted, robot).levels.size(), stack.levels.size() + 1);
+  StackOptions of_arms = stack;
+  TaskSpec& limits =
+      of_arms.levels.emplace_back(LevelSpec{.name = "own", .tasks = {}}).tasks.emplace_back();
+  limits.task = "joint_position_limits";
+  limits.choices["joints"] = "arms";
+  EXPECT_EQ(with_stops(of_arms, robot).levels.size(), of_arms.levels.size() + 1);
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 """Tasks, planners and estimators written in Python, and what becomes of a walk when they go wrong."""
 
+import copy
 import re
 import time
 
@@ -161,6 +162,9 @@ def test_what_is_of_a_leg_is_written_in_its_place():
     for by_leg in (plan.feet, surefoot.RobotState().slips):
         with pytest.raises(surefoot.Error, match=r"plan.feet\['LF'\].p_WF = "):
             by_leg["LF"] = True
+        with pytest.raises(surefoot.Error, match="can't be replaced"):
+            by_leg.update(LF=True)
+        assert by_leg.copy() == by_leg and type(copy.deepcopy(by_leg)) is dict
     plan.feet["LF"].p_WF = [1, 2, 3]
     assert plan.feet["LF"].p_WF[2] == 3
 
@@ -302,6 +306,11 @@ def test_what_is_written_into_the_frames_of_a_plan_stays():
     plan.frames = [*plan.frames, frame]
     plan.frames = plan.frames
     assert plan.frames[-1].p_XF[2] == 0 and plan.frames[0].p_XF[2] == 3 and "frame=7" in repr(plan.frames)
+    more = plan.frames + [frame]
+    plan.frames += [frame]
+    assert type(more) is list and len(more) == len(plan.frames) == 3 and type(copy.deepcopy(plan.frames)) is list
+    plan.frames = more[:1]
+    plan.frames.extend(more[1:2])
     with pytest.raises(IndexError, match="there is no frame 2, of 2"):
         plan.frames[2]
     for more in (lambda: [plan.frames.append(frame) for _ in range(5)], lambda: setattr(plan, "frames", [frame] * 7)):

@@ -1,6 +1,7 @@
 #include "surefoot/math/rotation.hpp"
 #include "surefoot/tasks/frame_orientation.hpp"
 #include "surefoot/tasks/frame_position.hpp"
+#include "surefoot/tasks/joint_damping.hpp"
 #include "surefoot/tasks/joint_position_limits.hpp"
 #include "surefoot/tasks/posture.hpp"
 #include "tests/support/messages.hpp"
@@ -113,6 +114,18 @@ TEST(JointPositionLimits, BoundTheJointsTheyAreFor) {
   bench.plan.arm.arm = 0;
   EXPECT_EQ(of_arm().ids, (std::vector<int>{12, 13, 14, 15, 16, 17}));
   EXPECT_EQ(bench.rows(JointPositionLimits({.joints = "RH_KFE"})).ids, std::vector<int>{11});
+}
+
+TEST(JointDamping, SlowsTheJointsItIsForWhereverTheyAre) {
+  Bench bench;
+  bench.plan.arm.arm = 0;
+  const WrittenRows rows = bench.rows(JointDamping({.joints = "reaching_arm", .kd = 4.0}));
+  ASSERT_EQ(rows.ids, (std::vector<int>{12, 13, 14, 15, 16, 17}));
+  for (int i = 0; i < rows.count(); ++i) {
+    EXPECT_EQ(rows.A(i, 18 + i), 1.0);
+    EXPECT_NEAR(rows.lower[i], -4.0 * bench.state.qd[12 + i], 1e-12);
+    EXPECT_EQ(rows.lower[i], rows.upper[i]);
+  }
 }
 
 TEST(Posture, FollowsThePlansJoints) {

@@ -20,8 +20,10 @@ def pages(root):
     init = ast.parse((package / "__init__.py").read_text())
     text += module("surefoot", [stub, root / "python/surefoot_log/recorded.py", package / "__init__.py"], lambda name: name not in calls_only(init))
     shared = set(taken_from_modules(init))
-    for file in sorted(package.glob("[!_]*.py")):
-        text += module("surefoot", [file], lambda name: name in shared, file.stem)
+    for file in sorted(package.glob("*.py")):
+        defined = {name_of(entry) for entry in members(ast.parse(file.read_text()))}
+        if file.stem != "__init__" and shared & defined:
+            text += module("surefoot", [file], lambda name: name in shared, file.stem.removeprefix("_"))
     return {"reference/python.md": text + module("surefoot.tasks", [stub.with_name("tasks.py")], lambda name: True)}
 
 
