@@ -22,7 +22,7 @@ double length_of(const UrdfReader& reader, const XMLElement& shape, const char* 
   if (std::isfinite(length) && length >= 0.0) return length;
   reader.fail(reader.line(shape), "link \"" + link + "\": the <" + shape.Name() +
                                       "> that it collides with has a size of " + given +
-                                      " m; 0 or more would be valid");
+                                      " m; it must be above 0");
 }
 
 double radius_of(const UrdfReader& reader, const XMLElement& shape, const std::string& link) {

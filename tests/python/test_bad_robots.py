@@ -155,7 +155,7 @@ REFUSED = {
     "mesh without a name": ([(SHANK, r"\1<mesh/>")], "marten.urdf:44: <mesh> has no filename"),
     "mesh of rubbish": ([(SHANK, r'\1<mesh filename="rubbish.stl"/>')], "invalid header in STL file 'rubbish.stl'"),
     "shape of another kind": ([(SHANK, r'\1<cone radius="1"/>')], 'marten.urdf:44: link "LF_shank": <cone> is no collision shape; valid: box, capsule, cylinder, mesh, sphere'),
-    "shape of no size": ([(SHANK, r'\1<sphere radius="0"/>')], 'marten.urdf:44: link "LF_shank": the <sphere> that it collides with has a size of 0 m; 0 or more would be valid'),
+    "shape of no size": ([(SHANK, r'\1<sphere radius="0"/>')], 'marten.urdf:44: link "LF_shank": the <sphere> that it collides with has a size of 0 m; it must be above 0'),
     "foot within a shape": ([(SHANK, r'\1<box size="0.1 0.1 0.4"/>')], 'a collision shape of link "LF_shank" reaches 55.1 mm below the foot sphere of LF', "must enclose what the foot stands on"),
 }  # fmt: skip
 
