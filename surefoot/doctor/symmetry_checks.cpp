@@ -246,7 +246,8 @@ class Comparison {
     }
   }
 
-  /// Of two legs that differ, the one that fewer others are like; not sure: the right one.
+  /// Of two legs that differ, the one that fewer others are like, else the right one; sure where
+  /// none are like it, and all like the other.
   [[nodiscard]] std::pair<Leg, bool> odd_one(Leg left, Leg right, std::size_t i) const {
     int like_left = 0, like_right = 0;
     for (const Leg other : legs_.legs()) {
@@ -254,7 +255,10 @@ class Comparison {
       like_left += int{are_alike(trait(left, i), trait(other, i))};
       like_right += int{are_alike(trait(right, i), trait(other, i))};
     }
-    return {like_left < like_right ? left : right, like_left != like_right};
+    const auto others = static_cast<int>(legs_.size()) - 2;
+    const bool is_sure = std::min(like_left, like_right) == 0 &&
+                         std::max(like_left, like_right) == others && others > 0;
+    return {like_left < like_right ? left : right, is_sure};
   }
 
   void tell(Severity severity, const char* sides, Leg first, Leg second, Leg odd,
