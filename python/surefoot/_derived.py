@@ -22,7 +22,7 @@ def tell_slips(kind: Any) -> None:
             near = difflib.get_close_matches(name, called, n=1, cutoff=NEAR)
             if name[0] != "_" and callable(member) and near and name not in called and getattr(derived, near[0]) is getattr(kind, near[0]):
                 hint = f"did you mean {near[0]}? one of your own could be called _{name}"
-                warnings.warn(f"{derived.__name__}.{name}: a {kind.__name__} calls no {name}; {hint}", stacklevel=2)
+                warnings.warn(f"{derived.__name__}.{name}: {kind.__name__} calls no {name}; {hint}", stacklevel=2)
 
     setattr(kind, "__init_subclass__", classmethod(check))
 

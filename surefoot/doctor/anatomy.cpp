@@ -206,12 +206,17 @@ bool may_be_legs(const Limb& limb, const Anatomy& anatomy) {
          }) >= kNumLegs;
 }
 
-void tell_others(const model::Urdf& urdf, const Anatomy& anatomy, Findings& findings) {
+void tell_others(const model::Urdf& urdf, const Anatomy& anatomy,
+                 const std::vector<model::ArmDescription>& known, Findings& findings) {
   for (const Limb& limb : anatomy.others) {
     if (may_be_legs(limb, anatomy)) continue;
     std::string names;
     for (const model::UrdfJoint& joint : limb.joints) names += " " + joint.name;
     const model::UrdfJoint& first = limb.joints.front();
+    if (limb.is_arm && std::ranges::any_of(known, [&](const model::ArmDescription& arm) {
+          return std::ranges::find(arm.joints, first.name) != arm.joints.end();
+        }))
+      continue;
     if (limb.is_arm) {
       const std::string& last = limb.joints.back().child;
       const bool is_waist = std::ranges::any_of(anatomy.others, [&](const Limb& other) {
@@ -235,7 +240,8 @@ void tell_others(const model::Urdf& urdf, const Anatomy& anatomy, Findings& find
 
 }  // namespace
 
-Anatomy find_anatomy(const model::Urdf& urdf, Findings& findings) {
+Anatomy find_anatomy(const model::Urdf& urdf, Findings& findings,
+                     const std::vector<model::ArmDescription>& known) {
   Anatomy anatomy;
   anatomy.welds = model::welds(urdf);
   const LimbFinder finder(urdf, anatomy.welds);
@@ -272,7 +278,7 @@ Anatomy find_anatomy(const model::Urdf& urdf, Findings& findings) {
     name_legs(legs, urdf, anatomy, of_legs);
   }
   name_arms(anatomy);
-  tell_others(urdf, anatomy, findings);
+  tell_others(urdf, anatomy, known, findings);
   findings.insert(findings.end(), of_legs.begin(), of_legs.end());
   return anatomy;
 }

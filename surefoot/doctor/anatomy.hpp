@@ -1,6 +1,7 @@
 #pragma once
 
 #include "surefoot/doctor/finding.hpp"
+#include "surefoot/model/description.hpp"
 #include "surefoot/model/leg_chain.hpp"
 #include "surefoot/model/urdf.hpp"
 
@@ -101,8 +102,9 @@ struct Anatomy {
   return anatomy.legs || anatomy.flat_legs;
 }
 
-/// Finds base, limbs, legs and feet. What can't be found is an error in `findings`. Throws
-/// FileError if the file can't be read.
-[[nodiscard]] Anatomy find_anatomy(const model::Urdf& urdf, Findings& findings);
+/// Finds base, limbs, legs and feet. What can't be found is an error in `findings`; arms are a
+/// note, unless they are known. Throws FileError if the file can't be read.
+[[nodiscard]] Anatomy find_anatomy(const model::Urdf& urdf, Findings& findings,
+                                   const std::vector<model::ArmDescription>& known = {});
 
 }  // namespace surefoot::doctor

@@ -109,7 +109,7 @@ Diagnosis examine(const std::string& given, const std::string& name) {
                : config::read_description(given);
   robot.urdf = model::read_urdf(file.path, model::ImpossibleInertia::kept, file.urdf);
   robot.name = !name.empty() ? name : has_file ? of_file.name : name_of(robot.urdf.path);
-  robot.anatomy = find_anatomy(robot.urdf, robot.findings);
+  robot.anatomy = find_anatomy(robot.urdf, robot.findings, of_file.arms);
   if (has_file) take_numbers(of_file, robot.anatomy);
   check_joints(robot);
   if (!has_cause(robot.findings)) check_size(robot);

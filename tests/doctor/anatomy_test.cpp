@@ -162,6 +162,8 @@ TEST_F(Anatomy, takes_the_four_lowest_of_five_limbs_for_legs) {
   const Diagnosis robot = diagnosis();
   ASSERT_TRUE(robot.anatomy.legs);
   EXPECT_TRUE(has(robot, Severity::note, "an arm begins here"));
+  EXPECT_FALSE(has(examine("anymal_b_kinova"), Severity::note, "an arm begins here"))
+      << "its robot file has the arm";
 }
 
 TEST_F(Anatomy, of_a_robot_that_looks_along_y_says_so) {

@@ -164,7 +164,7 @@ def test_a_method_whose_name_has_a_slip_is_told_where_it_is_written(base, slip, 
     def method(self, *given):
         return True
 
-    said = rf"^Mine.{slip}: a {base.__name__} calls no {slip}; did you mean {near}\? one of your own could be called _{slip}$"
+    said = rf"^Mine.{slip}: {base.__name__} calls no {slip}; did you mean {near}\? one of your own could be called _{slip}$"
     with pytest.warns(UserWarning, match=said) as warned:
         type("Mine", (base,), {slip: method})
     assert warned[0].filename == __file__
