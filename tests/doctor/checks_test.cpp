@@ -4,8 +4,6 @@
 #include "tests/doctor/changed_robot.hpp"
 #include "tests/support/messages.hpp"
 
-#include <cmath>
-
 namespace surefoot::doctor {
 namespace {
 
@@ -13,47 +11,7 @@ using test::finding;
 using test::has;
 using test::holds;
 
-class Checks : public test::ChangedRobot {
- protected:
-  void multiply_masses(double factor) {
-    std::string result;
-    const std::regex mass("<mass value=\"([^\"]*)\"");
-    std::sregex_iterator each(urdf_.begin(), urdf_.end(), mass);
-    std::size_t from = 0;
-    for (; each != std::sregex_iterator(); ++each) {
-      const auto place = static_cast<std::size_t>(each->position());
-      result += urdf_.substr(from, place - from) + "<mass value=\"" +
-                std::to_string(factor * std::stod((*each)[1])) + "\"";
-      from = place + static_cast<std::size_t>(each->length());
-    }
-    urdf_ = result + urdf_.substr(from);
-  }
-  /// Changes what matches within a link.
-  void in_link(const std::string& name, const std::string& pattern, const auto& by) {
-    const std::size_t begin = urdf_.find("<link name=\"" + name + "\""),
-                      end = urdf_.find("</link>", begin);
-    std::string link = urdf_.substr(begin, end - begin), changed;
-    for (std::smatch match; std::regex_search(link, match, std::regex(pattern));
-         link = match.suffix())
-      changed += match.prefix().str() + by(match.str());
-    urdf_.replace(begin, end - begin, changed + link);
-  }
-};
-
-TEST_F(Checks, masses_in_grams) {
-  multiply_masses(1000.0);
-  const Diagnosis robot = diagnosis();
-  EXPECT_TRUE(holds(robot.findings.front().remedy, "are the masses in g?"));
-  EXPECT_FALSE(has(robot, Severity::warning, "the inertia is too small for the mass"));
-  EXPECT_FALSE(has(robot, Severity::error, "to stand takes more torque"));
-}
-
-TEST_F(Checks, one_mass_in_grams) {
-  change("<link name=\"RF_THIGH\"", "<mass value=\"1.634976467\"", "<mass value=\"1635\"");
-  const Finding first = diagnosis().findings.front();
-  EXPECT_EQ(first.subject, "link \"RF_THIGH\"");
-  EXPECT_TRUE(holds(first.what, "it has 1635 of the 1664 kg of all links"));
-}
+using Checks = test::ChangedRobot;
 
 TEST_F(Checks, feet_in_millimetres) {
   replace_all("<sphere radius=\"0.031\"/>", "<sphere radius=\"31\"/>");
@@ -107,81 +65,6 @@ TEST_F(Checks, one_length_in_millimetres) {
   const Diagnosis robot = diagnosis();
   EXPECT_EQ(robot.findings.front().subject, "joint \"LH_KFE\"");
   EXPECT_FALSE(has(robot, Severity::warning, "differ"));
-}
-
-TEST_F(Checks, inertia_in_square_millimetres) {
-  change("<link name=\"RF_THIGH\"", "ixx=\"0.0", "ixx=\"12036.");
-  change("<link name=\"RF_THIGH\"", "iyy=\"0.0", "iyy=\"12064.");
-  change("<link name=\"RF_THIGH\"", "izz=\"0.00249", "izz=\"2494.");
-  EXPECT_TRUE(
-      has(diagnosis(), Severity::error, "link \"RF_THIGH\": its radius of gyration, √(I/m), is"));
-}
-
-TEST_F(Checks, inertia_of_a_thigh_that_is_thirty_times_too_large) {
-  in_link("LF_THIGH", "i(xx|yy|zz)=\"[^\"]*\"",
-          [](const std::string& entry) { return entry.substr(0, 5) + "0.4\""; });
-  EXPECT_TRUE(has(diagnosis(), Severity::warning, "the inertia is too large for the mass"));
-}
-
-TEST_F(Checks, inertia_that_is_the_same_everywhere) {
-  replace_all("<inertia [^>]*>",
-              "<inertia ixx=\"0.001\" iyy=\"0.001\" izz=\"0.001\" ixy=\"0\" ixz=\"0\" iyz=\"0\"/>");
-  EXPECT_TRUE(has(diagnosis(), Severity::warning, "have the same inertia, 0.001, 0.001, 0.001"));
-}
-
-TEST_F(Checks, inertias_in_square_millimetres_are_one_finding) {
-  urdf_ = std::regex_replace(urdf_, std::regex("(i[xyz][xyz]=\"[^\"e]*)\""), "$1e6\"");
-  const Diagnosis robot = diagnosis();
-  const Finding found = finding(robot, Severity::error, "too large for the mass");
-  EXPECT_TRUE(holds(found.what, "; so it is with LF_HIP"));
-  EXPECT_EQ(std::ranges::count(robot.findings, found.remedy, &Finding::remedy), 1);
-}
-
-TEST_F(Checks, mass_of_0_beside_an_inertia) {
-  change("<link name=\"LF_SHANK\"", "<mass value=\"0.207204302\"", "<mass value=\"0\"");
-  const Finding first = diagnosis().findings.front();
-  EXPECT_EQ(first.what, "its mass is 0, and its inertia is not");
-  EXPECT_EQ(first.remedy, "correct <mass value>: a number above 0 is valid");
-  EXPECT_GT(first.line, 0);
-}
-
-TEST_F(Checks, mass_without_an_inertia_counts_as_a_point) {
-  in_link("LF_SHANK", "i[xyz][xyz]=\"[^\"]*\"",
-          [](const std::string& entry) { return entry.substr(0, 3) + "=\"0\""; });
-  EXPECT_TRUE(has(diagnosis(), Severity::warning,
-                  "link \"LF_SHANK\": it moves, but its inertia is 0: its 0.207 kg count as a"));
-}
-
-TEST_F(Checks, link_whose_mass_is_only_that_of_what_is_fixed_to_it) {
-  in_link("LF_SHANK", "<inertial>[^]*?</inertial>",
-          [](const std::string&) { return std::string(); });
-  EXPECT_TRUE(has(diagnosis(), Severity::warning,
-                  "link \"LF_SHANK\": it moves, but its <inertial> is missing or 0"));
-}
-
-TEST_F(Checks, link_without_mass) {
-  in_link("LF_THIGH", "<inertial>[^]*?</inertial>",
-          [](const std::string&) { return std::string(); });
-  const Finding found = finding(diagnosis(), Severity::error, "has no mass");
-  EXPECT_EQ(found.subject, "link \"LF_THIGH\"");
-  EXPECT_GT(found.line, 0);
-}
-
-TEST_F(Checks, negative_mass) {
-  change("<link name=\"LF_THIGH\"", "<mass value=\"", "<mass value=\"-");
-  EXPECT_TRUE(has(diagnosis(), Severity::error, "link \"LF_THIGH\": its mass is negative"));
-}
-
-TEST_F(Checks, a_placeholder_of_the_root_is_told_once) {
-  const Diagnosis robot = diagnosis();
-  EXPECT_TRUE(has(robot, Severity::note, "the root's inertia is a placeholder"));
-  EXPECT_FALSE(has(robot, Severity::note, "walk_flat: root link"));
-}
-
-TEST_F(Checks, negative_inertia) {
-  change("<link name=\"LF_THIGH\"", "ixx=\"", "ixx=\"-");
-  EXPECT_TRUE(
-      has(diagnosis(), Severity::error, "link \"LF_THIGH\": its inertia has a negative principal"));
 }
 
 TEST_F(Checks, axis_that_turns_the_other_way) {
@@ -255,59 +138,6 @@ TEST_F(Checks, knee_that_can_not_bend) {
   change("<joint name=\"LF_KFE\"", "lower=\"-9.42\"", "lower=\"-0.1\"");
   EXPECT_TRUE(
       has(diagnosis(), Severity::error, "knees of LF bend by less than 0.5 rad to either side"));
-}
-
-TEST_F(Checks, leg_that_is_longer_than_its_mirror_image) {
-  change("<joint name=\"RF_KFE\"", "-0.25\"", "-0.28\"");
-  EXPECT_TRUE(has(diagnosis(), Severity::warning, "LF and RF, thigh, HFE axis to KFE axis"));
-}
-
-/// A change of one joint or link, and what is told of it.
-struct Lopsided {
-  const char *what, *behind, *from, *to, *told;
-};
-
-class EachLopsided : public Checks, public testing::WithParamInterface<Lopsided> {};
-
-TEST_P(EachLopsided, is_told_of_the_leg_that_the_others_are_not_like) {
-  const Lopsided& one = GetParam();
-  for (const std::string leg : {"LF", "RF", "LH", "RH"}) {
-    const std::string sound = urdf_;
-    const auto of_leg = [&](std::string text) {
-      return std::regex_replace(text, std::regex("LF"), leg);
-    };
-    change(of_leg(one.behind), one.from, one.to);
-    const Finding found = finding(diagnosis(), Severity::warning, one.told);
-    EXPECT_TRUE(holds(found.what, "left and right differ")) << leg;
-    EXPECT_TRUE(holds(found.what, "the other legs are as")) << leg;
-    EXPECT_TRUE(holds(found.subject, "\"" + leg + "_")) << found.what;
-    urdf_ = sound;
-  }
-}
-
-INSTANTIATE_TEST_SUITE_P(
-    Each, EachLopsided,
-    testing::Values(Lopsided{"Length", "<joint name=\"LF_KFE\"", "-0.25\"", "-0.28\"",
-                             "thigh, HFE axis to KFE"},
-                    Lopsided{"Mass", "<link name=\"LF_THIGH\"", "<mass value=\"1.634976467\"",
-                             "<mass value=\"0.6\"", "mass that HFE moves"},
-                    Lopsided{"Effort", "<joint name=\"LF_HFE\"", " effort=\"80\"", " effort=\"40\"",
-                             "effort limit of HFE"},
-                    Lopsided{"Velocity", "<joint name=\"LF_HFE\"", " velocity=\"15.0\"",
-                             " velocity=\"8\"", "velocity limit of HFE"},
-                    Lopsided{"Limits", "<joint name=\"LF_HFE\"", "lower=\"-9.42\"", "lower=\"-1\"",
-                             "position limits of HFE"},
-                    Lopsided{"Zero", "<joint name=\"LF_KFE\"", "<origin ",
-                             "<origin rpy=\"0 0.35 0\" ", "shank at the joints' 0"},
-                    Lopsided{"Com", "<link name=\"LF_THIGH\"", "-0.214583373795\"", "-0.05\"",
-                             "centre of mass of what HFE moves"},
-                    Lopsided{"Inertia", "<link name=\"LF_THIGH\"", "ixx=\"0.012", "ixx=\"0.4",
-                             "inertia of what HFE moves"}),
-    [](const auto& each) { return each.param.what; });
-
-TEST_F(Checks, hip_at_the_wrong_place) {
-  change("<joint name=\"RH_HAA\"", "xyz=\"-0.277 -0.116", "xyz=\"-0.247 -0.116");
-  EXPECT_TRUE(has(diagnosis(), Severity::warning, "LH and RH, place of the hip"));
 }
 
 TEST_F(Checks, effort_that_is_missing) {
