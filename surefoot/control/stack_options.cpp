@@ -3,11 +3,13 @@
 #include "surefoot/base/error.hpp"
 #include "surefoot/model/frames.hpp"
 #include "surefoot/tasks/catalog.hpp"
+#include "surefoot/tasks/chosen_joints.hpp"
+#include "surefoot/tasks/joint_position_limits.hpp"
+#include "surefoot/tasks/posture.hpp"
 
 #include <algorithm>
 #include <array>
 #include <initializer_list>
-#include <sstream>
 #include <string_view>
 #include <utility>
 
@@ -54,38 +56,34 @@ std::string choice(const TaskSpec& task, const char* name) {
   return given == task.choices.end() ? std::string() : given->second;
 }
 
-/// Does a posture of these joints move arms?
-bool is_of_arms(const std::string& joints, const model::RobotDescription& robot) {
-  constexpr std::array<std::string_view, 5> kOfArms{"", "arms", "all", "idle_arms", "reaching_arm"};
-  if (std::ranges::find(kOfArms, joints) != kOfArms.end()) return true;
-  std::istringstream words(joints);
-  for (std::string word; words >> word;) {
-    for (const model::ArmDescription& arm : robot.arms)
-      if (std::ranges::find(arm.joints, word) != arm.joints.end()) return true;
+/// Which joints a task of joints is for.
+struct JointKinds {
+  bool arms = false, legs = false, further = false;  // of legs: HAA, HFE, KFE; the further ones
+};
+
+JointKinds kinds_of(const TaskSpec& task, const model::RobotDescription& robot) {
+  const auto given = task.choices.find("joints");
+  const std::string own = task.task == kStops ? tasks::JointPositionLimits::Options{}.joints
+                                              : tasks::Posture::Options{}.joints;
+  const tasks::ChosenJoints joints(task.task, given == task.choices.end() ? own : given->second,
+                                   robot);
+  const int first_further = robot.further_joints(Leg{0}).first;
+  JointKinds kinds;
+  for (const auto& [joint, arm] : joints.all()) {
+    bool& kind = arm >= 0 ? kinds.arms : joint < first_further ? kinds.legs : kinds.further;
+    kind = true;
   }
-  return false;
+  return kinds;
 }
 
 /// Does it keep joints in their ranges, and not those of arms alone?
 bool bounds_legs(const TaskSpec& task, const model::RobotDescription& robot) {
-  const std::string joints = choice(task, "joints");
-  if (task.task != kStops || joints == "further") return false;
-  if (joints.empty() || joints == "all" || joints == "legs") return true;
-  return !is_of_arms(joints, robot);
+  return task.task == kStops && kinds_of(task, robot).legs;
 }
 
 /// Is it a posture of a further joint of a leg?
 bool moves_further(const TaskSpec& task, const model::RobotDescription& robot) {
-  const auto given = task.choices.find("joints");
-  if (task.task != "posture" || given == task.choices.end()) return false;
-  constexpr std::array<std::string_view, 3> kOfLegs{"legs", "further", "all"};
-  if (std::ranges::find(kOfLegs, given->second) != kOfLegs.end()) return true;
-  std::istringstream words(given->second);
-  for (std::string word; words >> word;) {
-    for (const model::LegDescription& leg : robot.legs)
-      if (std::ranges::find(leg.further, word) != leg.further.end()) return true;
-  }
-  return false;
+  return task.task == "posture" && kinds_of(task, robot).further;
 }
 
 /// How a stack's tasks treat the robot's arms.
@@ -102,7 +100,7 @@ ArmTasks arm_tasks(const StackOptions& stack, const model::RobotDescription& rob
     const bool is_frame = is_of_frame(task);
     const std::string frame = choice(task, "frame");
     if (is_frame && frame.empty()) found.move_arms = true;
-    if (task.task == "posture" && is_of_arms(choice(task, "joints"), robot)) found.move_arms = true;
+    if (task.task == "posture" && kinds_of(task, robot).arms) found.move_arms = true;
     if (!is_frame || frame.empty()) return;
     const model::Frames frames(robot);
     const int arm = frames.arm_of(frames.number(frame));

@@ -3,7 +3,7 @@
 #include "surefoot/base/formatted.hpp"
 #include "surefoot/doctor/found_feet.hpp"
 #include "surefoot/doctor/part_list.hpp"
-#include "surefoot/model/missing_axes.hpp"
+#include "surefoot/model/joints_as_written.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 #include "surefoot/config/robot_plausibility.hpp"
 #include "surefoot/doctor/checks.hpp"
 #include "surefoot/doctor/limit_guesses.hpp"
-#include "surefoot/model/missing_axes.hpp"
+#include "surefoot/model/joints_as_written.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -48,13 +48,6 @@ struct Catalog {
 
 constexpr std::string_view kNoUnit = "–";
 
-/// Of `ChosenJoints`.
-constexpr std::initializer_list<const char*> kJointWords{"arms", "legs",      "further",
-                                                         "all",  "idle_arms", "reaching_arm"};
-constexpr std::string_view kJointHelp =
-    "which joints: further ones are a leg's beside HAA, HFE and KFE; an arm is idle while it does "
-    "not reach";
-
 constexpr std::string_view kErrorHelp = "larger tracking errors are shortened to this";
 
 /// The parameters of every bound by Eq. 27.
@@ -165,7 +158,8 @@ void add_motion_bounds(Catalog& catalog) {
   add_bound(Entry<JointPositionLimits>("joint_position_limits", "joints stay in their ranges",
                                        "by (27)", "rad/s²")
                 .text("joints", &JointPositionLimits::Options::joints,
-                      {kJointWords.begin(), kJointWords.end()}, "JOINT …", kJointHelp)
+                      {ChosenJoints::kWords.begin(), ChosenJoints::kWords.end()}, "JOINT …",
+                      ChosenJoints::kHelp)
                 .number("margin", &JointPositionLimits::Options::margin, "rad",
                         "distance kept from the ends of the range"),
             catalog);
@@ -217,13 +211,15 @@ void add_frames(Catalog& catalog) {
       .add_to(catalog);
   Entry<JointDamping>("joint_damping", "joints are slow where the rest of their level lets them",
                       kNoUnit, "rad/s²")
-      .text("joints", &JointDamping::Options::joints, {kJointWords.begin(), kJointWords.end()},
-            "JOINT …", kJointHelp)
+      .text("joints", &JointDamping::Options::joints,
+            {ChosenJoints::kWords.begin(), ChosenJoints::kWords.end()}, "JOINT …",
+            ChosenJoints::kHelp)
       .number("kd", &JointDamping::Options::kd, "1/s", "velocity gain")
       .add_to(catalog);
   Entry<Posture>("posture", "joints go to a posture and stay there", kNoUnit, "rad/s²")
-      .text("joints", &Posture::Options::joints, {kJointWords.begin(), kJointWords.end()},
-            "JOINT …", kJointHelp)
+      .text("joints", &Posture::Options::joints,
+            {ChosenJoints::kWords.begin(), ChosenJoints::kWords.end()}, "JOINT …",
+            ChosenJoints::kHelp)
       .choice("target", &Posture::Options::target, {"nominal", "plan"},
               "the robot's posture, or the plan's: where they were at first, unless a planner says")
       .number("kp", &Posture::Options::kp, "1/s²", "position gain")

@@ -3,6 +3,7 @@
 #include "surefoot/model/description.hpp"
 #include "surefoot/signals/motion_plan.hpp"
 
+#include <array>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -12,12 +13,25 @@ namespace surefoot::tasks {
 /// The joints that a task is for.
 class ChosenJoints {
  public:
+  static constexpr std::array<std::string_view, 6> kWords{"arms", "legs",      "further",
+                                                          "all",  "idle_arms", "reaching_arm"};
+  static constexpr std::string_view kHelp =
+      "which joints: further ones are a leg's beside HAA, HFE and KFE; an arm is idle while it "
+      "does "
+      "not reach";
+
+  struct Joint {
+    int joint, arm;  // −1: of a leg
+  };
+
   ChosenJoints() = default;
-  /// `words`: `arms`, `legs`, `further` ones of legs, `all`, `idle_arms`, `reaching_arm`, or names,
-  /// separated by spaces. Throws Error for other words, UnknownNameError for unknown names; both
-  /// begin with the name of the task.
+  /// `words`: one of `kWords`, or names of joints, separated by spaces. Throws Error without a
+  /// name, UnknownNameError for unknown ones; both begin with the name of the task.
   ChosenJoints(std::string_view task, const std::string& words,
                const model::RobotDescription& robot);
+
+  /// Reaching or not.
+  [[nodiscard]] const std::vector<Joint>& all() const { return joints_; }
 
   /// Calls `write(joint)` for each while this arm reaches; −1: none.
   template <typename Write>
@@ -30,9 +44,6 @@ class ChosenJoints {
 
  private:
   enum class When { always, reaches, idle };
-  struct Joint {
-    int joint, arm;
-  };
 
   When when_ = When::always;  // of a joint's arm
   std::vector<Joint> joints_;

@@ -1,4 +1,4 @@
-#include "surefoot/model/missing_axes.hpp"
+#include "surefoot/model/joints_as_written.hpp"
 
 #include "surefoot/model/urdf_reader.hpp"
 
