@@ -166,7 +166,7 @@ class HandEvaluator {
                   "before step() would be valid");
     if (plant_.changes.is_recorded() || controller_.changes.is_recorded())
       throw Error("record: another Evaluator records this plant or controller; close() it first");
-    recorder_.emplace(path, closed_loop::log_header(scenario_, *controller_, *plant_, model_));
+    recorder_.emplace(path, closed_loop::log_header(scenario_, *controller_, &*plant_, model_));
     truth_log_.emplace(*recorder_);
     change_log_.emplace(*recorder_);
     set_recorded(true);

@@ -70,7 +70,7 @@ class ClosedLoop {
     controller_.set_stage_observer(&timer_);
     controller_.explain_levels(is_shown(options));
     if (!options.record_path.empty()) {
-      recorder_.emplace(options.record_path, log_header(scenario, controller_, plant_, model_));
+      recorder_.emplace(options.record_path, log_header(scenario, controller_, &plant_, model_));
       truth_log_.emplace(*recorder_);
     }
     if (options.steering != nullptr) begin_steering(*options.steering);
@@ -78,7 +78,7 @@ class ClosedLoop {
   }
 
   [[nodiscard]] std::vector<std::string> notes() const {
-    return run_notes(scenario_, controller_, plant_);
+    return run_notes(scenario_, controller_, &plant_);
   }
 
   RunResult run() {
@@ -127,7 +127,7 @@ class ClosedLoop {
     if (recorder_) change_log_.emplace(*recorder_);
     steering.begin({.plant = plant_,
                     .controller = controller_,
-                    .header = log_header(scenario_, controller_, plant_, model_),
+                    .header = log_header(scenario_, controller_, &plant_, model_),
                     .log_change = [this](const logged::Change& change) {
                       ++changes_;
                       if (change_log_) change_log_->record(change, controller_);
@@ -256,8 +256,7 @@ class ClosedLoop {
   GoalWatch goal_;
   evaluation::Evaluator evaluator_;
   evaluation::EventCounter events_;
-  TroubleCounter troubles_{told_joints(scenario_.robot.joint_names(), scenario_.robot.num_legs()),
-                           scenario_.robot.scale};
+  TroubleCounter troubles_{scenario_.robot};
   evaluation::TorqueHash torques_;
   runtime::StageTimer timer_;
   OwnPartTimes own_part_times_{controller_.own_parts(), scenario_.controller.period};

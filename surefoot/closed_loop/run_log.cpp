@@ -4,6 +4,7 @@
 #include "surefoot/closed_loop/log_terrain.hpp"
 #include "surefoot/config/stack_text.hpp"
 #include "surefoot/logging/visible_residual.hpp"
+#include "surefoot/model/frames.hpp"
 #include "surefoot/model/urdf.hpp"
 #include "surefoot/signals/plan_event.hpp"
 
@@ -35,6 +36,7 @@ logging::LogRobot robot_of(const model::RobotModel& model) {
   robot.torque_limit = description.torque_limit;
   robot.mass = model.mass();
   robot.foot_radius = description.legs[0].foot_radius;
+  robot.frame_names = model::Frames(description).names();
   return robot;
 }
 
@@ -60,11 +62,12 @@ std::string shell_word(const std::string& text) {
 
 std::vector<logging::LogAttachment> attachments(const config::Scenario& scenario,
                                                 const control::StackOptions& stack,
-                                                const simulation::Plant& plant) {
+                                                const simulation::Plant* plant) {
   std::vector<logging::LogAttachment> files{
-      {"model.xml", "application/xml", plant.model_xml()},
       {"robot.urdf", "application/xml", model::urdf_text(scenario.robot)},
       {"resolved_stack.yaml", "application/yaml", config::stack_yaml(stack)}};
+  if (plant != nullptr)
+    files.insert(files.begin(), {"model.xml", "application/xml", plant->model_xml()});
   for (const config::SourceFile& source : scenario.sources) {
     files.push_back({source.name, "application/yaml", source.text});
   }
@@ -90,7 +93,7 @@ logging::RowNamer row_namer(std::vector<std::vector<std::string>> names) {
 }
 
 logging::LogHeader log_header(const config::Scenario& scenario,
-                              const control::Controller& controller, const simulation::Plant& plant,
+                              const control::Controller& controller, const simulation::Plant* plant,
                               const model::RobotModel& model) {
   const control::StackOptions stack = config::with_defaults(scenario.controller.stack);
   logging::LogHeader header;
@@ -115,7 +118,7 @@ logging::LogHeader log_header(const config::Scenario& scenario,
   header.own_parts = controller.own_parts();
   header.robot = robot_of(model);
   header.limb = limb_limits(stack);
-  header.terrain = log_terrain(scenario.plant.terrain);
+  if (plant != nullptr) header.terrain = log_terrain(scenario.plant.terrain);
   header.notes = run_notes(scenario, controller, plant);
   header.attachments = attachments(scenario, stack, plant);
   header.row_name = row_namer(controller.row_names());
@@ -124,13 +127,15 @@ logging::LogHeader log_header(const config::Scenario& scenario,
 
 std::vector<std::string> run_notes(const config::Scenario& scenario,
                                    const control::Controller& controller,
-                                   const simulation::Plant& plant) {
+                                   const simulation::Plant* plant) {
   std::vector<std::string> notes = scenario.notes;
-  for (const std::vector<std::string>& more : {controller.notes(), plant.notes()}) {
+  const auto add = [&](const std::vector<std::string>& more) {
     for (const std::string& note : more) {
       if (std::ranges::find(notes, note) == notes.end()) notes.push_back(note);
     }
-  }
+  };
+  add(controller.notes());
+  if (plant != nullptr) add(plant->notes());
   return notes;
 }
 

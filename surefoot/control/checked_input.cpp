@@ -61,6 +61,11 @@ std::string what_is_wrong(const MotionPlan& plan, const model::RobotDescription&
   if (!is_rotation(Quat(plan.R_WC))) return "the planner's R_WC is no rotation";
   if (plan.joints.size() != 0 && plan.joints.size() != robot.num_joints())
     return "the planner's plan does not have the robot's number of joints";
+  for (const FramePlan& frame : plan.frames) {
+    if (frame.frame < 0) return "the planner's plan has a frame without a number";
+    if (plan.frames.find(frame.frame) != &frame)
+      return "the planner's plan has frame " + std::to_string(frame.frame) + " twice";
+  }
   const auto is_frame_finite = [](const FramePlan& frame) {
     return frame.p_XF.allFinite() && frame.v_XF.allFinite() && frame.a_XF.allFinite() &&
            frame.w_XF.allFinite() && is_rotation(frame.q_XF);

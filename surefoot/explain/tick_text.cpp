@@ -65,14 +65,15 @@ std::string place(const Vec3& p) {
 }
 
 /// Of an arm or a frame that follows the operator; empty without one.
-std::string reach(const TickRecord& tick) {
+std::string reach(const TickExplanation& explanation) {
+  const TickRecord& tick = explanation.tick;
   const ReachCommand& command = tick.user.reach;
   const FramePlan* frame = tick.plan.frames.find(command.frame);
   if (command.arm < 0 && command.frame < 0) return "";
-  const std::string wanted = (command.arm >= 0 ? "arm " + std::to_string(command.arm)
-                                               : "frame " + std::to_string(command.frame)) +
-                             " to " + place(command.position) +
-                             (command.in_world ? " in W" : " in B");
+  const std::string wanted =
+      (command.arm >= 0 ? "arm " + std::to_string(command.arm)
+                        : explanation.header.robot.frame_name(command.frame)) +
+      " to " + place(command.position) + (command.in_world ? " in W" : " in B");
   Vec3 reference = Vec3::Constant(kNaN);  // in the command's frame
   if (command.arm >= 0 && tick.plan.arm.arm == command.arm) {
     const Vec3 from_base = tick.state.q_WB.conjugate() * (tick.plan.arm.p_WT - tick.state.p_WB);
@@ -150,7 +151,7 @@ std::string facts(const TickExplanation& explanation) {
     table.push_back({"pushed by", logging::applied_force_text(force, explanation.bodies) +
                                       " (truth: the controller is not told)"});
   table.push_back({"asked", asked(tick.user)});
-  const std::string reaches = reach(explanation.tick);
+  const std::string reaches = reach(explanation);
   if (!reaches.empty()) table.push_back({"reaches", reaches});
   table.push_back({"command", command(explanation)});
   std::string out;

@@ -22,7 +22,8 @@ void robot_member(JsonText& json, const LogRobot& robot) {
   json.member("joint_names", robot.joint_names).key("torque_limit").array();
   for (const double limit : robot.torque_limit) json.value(limit);
   json.end_array();
-  json.member("mass", robot.mass).member("foot_radius", robot.foot_radius).end_object();
+  json.member("mass", robot.mass).member("foot_radius", robot.foot_radius);
+  json.member("frame_names", robot.frame_names).end_object();
 }
 
 void numbers(JsonText& json, std::string_view name, const double* first, std::size_t count) {
@@ -68,6 +69,12 @@ constexpr double kLoadShare = 1.0 / 300.0;  // of the weight, on a loaded foot
 }  // namespace
 
 double LogRobot::least_load() const { return kLoadShare * assumed_mass() * kGravity; }
+
+std::string LogRobot::frame_name(int number) const {
+  const auto place = static_cast<std::size_t>(number);
+  return number >= 0 && place < frame_names.size() ? frame_names[place]
+                                                   : "frame " + std::to_string(number);
+}
 
 std::string level_name(const std::vector<std::string>& names, std::ptrdiff_t number) {
   const bool is_known = number >= 0 && number < std::ssize(names);

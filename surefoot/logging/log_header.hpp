@@ -26,11 +26,16 @@ struct LogRobot {
   JointVector torque_limit = JointVector::Constant(kNumLegJoints, kNaN);  ///< [N·m]
   double mass = kNaN;                                                     ///< [kg]
   double foot_radius = kNaN;                                              ///< [m]
+  /// Of `model::Frames`, by number; empty: not known.
+  std::vector<std::string> frame_names;
 
   /// Names of the joints as in messages.
   [[nodiscard]] std::vector<std::string> joints() const {
     return told_joints(joint_names, num_legs);
   }
+
+  /// Of a frame by its number; "frame 57" without a name.
+  [[nodiscard]] std::string frame_name(int number) const;
 
   /// ANYmal B's where the log has none [kg].
   [[nodiscard]] double assumed_mass() const { return mass > 0.0 ? mass : 30.475; }

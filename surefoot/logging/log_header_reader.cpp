@@ -60,6 +60,8 @@ LogRobot parse_robot(const json& robot) {
   }
   result.mass = number_member(robot, "mass");
   result.foot_radius = number_member(robot, "foot_radius");
+  result.frame_names =
+      robot.value("frame_names", std::vector<std::string>());  // older logs lack it
   return result;
 }
 

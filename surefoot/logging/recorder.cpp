@@ -28,6 +28,7 @@ std::uint64_t nanoseconds(double time) {
 }
 
 void check_place(const std::string& path) {
+  if (path.empty()) throw FileError("the log's name is an empty text; run.mcap would be valid");
   const std::filesystem::path folder = std::filesystem::path(path).parent_path();
   if (!folder.empty() && !std::filesystem::is_directory(folder)) {
     throw FileError(path + ": there is no folder " + folder.string() +

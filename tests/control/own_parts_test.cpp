@@ -223,6 +223,13 @@ TEST(OwnPlanner, ThatFailsEndsInTheSafetyLadderUnderItsName) {
       {[](MotionPlan& plan) { plan.com.a.x() = kNaN; },
        "the planner's plan has NaN or infinity in the centre of mass"},
       {[](MotionPlan& plan) { plan.R_WC.setZero(); }, "the planner's R_WC is no rotation"},
+      {[](MotionPlan& plan) { plan.frames.add({}); },
+       "the planner's plan has a frame without a number"},
+      {[](MotionPlan& plan) {
+         plan.frames.add({.frame = 3});
+         plan.frames.add({.frame = 3});
+       },
+       "the planner's plan has frame 3 twice"},
   };
   for (const auto& [wrong, text] : wrongs) {
     bool fails = false;

@@ -33,6 +33,17 @@ TEST(TickText, AForceThatIsRoundedAwayHasNoSign) {
   EXPECT_FALSE(holds(text, "-0.0 N"));
 }
 
+TEST(TickText, AFrameThatIsToldToReachHasItsName) {
+  TickExplanation explanation;
+  explanation.tick.user.reach = {.position = Vec3(0.4, 0.0, 0.3), .frame = 1};
+  explanation.tick.plan.frames.add({.frame = 1, .p_XF = Vec3(0.4, 0.0, 0.2)});
+  EXPECT_TRUE(holds(explanation.text(), "frame 1 to x 0.400")) << "an older log has no names";
+  explanation.header.robot.frame_names = {"base", "gripper"};
+  EXPECT_TRUE(holds(explanation.text(),
+                    "gripper to x 0.400, y 0.000, z 0.300 m in B; the reference is 10.0 cm from "
+                    "there"));
+}
+
 /// Of a tick that solved nothing, whose record still has what an older controller left in it.
 TickExplanation unsolved() {
   TickExplanation explanation;

@@ -83,7 +83,7 @@ void record_switched_walk(const std::string& path) {
   control::Controller controller(scenario.robot, scenario.controller,
                                  std::make_unique<simulation::TruthEstimator>(plant.truth()));
   controller.explain_levels(true);
-  logging::Recorder recorder(path, closed_loop::log_header(scenario, controller, plant,
+  logging::Recorder recorder(path, closed_loop::log_header(scenario, controller, &plant,
                                                            model::RobotModel(scenario.robot)));
   for (int tick = 0; tick < 1000; ++tick) {
     if (tick == 301) {
@@ -130,7 +130,7 @@ void record_walk_without_a_call(const std::string& path) {
   control::Controller controller(scenario.robot, scenario.controller,
                                  std::make_unique<simulation::TruthEstimator>(plant.truth()));
   controller.explain_levels(true);
-  logging::Recorder recorder(path, closed_loop::log_header(scenario, controller, plant,
+  logging::Recorder recorder(path, closed_loop::log_header(scenario, controller, &plant,
                                                            model::RobotModel(scenario.robot)));
   JointCommand command;
   for (int tick = 0; tick < 800; ++tick) {
