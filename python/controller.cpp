@@ -13,6 +13,7 @@
 #include "surefoot/config/stack_file.hpp"
 #include "surefoot/config/stack_text.hpp"
 #include "surefoot/control/stack_reach.hpp"
+#include "surefoot/logging/hierarchy_status.hpp"
 #include "surefoot/simulation/make_estimator.hpp"
 
 #include <nanobind/stl/optional.h>
@@ -101,7 +102,9 @@ bool set_stack(BoundController& self, const std::string& text, const std::string
   const control::StackOptions stack = config::with_scaled_arms(
       config::parse_stack(text, name, self.robot().scale, own_tasks(own)), self.robot());
   control::check_reach(stack, control::reach_of(model::RobotModel(self.robot())));
-  if (!self->set_stack(stack, duration)) return false;
+  const bool begins = self.changed(
+      [&](control::Controller& controller) { return controller.set_stack(stack, duration); });
+  if (!begins) return false;
   self.changes.add({.time = kNaN,
                     .kind = "stack",
                     .text = "stack " + name,
@@ -141,8 +144,10 @@ std::optional<NamedDynamics> dynamics(const BoundController& self) {
 
 /// The levels of the last tick, as solve() takes them.
 nb::list problem(const BoundController& self) {
-  if (self->dynamics() == nullptr)
-    throw Error("no hierarchy was solved at the last tick; after a step() one would be there");
+  if (self->dynamics() == nullptr || !logging::was_solved(self->record().hierarchy))
+    throw Error(
+        "no hierarchy was solved at the last tick, or another stack has come since; after "
+        "a step() one would be there");
   const solver::Hierarchy& hierarchy = self->hierarchy();
   const auto row_name = [&](std::size_t level, Eigen::Index row) {
     return self->row_name(static_cast<int>(level), hierarchy.level(level).id(row));
@@ -255,7 +260,8 @@ void bind_controller(nb::module_& module) {
            })
       .def(
           "levels", [](Self& self) { return outcomes(*self); },
-          "The hierarchy at the last tick, highest priority first.")
+          "The hierarchy at the last tick, highest priority first; after set_stack() without "
+          "results until the next one.")
       .def_prop_ro(
           "state", [](const Self& self) { return self->record().state; },
           "as believed at the last tick")

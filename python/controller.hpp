@@ -19,7 +19,7 @@ namespace surefoot::python {
 class BoundController : public Lent<control::Controller> {
  public:
   BoundController(const config::Scenario& scenario, std::unique_ptr<control::Controller> controller)
-      : Lent(std::move(controller), "controller"),
+      : Lent(std::move(controller), "controller", true),
         robot_(scenario.robot),
         options_(scenario.options_json),
         gaits_(gaits_of(scenario)),
@@ -27,7 +27,7 @@ class BoundController : public Lent<control::Controller> {
     (**this).set_stage_observer(timer_.get());
   }
   BoundController(const config::Scenario& scenario, control::Controller& of_run)
-      : Lent(of_run, "controller"),
+      : Lent(of_run, "controller", true),
         robot_(scenario.robot),
         options_(scenario.options_json),
         gaits_(gaits_of(scenario)) {}

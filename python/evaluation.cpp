@@ -1,19 +1,14 @@
 // The judging of runs by hand.
 
 #include "python/bindings.hpp"
-#include "python/controller.hpp"
+#include "python/hand_log.hpp"
 #include "python/metrics.hpp"
-#include "python/plant.hpp"
 #include "surefoot/base/build_info.hpp"
 #include "surefoot/base/formatted.hpp"
-#include "surefoot/closed_loop/change_log.hpp"
 #include "surefoot/closed_loop/goal_watch.hpp"
-#include "surefoot/closed_loop/run_log.hpp"
 #include "surefoot/closed_loop/stop_watch.hpp"
 #include "surefoot/evaluation/alignment.hpp"
 #include "surefoot/evaluation/evaluator.hpp"
-#include "surefoot/evaluation/truth_log.hpp"
-#include "surefoot/logging/recorder.hpp"
 
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/string.h>
@@ -22,6 +17,7 @@
 
 #include <cmath>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <tuple>
@@ -91,12 +87,9 @@ class HandEvaluator {
     if (controller.robot().name != scenario.robot.name)
       throw Error("scenario is of " + scenario.robot.name + ", and the controller of " +
                   controller.robot().name);
-    if (record) begin_log(*record);
     controller->explain_levels(record.has_value());
+    if (record) log_ = std::make_unique<HandLog>(*record, scenario, controller, &plant, model_);
   }
-  HandEvaluator(const HandEvaluator&) = delete;
-  HandEvaluator& operator=(const HandEvaluator&) = delete;
-  ~HandEvaluator() { set_recorded(false); }
 
   void add() {
     const TickRecord& record = controller_->record();
@@ -107,20 +100,10 @@ class HandEvaluator {
                     "and before write()",
                     record.reading.time, time));
     evaluator_.add(plant_->truth(), record);
-    TickTiming timing = controller_.timing();
-    timing.time = time;
-    evaluator_.add(timing);
+    evaluator_.add(controller_.timing());
     if (!evaluator_.fell()) stop_.update(*controller_, time);
     (void)goal_.update(plant_->truth());
-    if (!recorder_) return;
-    const auto log = [&](const logged::Change& change) {
-      change_log_->record(change, *controller_);
-    };
-    plant_.changes.take(time, 0, log);
-    controller_.changes.take(time, controller_.ticks() - 1, log);
-    recorder_->record(record);
-    recorder_->record(timing);
-    truth_log_->record(plant_->truth(), record);
+    if (log_) log_->add();
   }
 
   [[nodiscard]] evaluation::Metrics metrics() const {
@@ -148,34 +131,14 @@ class HandEvaluator {
                                    controller_->fault());
   }
   void close() {
-    if (!recorder_) return;
+    if (!log_) return;
     const evaluation::Metrics found = metrics();
-    recorder_->close(evaluation::summary_json(found, criteria(found)));
-    set_recorded(false);
-    change_log_.reset();
-    truth_log_.reset();
-    recorder_.reset();
+    log_->close(evaluation::summary_json(found, criteria(found)));
+    log_.reset();
   }
   [[nodiscard]] bool fell() const { return evaluator_.fell(); }
 
  private:
-  void begin_log(const std::string& path) {
-    if (controller_.ticks() > 0)
-      throw Error("record: the controller has made " + std::to_string(controller_.ticks()) +
-                  " ticks already, and a log begins with the first; an Evaluator that is made "
-                  "before step() would be valid");
-    if (plant_.changes.is_recorded() || controller_.changes.is_recorded())
-      throw Error("record: another Evaluator records this plant or controller; close() it first");
-    recorder_.emplace(path, closed_loop::log_header(scenario_, *controller_, &*plant_, model_));
-    truth_log_.emplace(*recorder_);
-    change_log_.emplace(*recorder_);
-    set_recorded(true);
-  }
-  void set_recorded(bool recorded) {
-    if (!recorder_) return;
-    plant_.changes.set_recorded(recorded);
-    controller_.changes.set_recorded(recorded);
-  }
   /// Of a robot that only stands legs may be of any kind.
   [[nodiscard]] std::function<Vec3(Leg, const Vec3&)> hips() const {
     if (!scenario_.robot.can_walk()) return nullptr;
@@ -189,9 +152,7 @@ class HandEvaluator {
   closed_loop::GoalWatch goal_;
   evaluation::Evaluator evaluator_;
   closed_loop::StopWatch stop_;
-  std::optional<logging::Recorder> recorder_;
-  std::optional<evaluation::TruthLog> truth_log_;
-  std::optional<closed_loop::ChangeLog> change_log_;
+  std::unique_ptr<HandLog> log_;
 };
 
 void bind_evaluator(nb::module_& module) {
@@ -210,8 +171,7 @@ void bind_evaluator(nb::module_& module) {
            nb::arg("scenario"), nb::arg("plant"), nb::arg("controller"),
            nb::arg("record") = nb::none(), nb::keep_alive<1, 2>(), nb::keep_alive<1, 3>(),
            nb::keep_alive<1, 4>(), "record: path of a log to write, run.mcap.")
-      .def("add", &Self::add, nb::call_guard<nb::gil_scoped_release>(),
-           "A tick: after step(), before write().")
+      .def("add", &Self::add, "A tick: after step(), before write().")
       .def_prop_ro(
           "metrics", [](const Self& self) { return as_dict(self.metrics()); },
           nb::sig("def metrics(self) -> dict[str, typing.Any]"),

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "python/turn.hpp"
 #include "surefoot/base/error.hpp"
 
 #include <nanobind/nanobind.h>
@@ -12,48 +13,65 @@ namespace surefoot::python {
 
 namespace nb = nanobind;
 
-/// An object of one's own, or one that a run lends until it ends.
+/// An object of one's own, or one that a run lends until it ends. Whoever looks at it or changes it
+/// waits for another thread's tick.
 template <typename T>
 class Lent {
  public:
-  /// `name` for messages, as "plant".
-  Lent(std::unique_ptr<T> own, const char* name)
-      : name_(name), own_(std::move(own)), object_(own_.get()) {}
-  Lent(T& another, const char* name) : name_(name), object_(&another) {}
+  /// `name` for messages, as "plant". `calls_back`: its ticks call code of the user's.
+  Lent(std::unique_ptr<T> own, const char* name, bool calls_back)
+      : name_(name),
+        own_(std::move(own)),
+        object_(own_.get()),
+        turn_(std::make_unique<Turn>(name, calls_back)) {}
+  Lent(T& another, const char* name, bool calls_back)
+      : name_(name), object_(&another), turn_(std::make_unique<Turn>(name, calls_back)) {}
 
+  /// To look at while the interpreter's lock is kept.
   T& operator*() const {
+    turn_->look();
+    return object();
+  }
+  T* operator->() const { return &**this; }
+  [[nodiscard]] bool is_own() const { return own_ != nullptr; }
+  [[nodiscard]] bool has_ended() const { return object_ == nullptr; }
+
+  /// Calls with the object and without the interpreter's lock; one such call at a time.
+  template <typename Call>
+  void unlocked(const Call& call) {
+    const Turn::Taken taken(*turn_, Turn::Kind::tick);
+    T& mine = object();
+    const nb::gil_scoped_release others_may_run;
+    call(mine);
+  }
+  /// Calls with the object, whose change may call code of the user's.
+  template <typename Call>
+  auto changed(const Call& call) {
+    const Turn::Taken taken(*turn_, Turn::Kind::change);
+    return call(object());
+  }
+
+  /// The run goes on with what it lends, until it pauses.
+  void resume() { turn_->begin(Turn::Kind::tick); }
+  void pause() { turn_->end(); }
+  /// The run, which goes on, ends.
+  void end() {
+    object_ = own_.get();
+    pause();
+  }
+
+ private:
+  T& object() const {
     if (object_ == nullptr)
       throw Error("the run of this " + std::string(name_) +
                   " has ended; take what you need of it while the run goes on");
     return *object_;
   }
-  T* operator->() const { return &**this; }
-  [[nodiscard]] bool is_own() const { return own_ != nullptr; }
-  [[nodiscard]] bool has_ended() const { return object_ == nullptr; }
-  void end() { object_ = own_.get(); }
 
-  /// Calls with the object and without the interpreter's lock; one such call at a time.
-  template <typename Call>
-  void unlocked(const Call& call) {
-    T& object = **this;
-    if (is_busy_)
-      throw Error("this " + std::string(name_) +
-                  " is busy, with a tick of another thread or with the tick that calls it; one "
-                  "thread at a time would be valid");
-    is_busy_ = true;
-    const struct Free {
-      bool& busy;
-      ~Free() { busy = false; }
-    } at_end{is_busy_};
-    const nb::gil_scoped_release others_may_run;
-    call(object);
-  }
-
- private:
   const char* name_;
   std::unique_ptr<T> own_;
   T* object_;
-  bool is_busy_ = false;  // guarded by the interpreter's lock
+  std::unique_ptr<Turn> turn_;
 };
 
 }  // namespace surefoot::python

@@ -43,6 +43,7 @@ NB_MODULE(_core, module) {
   bind_gait(module);
   bind_controller(module);
   bind_evaluation(module);
+  bind_recording(module);
   bind_running(module);
   bind_explaining(module);
   bind_solving(module);

@@ -14,11 +14,13 @@ namespace surefoot::python {
 class BoundPlant : public Lent<simulation::Plant> {
  public:
   explicit BoundPlant(const config::Scenario& scenario)
-      : Lent(std::make_unique<simulation::Plant>(scenario.robot, scenario.plant), "plant"),
+      : Lent(std::make_unique<simulation::Plant>(scenario.robot, scenario.plant), "plant", false),
         robot_(scenario.robot.name),
         base_(scenario.robot.base_link) {}
   BoundPlant(const config::Scenario& scenario, simulation::Plant& of_run)
-      : Lent(of_run, "plant"), robot_(scenario.robot.name), base_(scenario.robot.base_link) {}
+      : Lent(of_run, "plant", false),
+        robot_(scenario.robot.name),
+        base_(scenario.robot.base_link) {}
 
   /// Throws Error unless a controller is of the same robot.
   void check_controller_of(const std::string& robot) const {

@@ -128,6 +128,15 @@ struct Tick {
   NamedCommand user;
   bool stops = false;
 
+  /// The run goes on until it pauses.
+  void resume() {
+    plant.resume();
+    controller.resume();
+  }
+  void pause() {
+    plant.pause();
+    controller.pause();
+  }
   void end() {
     plant.end();
     controller.end();
@@ -168,12 +177,14 @@ class TickHook final : public closed_loop::RunSteering {
   void begin(const closed_loop::RunParts& parts) override {
     const nb::gil_scoped_acquire python;
     tick_ = nb::cast(Tick{{scenario_, parts.plant}, {scenario_, parts.controller}, {}});
+    nb::cast<Tick&>(tick_).resume();
     log_change_ = parts.log_change;
   }
   closed_loop::RunOrder before_tick(double time) override {
     const nb::gil_scoped_acquire python;
     Tick& tick = nb::cast<Tick&>(tick_);
     tick.user = scenario_.user(time);
+    tick.pause();
     try {
       every_tick_(tick_);
       user_ = tick.controller.checked(tick.user);
@@ -182,6 +193,7 @@ class TickHook final : public closed_loop::RunSteering {
     }
     tick.plant.changes.take(time, 0, log_change_);
     tick.controller.changes.take(time, 0, log_change_);
+    tick.resume();
     return error_ || tick.stops ? closed_loop::RunOrder::stop : closed_loop::RunOrder::tick;
   }
   UserCommand user(const UserCommand&) override { return user_; }
@@ -208,6 +220,8 @@ Result run(const config::Scenario& scenario, const std::optional<std::string>& r
   std::optional<TickHook> hook;
   if (every_tick) hook.emplace(scenario, *every_tick);
   closed_loop::ClosedLoopOptions options;
+  if (record && record->empty())
+    throw Error("record is an empty text; the path of a log to write, run.mcap, would be valid");
   options.record_path = record.value_or("");
   options.interrupted = [&] { return interrupt.is_asked(); };
   if (!estimator.is_none())

@@ -1,9 +1,9 @@
 #include "python/bindings.hpp"
 #include "python/explanation.hpp"
-#include "python/lent.hpp"
 #include "python/level_dict.hpp"
 #include "python/level_outcome.hpp"
 #include "python/numbers.hpp"
+#include "python/turn.hpp"
 #include "surefoot/config/hierarchy_json.hpp"
 #include "surefoot/control/solver_options.hpp"
 #include "surefoot/explain/explain.hpp"
@@ -230,15 +230,22 @@ class WarmSolver {
 
   NamedSolution solve(const nb::list& levels, const nb::object& x_ref, bool is_certified) {
     config::NamedHierarchy question = read_hierarchy(levels, x_ref);
+    const Turn::Taken taken(turn_, Turn::Kind::tick);
     if (!fits(question.hierarchy)) make_room(question.hierarchy);
-    solver_->unlocked(
-        [&](solver::LexicographicSolver& solver) { solver.solve(question.hierarchy); });
-    return answer(std::move(question), (*solver_)->solution(), budget_, is_certified);
+    {
+      const nb::gil_scoped_release others_may_run;
+      solver_->solve(question.hierarchy);
+    }
+    return answer(std::move(question), solver_->solution(), budget_, is_certified);
   }
   void forget() {
-    if (solver_) (*solver_)->forget();
+    turn_.look();
+    if (solver_) solver_->forget();
   }
-  [[nodiscard]] int num_sweeps() const { return solver_ ? (*solver_)->num_sweeps() : 0; }
+  [[nodiscard]] int num_sweeps() {
+    turn_.look();
+    return solver_ ? solver_->num_sweeps() : 0;
+  }
 
  private:
   [[nodiscard]] bool fits(const solver::Hierarchy& hierarchy) const {
@@ -261,12 +268,13 @@ class WarmSolver {
     solver::LexicographicOptions options;
     options.budget.flops = budget_;
     options.clock = runtime::steady_seconds;
-    solver_.emplace(std::make_unique<solver::LexicographicSolver>(capacity_, options), "solver");
+    solver_.emplace(capacity_, options);
   }
 
   double budget_;  // [flops]
   solver::Hierarchy capacity_{0};
-  std::optional<Lent<solver::LexicographicSolver>> solver_;
+  std::optional<solver::LexicographicSolver> solver_;
+  Turn turn_{"solver", false};
 };
 
 Explanation explained(const NamedSolution& solved) {
@@ -341,7 +349,7 @@ void bind_solving(nb::module_& module) {
       .def("forget", &Warm::forget, "The next solve begins without a guess.")
       .def_prop_ro("num_sweeps", &Warm::num_sweeps,
                    "of the last solve, over all levels: 1 where the guess was right")
-      .def("__repr__", [](const Warm& self) {
+      .def("__repr__", [](Warm& self) {
         return "<hierarchical solver, " + std::to_string(self.num_sweeps()) +
                " sweeps in the last solve>";
       });

@@ -18,7 +18,7 @@ from surefoot._errors import told_as_error
 from surefoot._named import named
 from surefoot_campaign.errors import InputError, valid_names
 from surefoot_log.figures import figure_of
-from surefoot_log.log_file import SUMMARY, LogFile
+from surefoot_log.log_file import SUMMARY, LogFile, program
 from surefoot_log.table import Table
 from surefoot_log.worlds import in_world, transforms, world_of
 
@@ -28,6 +28,7 @@ if TYPE_CHECKING:
 
 Array = npt.NDArray[Any]
 ERRORS = ["com", "height", "base", "heading"]  # of /alignment
+REPLAYED = (0, 1, 4)  # exit codes of the program: the same, another, not the whole log
 KEPT = 1 << 28  # bytes: of a larger topic only the channels asked for stay in memory
 
 
@@ -83,9 +84,9 @@ class Recorded:
 
     @cached_property
     def _summary(self) -> dict[str, Any]:
-        if SUMMARY not in self._log.attachments:
-            raise KeyError(f"{self._log.path} has no metrics, as of a run that was cut off")
-        found: dict[str, Any] = json.loads(self._log.attachments[SUMMARY])
+        found: dict[str, Any] = json.loads(self._log.attachments.get(SUMMARY, "{}"))
+        if "metrics" not in found:
+            raise KeyError(f"{self._log.path} has no metrics, as of a run that was cut off, or of one without a plant")
         return found
 
     @property
@@ -245,6 +246,20 @@ class Recorded:
 
         with told_as_error():
             return pathlib.Path(write_report(self._log.path, folder, pictures))
+
+    def verify(self) -> dict[str, Any]:
+        """Computes every torque again, as `surefoot replay --verify`: whether they are the `same`, to the bit, in how many `ticks`, and what differs."""
+        return self._replayed("--verify")
+
+    def compare(self, stack: str) -> dict[str, Any]:
+        """What another stack, by its name or file, would have commanded at each tick, as `surefoot replay --stack`: its `joints` and `levels` beside
+        the run's."""
+        return self._replayed("--stack", stack)
+
+    def _replayed(self, *words: str) -> dict[str, Any]:
+        with told_as_error():
+            found: dict[str, Any] = named(json.loads(program("replay", self._log.path, *words, "--json", good=REPLAYED)[0]))
+        return found
 
     def _in_world(self, values: Array, names: list[str]) -> Array:
         """Marked with its world, so that it can't be subtracted from another's."""

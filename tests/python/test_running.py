@@ -122,6 +122,9 @@ def test_a_log_overwrites_no_file_of_another_kind(scenario, tmp_path):
     for record in (lambda: surefoot.run(scenario, record=script), lambda: surefoot.Evaluator(scenario, plant, controller, str(script))):
         with pytest.raises(surefoot.Error, match=r"script.py: logs are written as MCAP; a name that ends with .mcap would be valid"):
             record()
+    for nameless in (lambda: surefoot.run(scenario, record=""), lambda: surefoot.Evaluator(scenario, plant, controller, "")):
+        with pytest.raises(surefoot.Error, match=r"is an empty text; .*run.mcap,? would be valid"):
+            nameless()
     assert script.read_text() == "precious" and [*tmp_path.iterdir()] == [script]
 
 
@@ -372,18 +375,6 @@ def test_a_plant_of_a_run_is_for_no_second_controller(scenario):
         tick.stop()
 
     surefoot.run(scenario, every_tick=second)
-
-
-def test_one_thread_at_a_time_steps_a_controller():
-    class Steps(surefoot.Planner):
-        def update(self, user, state, dynamics, last):
-            controller.step(plant.read(), user)
-
-    scenario = surefoot.load_scenario("walk_flat_ideal")
-    plant = surefoot.Plant(scenario)
-    controller = surefoot.Controller(scenario, plant, planner=Steps())
-    with pytest.warns(RuntimeWarning, match="this controller is busy"):
-        controller.step(plant.read(), scenario.user(0))
 
 
 @pytest.mark.parametrize("gait, walked", [("trot", "trot"), ("crawl", "crawl"), (1, "trot")])

@@ -1,0 +1,154 @@
+"""Several threads at one controller and plant."""
+
+import threading
+import time
+from types import SimpleNamespace
+
+import pytest
+
+import surefoot
+
+
+@pytest.fixture
+def scenario():
+    return surefoot.load_scenario("walk_flat_ideal", set=["duration=2"])
+
+
+def test_one_thread_at_a_time_steps_a_controller():
+    class Steps(surefoot.Planner):
+        def update(self, user, state, dynamics, last):
+            controller.step(plant.read(), user)
+
+    scenario = surefoot.load_scenario("walk_flat_ideal")
+    plant = surefoot.Plant(scenario)
+    controller = surefoot.Controller(scenario, plant, planner=Steps())
+    with pytest.warns(RuntimeWarning, match="this controller is busy"):
+        controller.step(plant.read(), scenario.user(0))
+
+
+class Late(surefoot.OwnTask):
+    """Has no rows; each tick it calls something first."""
+
+    max_rows = 1
+
+    def rows(self, tick):
+        self.call()
+        return tick.dynamics.base.J[:0], []
+
+
+@pytest.fixture
+def late():
+    """A loop whose own task calls something in the middle of each tick."""
+    task = Late("late")
+    stack = surefoot.Stack("terrain_adaptation").last(task)
+    scenario = surefoot.load_scenario("walk_flat_ideal", stack=stack)
+    plant = surefoot.Plant(scenario)
+    controller = surefoot.Controller(scenario, plant)
+    return SimpleNamespace(scenario=scenario, stack=stack, plant=plant, controller=controller, task=task)
+
+
+def test_a_change_in_the_middle_of_a_tick_is_refused(late):
+    changes = [lambda: late.controller.set_stack("terrain_adaptation"), lambda: late.controller.set_friction(0.5), late.controller.levels,
+               lambda: late.controller.switch_levels(remove=["torso_yaw"]), lambda: late.controller.explain_levels()]  # fmt: skip
+    refused = []
+
+    def try_all():
+        for change in changes:
+            with pytest.raises(surefoot.Error, match="this controller is busy with the call that called this; between two ticks would be valid"):
+                change()
+            refused.append(change)
+
+    late.task.call = try_all
+    late.controller.step(late.plant.read(), late.scenario.user(0))
+    assert refused == changes and not late.controller.fault
+
+
+def test_other_threads_wait_for_the_end_of_a_tick(late):
+    done, ends = [], []
+    calls = [late.controller.levels, lambda: late.controller.set_friction(0.5), lambda: late.controller.set_stack(late.stack), lambda: late.controller.state]
+    begun = threading.Barrier(len(calls) + 1)
+
+    def begin():
+        begun.wait()
+        for _ in range(200):
+            time.sleep(0)  # lets the others on
+        ends.append(len(done))
+
+    def other(call):
+        begun.wait()
+        call()
+        done.append(call)
+
+    late.task.call = begin
+    threads = [threading.Thread(target=other, args=[call]) for call in calls]
+    for thread in threads:
+        thread.start()
+    late.controller.step(late.plant.read(), late.scenario.user(0))
+    for thread in threads:
+        thread.join()
+    assert ends == [0] and sorted(map(id, done)) == sorted(map(id, calls)) and not late.controller.fault
+
+
+def test_another_threads_looks_and_changes_do_not_stop_a_loop(scenario):
+    """Nor does the loop, which leaves the controller alone for moments only, keep them waiting."""
+    plant = surefoot.Plant(scenario)
+    controller = surefoot.Controller(scenario, plant)
+    looks, ended, failed = [0], threading.Event(), []
+
+    def look():
+        try:
+            while not ended.is_set():
+                assert len(controller.levels()) in (0, 6) and controller.plan.com and plant.truth.feet
+                controller.set_friction(0.5 + 0.01 * (looks[0] % 10))
+                plant.push([1, 0, 0])
+                looks[0] += 1
+        except Exception as error:
+            failed.append(error)
+
+    thread = threading.Thread(target=look)
+    thread.start()  # before the first tick, which has no levels
+    for _ in range(400):
+        plant.write(controller.step(plant.read(), scenario.user(plant.time)))
+    ended.set()
+    thread.join()
+    assert not failed and looks[0] > 20
+
+
+def test_what_a_run_lends_waits_for_its_ticks_too(scenario):
+    lent, found, failed = [], [], []
+    begun = threading.Event()
+
+    def look():
+        begun.wait()
+        try:
+            while True:
+                found.append(len(lent[0].controller.levels()))
+        except surefoot.Error as error:
+            failed.append(str(error))
+
+    def tick(now):
+        lent[:] = [now]
+        if now.time > 0:
+            begun.set()
+        if now.time > 1.0:
+            now.stop()
+
+    thread = threading.Thread(target=look)
+    thread.start()
+    surefoot.run(scenario, every_tick=tick)
+    thread.join()
+    assert set(found) == {6} and "the run of this controller has ended" in failed[0]
+
+
+def test_after_a_change_of_stack_the_levels_have_no_results_of_the_old_one(late):
+    late.task.call = lambda: None
+    for _ in range(2):
+        late.plant.write(late.controller.step(late.plant.read(), late.scenario.user(0)))
+    rows = {level.name: level.num_rows for level in late.controller.levels()}
+    assert late.controller.set_stack(surefoot.Stack("terrain_adaptation").without("com_xy").last(surefoot.tasks.ComXy()).last(late.task))
+    after = late.controller.levels()
+    assert after[-2].name == "com_xy" and {level.num_rows for level in after} == {0} and rows["com_xy"] == 2
+    with pytest.raises(surefoot.Error, match="no hierarchy was solved at the last tick, or another stack has come since"):
+        late.controller.problem
+    late.controller.step(late.plant.read(), late.scenario.user(0))
+    assert {level.name: level.num_rows for level in late.controller.levels()}["com_xy"] == 2 and late.controller.problem
