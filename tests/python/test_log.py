@@ -148,3 +148,10 @@ def test_the_document_names_every_topic_and_every_attachment_once_in_its_table(l
         for item in make_reader(file).iter_attachments():
             name = re.sub(r"\d+", "1", item.name)
             assert re.search(rf"^\| [^|]*`{name}`[^|]*\|", text, re.MULTILINE), item.name
+
+
+def test_the_document_names_every_kind_of_change():
+    written = {kind for folder in ("python", "server", "surefoot") for file in (ROOT / folder).rglob("*.cpp")
+               for kind in re.findall(r'\.kind = "(\w+)"', file.read_text())}  # fmt: skip
+    listed = re.search(r"### Changes by hand\n(.*?)\n## ", (ROOT / "docs/log.md").read_text(), re.DOTALL)[1]
+    assert {"levels", "fault"} < written == set(re.findall(r"^- `(\w+)`:", listed, re.MULTILINE))
