@@ -31,19 +31,33 @@ class Named(dict[str, Any]):
         return dict, (dict(self),)
 
 
-class ByLeg(Named):
-    """What is put into it would be lost: the object that it is of has the items themselves."""
+class Fixed(Named):
+    """What is put into it would be lost."""
+
+    advice = ""
 
     def _refuse(self, *_: object, **__: object) -> Any:
-        raise _core.Error("what is of a leg can't be replaced: write into the item, as plan.feet['LF'].p_WF = …; slips the controller finds itself")
+        raise _core.Error(self.advice)
 
     __setitem__ = __delitem__ = __ior__ = update = setdefault = pop = popitem = clear = _refuse  # type: ignore[assignment]
+
+
+class ByLeg(Fixed):
+    """The object that it is of has the items themselves."""
+
+    advice = "what is of a leg can't be replaced: write into the item, as plan.feet['LF'].p_WF = …; slips the controller finds itself"
+
+
+class Parameters(Fixed):
+    """Of a task."""
+
+    advice = "parameters of a task can't be changed: stack.tune(task.task, kp=…) gives a stack with others, or make a new task with them"
 
 
 with contextlib.suppress(ImportError):
     _yaml = importlib.import_module("yaml.representer")
     for _kind in (_yaml.SafeRepresenter, _yaml.Representer):
-        for _dict in (Named, ByLeg):
+        for _dict in (Named, ByLeg, Parameters):
             _kind.add_representer(_dict, _kind.represent_dict)
 
 

@@ -14,6 +14,7 @@ from typing import Any
 from surefoot import _core
 from surefoot._arguments import ArgumentError, checked, is_number, number
 from surefoot._core import Error, Estimator, Gait, Planner, Plant, Robot, Scenario
+from surefoot._fixed import refuse_to_set
 from surefoot._paths import absolute_path, is_path, with_absolute_paths
 from surefoot.stack import OwnTask, Stack, own_tasks_told, registered_tasks
 
@@ -94,10 +95,10 @@ def _read_with_stack(
     if stack is None:
         return read_scenario(name, seed, words, registered, gaits)
     with tempfile.TemporaryDirectory(prefix="surefoot_") as folder:
-        file = pathlib.Path(folder) / f"{stack.name}.yaml"
+        file = pathlib.Path(folder) / "stack.yaml"
         file.write_text(stack.text(robot or robot_of(name, seed, words, gaits)))
         try:
-            return read_scenario(name, seed, [*words, f"stack={file}"], stack.own_tasks, gaits)
+            return read_scenario(name, seed, [*words, f"stack={file}"], stack.own_tasks, gaits, stack.name)
         except Error as error:
             raise type(error)(str(error).replace(str(file), f"stack {stack.name}")) from None
 
@@ -108,8 +109,8 @@ def robot_of(name: str, seed: int, words: list[str], gaits: dict[str, Callable[[
     return read_scenario(name, seed, of_robot, registered_tasks(), gaits).robot_model
 
 
-def read_scenario(name: str, seed: int, words: list[str], own: list[OwnTask], gaits: dict[str, Callable[[], Gait]]) -> Scenario:
-    """What the program says of its option --set is told of the argument that the word came from."""
+def read_scenario(name: str, seed: int, words: list[str], own: list[OwnTask], gaits: dict[str, Callable[[], Gait]], stack_name: str = "") -> Scenario:
+    """What the program says of its option --set is told of the argument that the word came from. stack_name: of the stack whose file is the last word."""
     try:
         with own_tasks_told():
             return _core.read_scenario(name, seed, words, own, gaits)
@@ -117,7 +118,8 @@ def read_scenario(name: str, seed: int, words: list[str], own: list[OwnTask], ga
         text = str(error)
         for word in words:
             key, _, value = word.partition("=")
-            told = f"{key} {pathlib.Path(value).stem}: " if key in ("stack", "robot") else f"set has {word!r}: "
+            called = stack_name if stack_name and word is words[-1] else pathlib.Path(value).stem
+            told = f"{key} {called}: " if key in ("stack", "robot") else f"set has {word!r}: "
             text = text.replace(f"--set {word}: ", told).replace(f"{told}{key}: ", told)
         raise type(error)(text) from None
 
@@ -132,6 +134,8 @@ class Controller(_core.ControllerBase):
     of: a scenario, or a robot (or its name), whose controller then has the options of the scenario walk_flat, changed by `stack` and `set`.
     estimator, planner: your own, in place of the library's. Tasks of your own come with the stack.
     plant: needed only where the scenario says `estimation: truth`. Without it readings may come from anywhere: from a real robot."""
+
+    scenario: Scenario
 
     def __init__(
         self,
@@ -150,7 +154,15 @@ class Controller(_core.ControllerBase):
         else:
             scenario = load_scenario(PLAIN, set=set, robot=of, stack=stack)
         super().__init__(scenario, plant, estimator, planner)
-        self.scenario = scenario
+        vars(self)["scenario"] = scenario
+
+
+def advice_of_controller(controller: _core.ControllerBase, name: str) -> str:
+    calls = f"set_{name}() changes it" if hasattr(controller, f"set_{name}") else "set_stack(), set_friction() and switch_levels() change what it does"
+    return f"a Controller has no {name} to set; {calls}, and its scenario is given where it is made"
+
+
+refuse_to_set(_core.ControllerBase, advice_of_controller)
 
 
 def change_stack(controller: _core.ControllerBase, stack: Stack | str, duration: float, robot: Robot, options: str) -> bool:

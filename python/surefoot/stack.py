@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import contextlib
-import copy
 import json
 import operator
 import os
@@ -19,10 +18,12 @@ import numpy.typing as npt
 from surefoot import _core
 from surefoot._arguments import checked, is_list, is_whole
 from surefoot._core import Error, Robot, TaskTick, UnknownNameError
-from surefoot._named import Named, named
+from surefoot._fixed import refuse_to_set
+from surefoot._named import Parameters, named
 from surefoot._paths import absolute_path
 
 
+FIELDS = ("task", "name", "weight", "parameters")  # of a Task
 _registered: dict[str, OwnTask] = {}
 
 Rows = tuple[npt.ArrayLike, npt.ArrayLike] | tuple[npt.ArrayLike, npt.ArrayLike, npt.ArrayLike]
@@ -33,32 +34,48 @@ class Task:
     """One objective or limit of a stack. Those of the library are in `surefoot.tasks`; derive OwnTask for one of your own.
 
     task: its name in the catalog. name: of its level. weight: of its rows, within a level of several tasks. Parameters that are None
-    keep their defaults, which go with the robot's size."""
+    keep their defaults, which go with the robot's size. A task is not changed once it is made; one of your own has further attributes as you like."""
+
+    task: str
+    name: str
+    weight: float
+    parameters: Parameters
+    _own: OwnTask | None  # whose weight and parameters these are
 
     def __init__(self, task: str, name: str | None = None, *, weight: float = 1.0, **parameters: float | str | Sequence[str] | None) -> None:
-        self.task, self.name, self.weight = task, task if name is None else name, weight
-        self.parameters = Named((key, value) for key, value in parameters.items() if value is not None)
+        given = Parameters((key, value) for key, value in parameters.items() if value is not None)
+        vars(self).update(task=task, name=task if name is None else name, weight=weight, parameters=given, _own=None)
         check_name(self.name)
         if not isinstance(self, OwnTask):
             parse_alone(self)
 
     @classmethod
-    def _read(cls, task: str, name: str, weight: float, parameters: dict[str, Any]) -> Task:
+    def _read(cls, task: str, name: str, weight: float, parameters: Mapping[str, Any], own: OwnTask | None = None) -> Task:
         """From a stack, which has checked it."""
         made = Task.__new__(Task)
-        made.task, made.name, made.weight, made.parameters = task, name, weight, Named(parameters)
+        vars(made).update(task=task, name=name, weight=weight, parameters=Parameters(parameters), _own=own)
         return made
+
+    def _with(self, weight: float, parameters: Mapping[str, Any]) -> Task:
+        """One of the user's own stays the object that it is."""
+        return Task._read(self.task, self.name, weight, parameters, self if isinstance(self, OwnTask) else self._own)
+
+    def __setstate__(self, state: Any) -> None:
+        """Of copies and pickles, whose dicts are plain ones."""
+        for each in state if isinstance(state, tuple) else (state,):
+            for name, value in (each or {}).items():
+                object.__setattr__(self, name, Parameters(value) if name == "parameters" else value)
 
     def __eq__(self, other: object) -> bool:
         if isinstance(self, OwnTask) or not isinstance(other, Task) or isinstance(other, OwnTask):
             return self is other
-        return (self.task, self.name, self.weight, self.parameters) == (other.task, other.name, other.weight, other.parameters)
+        return (self.task, self.name, self.weight, self.parameters, self._own) == (other.task, other.name, other.weight, other.parameters, other._own)
 
     def __hash__(self) -> int:
         return hash((self.task, self.name))
 
     def __getattr__(self, name: str) -> Any:
-        if name in ("task", "name", "weight", "parameters"):
+        if name in FIELDS:
             raise Error(f"{type(self).__name__}.__init__ must call super().__init__(name) first")
         return object.__getattribute__(self, name)  # raises again what a property raised
 
@@ -66,6 +83,22 @@ class Task:
         words = [repr(self.task)] + [repr(self.name)] * (self.name != self.task)
         words += [f"weight={self.weight:g}"] * (self.weight != 1.0)
         return f"Task({', '.join(words + [f'{key}={value!r}' for key, value in self.parameters.items()])})"
+
+
+def advice_of_task(task: Task, name: str) -> str:
+    if name in ("task", "name"):
+        return f"{name} of a task can't be set; a new task with another one would be valid"
+    if name == "parameters":
+        return Parameters.advice
+    known = ["weight", *(each["name"] for info in catalog() if info["name"] == task.task for each in info["numbers"] + info["choices"])]
+    if name in known:
+        return f"{name} of a task can't be set; stack.tune({task.task!r}, {name}=…) gives a stack with another one, or make a new task with it"
+    from surefoot_campaign.errors import hint
+
+    return f"the task {task.task} has no {name} to set; {hint(name, known)}stack.tune({task.task!r}, …) takes {', '.join(known)}"
+
+
+refuse_to_set(Task, advice_of_task, FIELDS)
 
 
 @checked
@@ -139,6 +172,12 @@ def check_name(name: str) -> None:
         raise Error(f"{name!r} is no name of a level; a text without quotes, brackets, colons and commas is valid")
 
 
+def check_stack_name(name: str) -> None:
+    """Files are called so."""
+    if not re.fullmatch(r"(?!\.+$)[\w.][^\n\"'{}\[\]:#,/\\\0]{0,199}", name):
+        raise Error(f"{name!r} is no name of a stack; a text that begins with a letter or digit, of at most 200, without slashes, quotes, brackets, colons and commas is valid")
+
+
 @checked
 @dataclass(frozen=True)
 class StackLevel:
@@ -201,12 +240,14 @@ class Stack:
     base: name or path of a stack file; surefoot.stacks() lists those that there are. Its numbers, and all defaults, go with the robot's
     size; numbers that you give are as they stand. print(stack) shows it line by line with all gains."""
 
+    name: str
+
     def __init__(self, base: str | os.PathLike[str] | None = None, name: str | None = None) -> None:
         self._base = None if base is None else absolute_path(os.fspath(base))
-        self.name = name or ("own" if self._base is None else pathlib.Path(self._base).stem)
         self._steps: tuple[Step, ...] = ()
         self._weighted_from: str | None = None
-        check_name(self.name)
+        vars(self)["name"] = name or ("own" if self._base is None else pathlib.Path(self._base).stem)
+        check_stack_name(self.name)
         self.levels()
 
     def levels(self, robot: Robot | None = None, changed: Mapping[str, Mapping[str, float | str]] = {}) -> list[StackLevel]:
@@ -268,7 +309,7 @@ class Stack:
     def own_tasks(self) -> list[OwnTask]:
         """Of the user, in its order; those that it has by name are the registered ones."""
         given = [task for level in self.levels() for task in level.tasks]
-        own = [task if isinstance(task, OwnTask) else _registered.get(task.task) for task in given]
+        own = [task if isinstance(task, OwnTask) else task._own or _registered.get(task.task) for task in given]
         return list({task.task: task for task in own if task is not None}.values())
 
     @property
@@ -310,8 +351,8 @@ class Stack:
     def _with(self, step: Step, weighted_from: str | None = None) -> Stack:
         """Throws at once what the program would refuse."""
         made = Stack.__new__(Stack)
-        made._base, made.name, made._steps = self._base, self.name, (*self._steps, step)
-        made._weighted_from = weighted_from or self._weighted_from
+        made._base, made._steps, made._weighted_from = self._base, (*self._steps, step), weighted_from or self._weighted_from
+        vars(made)["name"] = self.name
         levels = made.levels()
         names = [level.name for level in levels]
         twice = [name for name in names if names.count(name) > 1]
@@ -334,6 +375,15 @@ class Stack:
     def _level_of(self, found: re.Match[str]) -> str:
         """Of a place in the text that nobody has seen."""
         return f", level {self.levels()[int(found[1])].name}: "
+
+
+def advice_of_stack(stack: Stack, name: str) -> str:
+    if name == "name":
+        return "name of a stack can't be set; Stack(…, name=…) makes one that is called so"
+    return f"a stack has no {name} to set; before(), after(), replace(), tune() and the like give another stack"
+
+
+refuse_to_set(Stack, advice_of_stack, ["name"])
 
 
 # What changes a stack; levels come last.
@@ -377,22 +427,15 @@ def tune(task: str, weight: float | None, parameters: Mapping[str, Any], levels:
     def changed(each: Task) -> Task:
         if each.task != task:
             return each
-        made = copy.copy(each)
-        made.weight, made.parameters = each.weight if weight is None else weight, Named({**each.parameters, **parameters})
-        return made
+        return each._with(each.weight if weight is None else weight, {**each.parameters, **parameters})
 
     return [replace(level, tasks=tuple(map(changed, level.tasks))) for level in levels]
 
 
 def weigh(name: str, weight: float, levels: list[StackLevel]) -> list[StackLevel]:
     place_of(levels, name)
-
-    def of(task: Task) -> Task:
-        made = copy.copy(task)
-        made.weight = task.weight * weight
-        return made
-
-    return [replace(level, tasks=tuple(map(of, level.tasks))) if level.name == name else level for level in levels]
+    return [replace(level, tasks=tuple(task._with(task.weight * weight, task.parameters) for task in level.tasks)) if level.name == name else level
+            for level in levels]  # fmt: skip
 
 
 def yaml_of(level: StackLevel) -> str:

@@ -415,6 +415,30 @@ def test_gaits_that_are_not_there_are_refused_with_those_that_are():
     surefoot.Controller("anymal_b", set=["gait=trot", "gaits=[trot]"]).step(plant.read(), user)
 
 
+def test_what_would_do_nothing_to_a_controller_is_refused_with_the_call_that_does_it(scenario):
+    class Own(surefoot.Controller):
+        def __init__(self, *given):
+            self.label = "own"
+            super().__init__(*given)
+            self.stack = "of mine"
+
+    controller, own = surefoot.Controller("anymal_b"), Own("anymal_b")
+    own.friction = 0.3
+    assert (own.label, own.stack, own.scenario.name) == ("own", "of mine", "walk_flat")
+
+    def check(controller):
+        for name, said in [("friction", r"set_friction\(\) changes it"), ("stack", r"set_stack\(\) changes it"), ("gait", "set_stack.*change what it does")]:
+            with pytest.raises(surefoot.Error, match=f"a Controller has no {name} to set; {said}, and its scenario is given where it is made"):
+                setattr(controller, name, "regular")
+
+    check(controller)
+    with pytest.raises(AttributeError, match="no scenario to set"):
+        controller.scenario = scenario
+    surefoot.run(scenario, every_tick=lambda tick: (check(tick.controller), tick.stop()))
+    controller.step = lambda *_: "measured"
+    assert controller.step(1, 2) == "measured"
+
+
 def test_a_logged_command_with_nan_keeps_the_gait():
     scenario = surefoot.load_scenario("walk_flat_ideal", set=["gaits=[crawl, trot]", "planner.calibration.duration=0"])
     plant = surefoot.Plant(scenario)

@@ -71,6 +71,91 @@ def test_levels_below_one_can_be_weighted_instead(stack):
     assert [task.weight for task in list(made)[-1].tasks if task.task == "com_xy"] == [100]
 
 
+class Gained(surefoot.OwnTask):
+    """The base is held with a gain that is set later."""
+
+    max_rows, gain = 1, 1.0
+
+    def rows(self, tick):
+        base = tick.dynamics.base
+        return base.J[2:3], [-self.gain * base.v[2] - base.Jdot_u[2]]
+
+
+def test_a_task_of_ones_own_stays_the_object_that_it_is(stack):
+    task = Gained("mine")
+    for made in (stack.last(task), stack.last(task).tune("mine", weight=2), stack.last(task).weighted_from("torso_yaw", mine=2)):
+        assert made == made == copy.copy(made) and made.own_tasks == [task] and made.own_tasks[0] is task
+    tuned = stack.last(task).tune("mine", weight=2)
+    assert tuned != stack.last(task) and tuned["mine"].tasks[0].weight == 2 and task.weight == 1
+    assert tuned != stack.last(Gained("mine")).tune("mine", weight=2), "another task of the same name"
+
+
+def test_what_is_set_of_a_task_of_ones_own_holds_in_the_controller(stack):
+    task = Gained("mine")
+    scenario = surefoot.load_scenario("walk_flat_ideal", stack=stack.first(StackLevel("both", [task])).without("both").last(task).tune("mine", weight=2))
+    seen = []
+    task.rows = lambda tick: seen.append(task.gain)
+    plant = surefoot.Plant(scenario)
+    controller = surefoot.Controller(scenario, plant)
+    for gain in (3.0, 4.0):
+        task.gain = gain
+        plant.write(controller.step(plant.read(), scenario.user(0)))
+    assert seen == [3.0, 4.0]
+
+
+TUNED = r"of a task can't be set; stack.tune\('com_xy', \w+=…\) gives a stack with another one, or make a new task with it"
+
+
+@pytest.mark.parametrize("make", [tasks.ComXy, lambda: Stack("terrain_adaptation")["com_xy"].tasks[0], lambda: copy.deepcopy(tasks.ComXy(kp=3)),
+                                  lambda: pickle.loads(pickle.dumps(tasks.ComXy(kp=3)))])  # fmt: skip
+@pytest.mark.parametrize("change, said", [
+    (lambda task: setattr(task, "kp", 5), f"^kp {TUNED}"),
+    (lambda task: setattr(task, "weight", 7), f"^weight {TUNED}"),
+    (lambda task: setattr(task, "name", "other"), "^name of a task can't be set; a new task with another one would be valid"),
+    (lambda task: setattr(task, "kpp", 5), 'the task com_xy has no kpp to set; did you mean "kp"?'),
+    (lambda task: setattr(task, "parameters", {}), r"parameters of a task can't be changed: stack.tune\(task.task, kp=…\)"),
+    (lambda task: task.parameters.update(kp=-3), r"parameters of a task can't be changed: stack.tune\(task.task, kp=…\)"),
+    (lambda task: task.parameters.__setitem__("kp", -3), "parameters of a task can't be changed"),
+])  # fmt: skip
+def test_a_task_of_the_library_is_not_changed(make, change, said):
+    task = make()
+    before = repr(task)
+    with pytest.raises(surefoot.Error, match=said):
+        change(task)
+    assert repr(task) == before
+
+
+def test_a_task_of_ones_own_has_further_attributes_and_so_has_one_that_is_derived(stack):
+    class Soft(tasks.ComXy):
+        def __init__(self):
+            super().__init__(kp=20)
+            self.note = "soft"
+
+    task = Gained("mine")
+    task.gain = task.more = 3
+    for fixed in (task, Soft()):
+        with pytest.raises(AttributeError, match="^weight of a task can't be set"):
+            fixed.weight = 3
+    assert (task.gain, task.more, Soft().note) == (3, 3, "soft") and stack.replace("com_xy", Soft())["com_xy"].tasks[0].parameters["kp"] == 20
+
+
+@pytest.mark.parametrize("name", ["v1/2", "../../tmp/zz", "a\\b", "..", "- a", "*a", "a: b", "a\0", "a" * 201])
+def test_a_stacks_name_is_one_that_a_file_can_have(name):
+    with pytest.raises(surefoot.Error, match="is no name of a stack; a text that begins with a letter"):
+        Stack("terrain_adaptation", name=name)
+
+
+def test_a_stacks_name_may_be_a_text_and_is_not_set_later():
+    made = Stack("terrain_adaptation", name="größer 2.1 - b")
+    with pytest.raises(surefoot.Error, match=r"name of a stack can't be set; Stack\(…, name=…\)"):
+        made.name = "other"
+    with pytest.raises(surefoot.Error, match=r"has no kp to set; before\(\), .* give another stack"):
+        made.kp = 3
+    assert surefoot.load_scenario("walk_flat", stack=made).name == "walk_flat"
+    with pytest.raises(surefoot.Error, match="^stack größer 2.1 - b: .* at most|^stack größer 2.1 - b: .*reaches only"):
+        surefoot.load_scenario("walk_flat", stack=made.tune("limb_extension_limits", max=3))
+
+
 def test_every_task_of_the_catalog_has_a_class_with_its_parameters():
     for info in surefoot.catalog():
         made = getattr(tasks, "".join(word.capitalize() for word in info["name"].split("_")))
