@@ -2,16 +2,16 @@
 
 from __future__ import annotations
 
-import contextlib
+import functools
 import hashlib
-import io
 import json
 import os
 import pathlib
 import re
+import signal
 import tempfile
 from collections.abc import Callable, Mapping, Sequence
-from types import SimpleNamespace
+from functools import partial
 from typing import TYPE_CHECKING, Any
 
 from surefoot import _core
@@ -57,11 +57,13 @@ def run(
 
 
 class Campaign:
-    """What came of a campaign: `.table` has a row a run, `.points` a row a point of its grid, `.pairs` the cases against the first one, seed by seed."""
+    """What came of a campaign: `.table` has a row a run, `.points` a row a point of its grid, `.pairs` the cases against the first one, seed by seed;
+    `.notes` are lines worth telling: of its scenarios, and of runs that broke."""
 
-    def __init__(self, folder: pathlib.Path, summary: dict[str, Any]) -> None:
+    def __init__(self, folder: pathlib.Path, summary: dict[str, Any], notes: list[str]) -> None:
         self.folder: pathlib.Path = folder
         self.summary: dict[str, Any] = summary
+        self.notes: list[str] = notes
         self._rows = (folder / "runs.parquet").read_bytes()  # another campaign may write there
 
     def __repr__(self) -> str:
@@ -101,18 +103,21 @@ def data_frame(table: pa.Table) -> Any:
 
 
 @checked
-def campaign(spec: str | os.PathLike[str] | Mapping[str, Any], *, out: str | os.PathLike[str] | None = None, jobs: int | None = None) -> Campaign:
+def campaign(
+    spec: str | os.PathLike[str] | Mapping[str, Any], *, out: str | os.PathLike[str] | None = None, jobs: int | None = None, retry: bool = False
+) -> Campaign:
     """Runs a grid of scenario parameters times seeds, each run in a process of its own, as `surefoot campaign` does.
 
     spec: a file, the name of one that ships, or its content as a dict: {"scenario": "walk_flat", "seeds": [1, 2, 3], "grid": {…}}. In a dict
-        `stack` may be a Stack, made for the robot of the (first) scenario; one with tasks of your own can't run in other processes.
-    out: folder of the results, by default results/NAME, of a dict without `name` one of its own; a campaign that was cut off goes on there. jobs: runs at once, one a core by default.
-    """
+        `stack` may be a Stack, made for the robot of its runs, of one size; one with tasks of your own can't run in other processes.
+    out: folder of the results, by default results/NAME, of a dict without `name` one of its own; a campaign that was cut off goes on there.
+    jobs: runs at once, one a core by default. retry: makes runs again that crashed, took too long or were refused.
+    Ctrl-C ends it, from the main thread. Raises Error where runs were ended from outside; rows that are finished are kept."""
     from surefoot_campaign.cli import make_campaign
-    from surefoot_campaign.command_line import WRONG_INPUT
     from surefoot_campaign.errors import InputError
     from surefoot_campaign.plan import make_plan
     from surefoot_campaign.program import Program
+    from surefoot_campaign.scheduler import LocalScheduler
     from surefoot_campaign.spec import load_spec
 
     if jobs is not None and jobs < 1:
@@ -121,9 +126,9 @@ def campaign(spec: str | os.PathLike[str] | Mapping[str, Any], *, out: str | os.
         spec = plain_spec(spec)
     if isinstance(spec, Mapping) and "name" not in spec:
         spec = {**spec, "name": f"campaign_{hashlib.sha1(repr(spec_text(spec)).encode()).hexdigest()[:8]}"}
-    program, workers = Program(), jobs or len(os.sched_getaffinity(0))
-    arguments = SimpleNamespace(scheduler="local", jobs=workers, retry=False, no_plots=True, json=True)
+    workers = jobs or len(os.sched_getaffinity(0))
     with told_as_error(), tempfile.TemporaryDirectory(prefix="surefoot_") as folder:
+        program = Program()
         path = pathlib.Path(folder) / "campaign.yaml" if isinstance(spec, Mapping) else pathlib.Path(spec)
         try:
             if isinstance(spec, Mapping):
@@ -135,13 +140,16 @@ def campaign(spec: str | os.PathLike[str] | Mapping[str, Any], *, out: str | os.
             raise Error(re.sub(re.escape(str(path)) + r"(:\d+)?", "spec", str(error)) if isinstance(spec, Mapping) else str(error)) from None
         place = pathlib.Path(out or pathlib.Path("results") / loaded.name)
         try:
-            with contextlib.redirect_stdout(io.StringIO()):
-                status = make_campaign(plan, program, arguments, place, [str(path)])
+            made = make_campaign(plan, program, LocalScheduler(workers), place, retry)
         except InputError as error:
             raise Error(str(error).replace("with --out", "with out=")) from None
-    if status == WRONG_INPUT:
-        raise KeyboardInterrupt(f"rows that are finished are kept in {place}; the same call goes on there")
-    return Campaign(place, json.loads((place / "summary.json").read_text()))
+    if made.stopped == signal.SIGINT and signal.getsignal(signal.SIGINT) is signal.default_int_handler:
+        raise KeyboardInterrupt(f"{made.kept()} in {place}; the same call goes on there")
+    if made.stopped:
+        signal.raise_signal(made.stopped)  # whoever asked this process to end, asked for more than the campaign
+    if not made.is_whole():
+        raise Error(f"{made.trouble()}; {made.kept()} in {place}: the same call goes on there")
+    return Campaign(place, json.loads(json.dumps(made.found)), [*plan.notes, *filter(None, [made.broken_note("retry=True")])])
 
 
 def plain_spec(value: Any) -> Any:

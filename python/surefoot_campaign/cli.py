@@ -5,6 +5,7 @@ import os
 import pathlib
 import shlex
 import sys
+from dataclasses import dataclass
 
 from surefoot_campaign.axes import number_text
 from surefoot_campaign.command_line import Parser, folder_name, tell, whole_number
@@ -121,35 +122,11 @@ def run_missing(plan, missing, scheduler, journal, program):
     return ended
 
 
-def tell_what_is_done(plan, missing, journal):
-    """Says on stderr where a campaign goes on."""
+def what_is_done(plan, missing, journal):
+    """Where a campaign goes on; None at the beginning."""
     done = len(plan.runs) - len(missing)
     torn = "; its last row was torn and is dropped" if journal.was_torn else ""
-    if done or torn:
-        print(f"{plan.spec.name}: {done} of {len(plan.runs)} runs are done already, {len(missing)} to do{torn}", file=sys.stderr)
-
-
-def go_on_message(plan, journal, arguments):
-    done = sum(run.id in journal.rows for run in plan.runs)
-    words = [os.environ.get("SUREFOOT_COMMAND", "bin/surefoot"), "campaign", *arguments]
-    return f"{done} of {len(plan.runs)} runs are finished and kept; to go on: {shlex.join(words)}"
-
-
-def finish(plan, journal, program, arguments, folder):
-    records = records_of(plan, journal.rows)
-    if not records:
-        return ALL_RIGHT
-    found = write_all(plan, records, program, folder)
-    if not arguments.no_plots:
-        from surefoot_campaign.plots import write_plots
-
-        write_plots(plan, records, folder / "plots")
-    print(json.dumps(found) + "\n" if arguments.json else short_table(plan, found, folder), end="")
-    broken = sum(found["runs"][outcome] for outcome in BROKEN)
-    if not broken:
-        return ALL_RIGHT
-    print(f"surefoot: {broken} of {len(records)} runs crashed, took too long or were refused; --retry makes them again", file=sys.stderr)
-    return SOME_BROKE
+    return f"{plan.spec.name}: {done} of {len(plan.runs)} runs are done already, {len(missing)} to do{torn}" if done or torn else None
 
 
 def open_journal(folder):
@@ -160,23 +137,65 @@ def open_journal(folder):
         raise InputError(f"the folder {folder} can't be written: {error.strerror}; choose another with --out") from None
 
 
-def make_campaign(plan, program, arguments, folder, typed):
-    scheduler = make_scheduler(arguments.scheduler, arguments.jobs)
+@dataclass(frozen=True)
+class Made:
+    """What came of a campaign."""
+
+    found: dict  # its summary; None: no run is finished
+    finished: int
+    planned: int
+    broken: int  # crashed, timed out or refused, of those that are finished
+    ended: int  # from outside, so that they have no row
+    stopped: int  # the signal that stopped it; 0: none
+
+    def is_whole(self):
+        return not self.ended and not self.stopped
+
+    def trouble(self):
+        """Why it is not whole."""
+        return "interrupted" if self.stopped else f"{self.ended} runs were ended from outside"
+
+    def kept(self):
+        return f"{self.finished} of {self.planned} runs are finished and kept"
+
+    def broken_note(self, retry):
+        """With what makes those runs again; None if there are none."""
+        return f"{self.broken} of {self.finished} runs crashed, took too long or were refused; {retry} makes them again" if self.broken else None
+
+
+def make_campaign(plan, program, scheduler, folder, retry=False, plots=False, tell_begin=lambda line: None):
+    """Runs what is missing and writes all results. Says on stderr how far it is, and `tell_begin` where it goes on."""
     with open_journal(folder) as journal:
         check_campaign(folder, journal.rows, plan.spec.name)
-        missing = [run for run in plan.runs if not is_done(run, journal.rows, arguments.retry)]
+        missing = [run for run in plan.runs if not is_done(run, journal.rows, retry)]
         missing.sort(key=lambda run: run.seed)  # early results are of every point
-        tell_what_is_done(plan, missing, journal)
+        if line := what_is_done(plan, missing, journal):
+            tell_begin(line)
         with program.copied_to(folder / "program") as copy:
             try:
                 ended = run_missing(plan, missing, scheduler, journal, copy)
             except OSError as error:
                 raise InputError(f"{error}; rows that are finished are kept") from None
-        status = finish(plan, journal, program, arguments, folder)
-        if not ended and not scheduler.stopped:
-            return status
-        trouble = "interrupted" if scheduler.stopped else f"{ended} runs were ended from outside"
-        return tell(f"{trouble}: {go_on_message(plan, journal, typed)}")
+        records = records_of(plan, journal.rows)
+        found = write_all(plan, records, program, folder) if records else None
+        if records and plots:
+            from surefoot_campaign.plots import write_plots
+
+            write_plots(plan, records, folder / "plots")
+        broken = sum(found["runs"][outcome] for outcome in BROKEN) if records else 0
+        return Made(found, len(records), len(plan.runs), broken, ended, scheduler.stopped)
+
+
+def tell_results(plan, made, arguments, folder, typed):
+    """Returns the exit code."""
+    if made.found:
+        print(json.dumps(made.found) + "\n" if arguments.json else short_table(plan, made.found, folder), end="")
+    if note := made.broken_note("--retry"):
+        print(f"surefoot: {note}", file=sys.stderr)
+    if made.is_whole():
+        return SOME_BROKE if made.broken else ALL_RIGHT
+    words = [os.environ.get("SUREFOOT_COMMAND", "bin/surefoot"), "campaign", *typed]
+    return tell(f"{made.trouble()}: {made.kept()}; to go on: {shlex.join(words)}")
 
 
 def campaign(typed):
@@ -191,4 +210,6 @@ def campaign(typed):
         rows = read_rows(folder / "rows.jsonl")
         check_campaign(folder, rows, spec.name)
         return dry_run(plan, rows, program, arguments, folder)
-    return make_campaign(plan, program, arguments, folder, typed)
+    scheduler = make_scheduler(arguments.scheduler, arguments.jobs)
+    made = make_campaign(plan, program, scheduler, folder, arguments.retry, not arguments.no_plots, lambda line: print(line, file=sys.stderr))
+    return tell_results(plan, made, arguments, folder, typed)

@@ -2,6 +2,7 @@
 
 import itertools
 import os
+import signal
 
 import ray
 
@@ -13,10 +14,10 @@ LOST = 255  # the status of a task whose worker did not come back
 
 class RayScheduler:
     def __init__(self, jobs):
-        self.jobs, self.stopped = jobs, False
+        self.jobs, self.stopped = jobs, 0
 
-    def stop(self):
-        self.stopped = True
+    def stop(self, number=signal.SIGTERM):
+        self.stopped = number
 
     def run(self, tasks):
         if not ray.is_initialized():

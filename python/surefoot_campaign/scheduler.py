@@ -11,6 +11,7 @@ import shutil
 import signal
 import subprocess
 import tempfile
+import threading
 import time
 from dataclasses import dataclass
 
@@ -38,8 +39,9 @@ class Result:
 
 @contextlib.contextmanager
 def results_of(scheduler, tasks):
-    """What `scheduler.run` yields. ^C and SIGTERM stop it meanwhile."""
-    before = {number: signal.signal(number, lambda *_: scheduler.stop()) for number in (signal.SIGINT, signal.SIGTERM)}
+    """What `scheduler.run` yields. ^C and SIGTERM stop it meanwhile, where it runs in the main thread: only that may have handlers."""
+    numbers = (signal.SIGINT, signal.SIGTERM) if threading.current_thread() is threading.main_thread() else ()
+    before = {number: signal.signal(number, lambda number, _: scheduler.stop(number)) or signal.SIG_DFL for number in numbers}
     try:
         with contextlib.closing(scheduler.run(tasks)) as results:
             yield results
@@ -108,15 +110,15 @@ class LocalScheduler:
     """Processes on this machine. Another scheduler has the same `run`, `stop` and `stopped`."""
 
     def __init__(self, jobs):
-        self.jobs, self.running, self.stopped = jobs, {}, False
+        self.jobs, self.running, self.stopped = jobs, {}, 0
         _, most = resource.getrlimit(resource.RLIMIT_NOFILE)  # a run takes three files
         resource.setrlimit(resource.RLIMIT_NOFILE, (most, most))
 
-    def stop(self):
-        """Starts no more and asks what runs to end; `run` yields their results. Asked again it kills them. For signal handlers."""
+    def stop(self, number=signal.SIGTERM):
+        """Starts no more and asks what runs to end; `run` yields their results. Asked again it kills them. For handlers of a signal, which is `stopped`."""
         for process in list(self.running.values()):
             process.send(signal.SIGKILL if self.stopped else signal.SIGTERM)
-        self.stopped = True
+        self.stopped = self.stopped or number
 
     def run(self, tasks):
         """Starts the tasks in their order and yields each result as it comes; closing the iterator kills what runs."""
