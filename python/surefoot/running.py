@@ -169,27 +169,44 @@ def with_stacks_as_files(spec: Mapping[str, Any], folder: pathlib.Path) -> Any:
     """Each Stack in it as the path of its file, for the runs' processes."""
     written: list[str] = []
 
-    def replaced(value: Any) -> Any:
+    def replaced(value: Any, robots: Callable[[], list[Robot | None]]) -> Any:
         if isinstance(value, Mapping):
-            return {key: replaced(each) for key, each in value.items()}
+            return {key: replaced(each, robots) for key, each in value.items()}
         if isinstance(value, list | tuple):
-            return [replaced(each) for each in value]
-        return file_of(value) if isinstance(value, Stack) else value
+            return [replaced(each, robots) for each in value]
+        return file_of(value, robots()) if isinstance(value, Stack) else value
 
-    def file_of(stack: Stack) -> str:
+    def file_of(stack: Stack, robots: list[Robot | None]) -> str:
         if stack.own_tasks:
             raise Error(f"stack {stack.name} has the task {stack.own_tasks[0].name}, which only this process knows; surefoot.run(…, seed=…) in a loop "
                         "would be valid")  # fmt: skip
+        text = text_for(stack, robots)
         written.append(stack.name)
         number = written.count(stack.name)
-        file, text = folder / f"{stack.name}{f'_{number}' if number > 1 else ''}.yaml", stack.text(robot_in(spec))
+        file = folder / f"{stack.name}{f'_{number}' if number > 1 else ''}.yaml"
         if file.exists() and file.read_text() != text:
             raise Error(f"{folder.parent} has results of another stack {file.stem}; another `out`, or another name of the campaign, would be valid")
         folder.mkdir(parents=True, exist_ok=True)
         file.write_text(text)
         return str(file)
 
-    return replaced(spec)
+    def section(key: str, value: Any) -> Any:
+        if key != "cases" or not isinstance(value, Mapping):
+            return replaced(value, everywhere)
+        return {name: replaced(case, functools.cache(partial(robots_in, spec, case))) for name, case in value.items()}
+
+    everywhere = functools.cache(partial(robots_in, spec))
+    return {key: section(key, value) for key, value in spec.items()}
+
+
+def text_for(stack: Stack, robots: Sequence[Robot | None]) -> str:
+    """Of its file, which is the same for all these robots."""
+    texts = {stack.text(robot): robot for robot in reversed(robots)}
+    if len(texts) > 1:
+        names = ", ".join(dict.fromkeys(robot.name for robot in reversed(texts.values()) if robot is not None))
+        raise Error(f"stack {stack.name} has other numbers for each of the robots {names}; a case for each robot, with `robot` and a Stack of its own, or the "
+                    "name of a stack would be valid")  # fmt: skip
+    return [*texts][0]
 
 
 def spec_text(value: Any) -> Any:
@@ -201,8 +218,15 @@ def spec_text(value: Any) -> Any:
     return value.text() if isinstance(value, Stack) else value
 
 
-def robot_in(spec: Mapping[str, Any]) -> Robot | None:
-    scenario, fixed = spec.get("scenario"), spec.get("set")
-    first = scenario[0] if isinstance(scenario, list | tuple) and scenario else scenario
-    robot = fixed.get("robot") if isinstance(fixed, Mapping) else None
-    return load_scenario(first, robot=robot if isinstance(robot, str) else None).robot_model if isinstance(first, str) else None
+def robots_in(spec: Mapping[str, Any], case: Any = None) -> list[Robot | None]:
+    """All that the runs of a campaign may have, or those of one of its cases."""
+    of = {key: section for key in ("set", "grid", "cases") if isinstance(section := spec.get(key), Mapping)}
+    cases = [each for each in (of.get("cases", {}).values() if case is None else [case]) if isinstance(each, Mapping)]
+    many = of.get("grid", {}).get("robot")
+    one = of.get("set", {}).get("robot")
+    names = many if isinstance(many, list | tuple) and many else [each.get("robot", one) for each in cases] or [one]
+    robots: list[Robot | None] = [Robot(name) for name in dict.fromkeys(names) if isinstance(name, str)]
+    scenarios = spec.get("scenario")
+    if None in names:
+        robots += [load_scenario(each).robot_model for each in (scenarios if isinstance(scenarios, list | tuple) else [scenarios]) if isinstance(each, str)]
+    return robots or [None]  # what is wrong with the spec is found when it is read

@@ -301,9 +301,12 @@ class Stack:
         lines = [f"name: {self.name}", "levels:", *(f"  - {yaml_of(level)}" for level in self.levels(robot, changed))]
         return "\n".join(lines + [f"weighted_from: {self._weighted_from}"] * (self._weighted_from is not None)) + "\n"
 
-    def write(self, path: str | os.PathLike[str]) -> None:
-        """Writes that file. Tasks of your own stand in it by their names: what reads it needs register_task()."""
-        pathlib.Path(path).write_text(self.text())
+    def write(self, path: str | os.PathLike[str], robot: Robot | str | os.PathLike[str] | None = None) -> None:
+        """Writes that file, with the numbers that fit a robot, by default ANYmal B; a comment in it says which. Tasks of your own stand in it by
+        their names: what reads it needs register_task()."""
+        of = Robot(os.fspath(robot)) if isinstance(robot, str | os.PathLike) else robot
+        fit = f"# Its numbers fit {'ANYmal B' if of is None else of.name}; Stack.write(…, robot=…) writes those of another robot.\n"
+        pathlib.Path(path).write_text(fit * (self._base is not None) + self.text(of))
 
     @property
     def own_tasks(self) -> list[OwnTask]:

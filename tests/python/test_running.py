@@ -300,6 +300,26 @@ def test_a_campaign_compares_stacks(tmp_path):
         surefoot.campaign({"scenario": "walk_flat_ideal", "seeds": [1], "set": {"stack": stack.last(Mine("mine"))}}, out=tmp_path / "other")
 
 
+def test_a_stack_of_a_campaign_is_written_for_the_robot_of_its_runs(tmp_path):
+    stack = surefoot.Stack("terrain_adaptation")
+    spec = {"scenario": "walk_flat_ideal", "seeds": [1], "set": {"duration": 0.05}}
+    by_case = {name: {"robot": name, "stack": stack} for name in ("anymal_b", "solo12")}
+    found = surefoot.campaign(spec | {"cases": by_case}, out=tmp_path / "cases", jobs=1)
+    texts = [pathlib.Path(file).read_text() for file in found.table["stack"].to_pylist()]
+    assert texts == [stack.text(surefoot.Robot(name)) for name in by_case] and texts[0] != texts[1]
+    robots = ["anymal_b", "solo12"]
+    for varied in (
+        {"grid": {"robot": robots}, "set": {"stack": stack}}, {"grid": {"robot": robots, "stack": [stack, stack.tune("com_xy", kp=300)]}},
+        {"cases": {"own": {}, "small": {"robot": "solo12"}}, "set": {"stack": stack}}, {"cases": {"own": {"stack": stack}, "other": {}}, "grid": {"robot": robots}},
+    ):  # fmt: skip
+        with pytest.raises(surefoot.Error, match="stack terrain_adaptation has other numbers for each of the robots .*solo12.*; a case for each robot"):
+            surefoot.campaign(spec | varied, out=tmp_path / "other", jobs=1)
+    assert not (tmp_path / "other").exists()
+    own = surefoot.Stack(name="own").last(*(task for level in stack.levels() for task in level.tasks))
+    same = surefoot.campaign(spec | {"set": {"duration": 0.05, "stack": own}, "grid": {"robot": ["anymal_b", "anymal_b_kinova"]}}, out=tmp_path / "same", jobs=1)
+    assert same.table.num_rows == 2, "numbers that are given are those of every robot"
+
+
 def test_what_is_kept_of_a_tick_says_that_its_run_has_ended():
     kept = []
     surefoot.run("walk_flat_ideal", set=["duration=0.01"], every_tick=lambda tick: kept.append((tick, tick.plant, tick.controller)))

@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 import surefoot
+from program import ROOT
 from surefoot import StackLevel, Stack, Task, tasks
 
 
@@ -63,6 +64,21 @@ def test_a_stack_of_nothing_but_tasks_is_one(tmp_path):
     made = Stack(name="mine").last(tasks.EquationsOfMotion(), tasks.NoContactMotion(), tasks.TorqueLimits(), tasks.FrictionCone(), tasks.ComXy())
     made.write(tmp_path / "mine.yaml")
     assert list(map(str, Stack(tmp_path / "mine.yaml"))) == list(map(str, made)) and len(made) == 5
+
+
+def test_a_file_has_the_numbers_of_the_robot_that_it_is_written_for_and_says_which(stack, tmp_path):
+    def kp(file, robot=None):
+        return {level.name: level.tasks[0].parameters.get("kp") for level in Stack(file).levels(robot and surefoot.Robot(robot))}
+
+    for robot, said in [(None, "ANYmal B"), ("solo12", "solo12"), (surefoot.Robot("solo12"), "solo12"), (ROOT / "robots/solo12.yaml", "solo12")]:
+        stack.write(tmp_path / "mine.yaml", robot)
+        assert (tmp_path / "mine.yaml").read_text().startswith(f"# Its numbers fit {said}; Stack.write(…, robot=…) writes those of another robot.\nname: ")
+        expected = {level.name: level.tasks[0].parameters.get("kp") for level in stack.levels(None if robot is None else surefoot.Robot("solo12"))}
+        assert kp(tmp_path / "mine.yaml") == kp(tmp_path / "mine.yaml", "hexapod") == expected
+    Stack(name="own").last(tasks.EquationsOfMotion()).write(tmp_path / "own.yaml", robot="solo12")
+    assert (tmp_path / "own.yaml").read_text().startswith("name: own\n"), "numbers that are given fit what they were given for"
+    with pytest.raises(surefoot.Error, match="robot is 3; a Robot or a text or None would be valid"):
+        stack.write(tmp_path / "mine.yaml", robot=3)
 
 
 def test_levels_below_one_can_be_weighted_instead(stack):
