@@ -28,12 +28,12 @@ struct Examined {
   std::vector<doctor::Trial> trials;
 };
 
-Examined examine(const std::string& urdf, const std::string& name, bool walk) {
+Examined examine(const std::filesystem::path& description, const std::string& name, bool walk) {
   Examined result;
   Interrupt interrupt;
   {
     const nb::gil_scoped_release others_may_run;
-    result.diagnosis = doctor::examine(urdf, name);
+    result.diagnosis = doctor::examine(description.string(), name);
     if (walk && result.diagnosis.robot) {
       doctor::TrialOptions options;
       options.interrupted = [&] { return interrupt.is_asked(); };
@@ -116,6 +116,8 @@ void bind_doctor(nb::module_& module) {
 
   module.def(
       "doctor", &examine, nb::arg("description"), nb::arg("name") = "", nb::arg("walk") = false,
+      nb::sig("def doctor(description: str | os.PathLike[str], name: str = '', walk: bool = False) "
+              "-> Diagnosis"),
       "Examines a URDF or MJCF: its parts, units, limits, symmetry, signs, and whether it can "
       "stand.\n\nwalk=True also walks on flat ground and down a step, in simulation.");
 }

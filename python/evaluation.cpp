@@ -10,12 +10,14 @@
 #include "surefoot/evaluation/alignment.hpp"
 #include "surefoot/evaluation/evaluator.hpp"
 
+#include <nanobind/stl/filesystem.h>
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/tuple.h>
 #include <nanobind/stl/vector.h>
 
 #include <cmath>
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -70,7 +72,7 @@ void bind_criterion(nb::module_& module) {
 class HandEvaluator {
  public:
   HandEvaluator(const config::Scenario& scenario, BoundPlant& plant, BoundController& controller,
-                const std::optional<std::string>& record)
+                const std::optional<std::filesystem::path>& record)
       : scenario_(scenario),
         plant_(plant),
         controller_(controller),
@@ -88,7 +90,7 @@ class HandEvaluator {
       throw Error("scenario is of " + scenario.robot.name + ", and the controller of " +
                   controller.robot().name);
     controller->explain_levels(record.has_value());
-    if (record) log_ = std::make_unique<HandLog>(*record, scenario, controller, &plant, model_);
+    if (record) log_ = std::make_unique<HandLog>(record->string(), scenario, controller, &plant, model_);
   }
 
   void add() {
@@ -167,10 +169,13 @@ void bind_evaluator(nb::module_& module) {
                    "The log has what is changed between two ticks, so it can be replayed.",
                    nb::type_slots(kNoVectorcall))
       .def(nb::init<const config::Scenario&, BoundPlant&, BoundController&,
-                    const std::optional<std::string>&>(),
+                    const std::optional<std::filesystem::path>&>(),
            nb::arg("scenario"), nb::arg("plant"), nb::arg("controller"),
-           nb::arg("record") = nb::none(), nb::keep_alive<1, 2>(), nb::keep_alive<1, 3>(),
-           nb::keep_alive<1, 4>(), "record: path of a log to write, run.mcap.")
+           nb::arg("record") = nb::none(),
+           nb::sig("def __init__(self, scenario: Scenario, plant: Plant, controller: "
+                   "ControllerBase, record: str | os.PathLike[str] | None = None) -> None"),
+           nb::keep_alive<1, 2>(), nb::keep_alive<1, 3>(), nb::keep_alive<1, 4>(),
+           "record: path of a log to write, run.mcap.")
       .def("add", &Self::add, "A tick: after step(), before write().")
       .def_prop_ro(
           "metrics", [](const Self& self) { return as_dict(self.metrics()); },

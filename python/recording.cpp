@@ -3,9 +3,10 @@
 #include "python/bindings.hpp"
 #include "python/hand_log.hpp"
 
+#include <nanobind/stl/filesystem.h>
 #include <nanobind/stl/string.h>
 
-#include <cmath>
+#include <filesystem>
 #include <memory>
 #include <string>
 
@@ -54,16 +55,17 @@ void bind_recording(nb::module_& module) {
                    nb::type_slots(kNoVectorcall))
       .def(
           "__init__",
-          [](Self* self, nb::handle_t<BoundController> controller, const std::string& path) {
+          [](Self* self, nb::handle_t<BoundController> controller,
+             const std::filesystem::path& path) {
             if (!nb::hasattr(controller, "scenario"))
               throw Error(
                   "controller is that of a run; surefoot.run(…, record=\"run.mcap\") would "
                   "be valid");
             new (self) Self(nb::cast<BoundController&>(controller),
-                            nb::cast<const config::Scenario&>(controller.attr("scenario")), path);
+                            nb::cast<const config::Scenario&>(controller.attr("scenario")), path.string());
           },
           nb::arg("controller"), nb::arg("path"), nb::keep_alive<1, 2>(),
-          nb::sig("def __init__(self, controller: ControllerBase, path: str) -> None"),
+          nb::sig("def __init__(self, controller: ControllerBase, path: str | os.PathLike[str]) -> None"),
           "path: of the log to write, run.mcap.")
       .def("add", &Self::add, "A tick: after step().")
       .def("close", &Self::close, "Completes the log; without it, it is called run.mcap.partial.")

@@ -6,6 +6,7 @@
 #include "surefoot/config/data_file.hpp"
 #include "surefoot/config/robot_file.hpp"
 
+#include <nanobind/stl/filesystem.h>
 #include <nanobind/stl/map.h>
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/shared_ptr.h>
@@ -243,7 +244,10 @@ void bind_robot(nb::module_& module) {
                          nb::type_slots(kNoVectorcall));
   robot
       .def(
-          nb::init<const std::string&>(), nb::arg("name_or_path"),
+          "__init__",
+          [](Self* self, const std::filesystem::path& given) { new (self) Self(given.string()); },
+          nb::arg("name_or_path"),
+          nb::sig("def __init__(self, name_or_path: str | os.PathLike[str]) -> None"),
           "By the name of a robot that ships, or as a path of a robot file (.yaml), a URDF (.urdf) "
           "or an MJCF (.xml).\nOf the latter two, what the doctor guesses stands in for what they "
           "lack: see doctor().")

@@ -61,6 +61,10 @@ def has_complex(given: Iterable[object]) -> bool:
     return False
 
 
+def has_bytes(given: Iterable[object]) -> bool:
+    return any(isinstance(each, bytes) for each in given)
+
+
 PLAIN: dict[str, tuple[Callable[[object], bool], str]] = {
     "float": (is_number, "a number"),
     "int": (is_whole, "a whole number"),
@@ -103,7 +107,7 @@ class Kind:
         if isinstance(node, ast.BinOp):
             left, right = Kind(node.left, names), Kind(node.right, names)
             self.plain = lambda value: (left if left.fits(value) else right).plain(value)
-            text = left.text if (left.text, right.text) == ("a text", "a path") else " or ".join(filter(None, [left.text, right.text]))
+            text = left.text if left.text.endswith("a text") and right.text == "a path" else " or ".join(filter(None, [left.text, right.text]))
             return lambda value: left.fits(value) or right.fits(value), text
         if isinstance(node, ast.Constant) and isinstance(node.value, str):
             return self._read(ast.parse(node.value, mode="eval").body, names)
@@ -261,13 +265,14 @@ def is_mismatch(error: TypeError) -> bool:
 def told(function: Any, name: str, argument: str = "") -> Callable[..., Any]:
     """A compiled function whose complaint about its arguments names one. argument: what its only one is called."""
     signatures = function.__nb_signature__
-    takes_numbers = any("Sequence[float]" in each[0] for each in signatures)
+    takes = " ".join(each[0] for each in signatures)
+    is_odd = has_complex if "Sequence[float]" in takes else has_bytes if "os.PathLike" in takes else None
     forms: list[Form] = []
 
     def call(*args: Any, **kwargs: Any) -> Any:
         try:
-            # Without a word the imaginary part of an array would be left out.
-            if not (takes_numbers and (has_complex(args) or has_complex(kwargs.values()))):
+            # Without a word the imaginary part of an array would be left out, and bytes taken for a path.
+            if not (is_odd and (is_odd(args) or is_odd(kwargs.values()))):
                 return function(*args, **kwargs)
         except TypeError as error:
             if not is_mismatch(error):

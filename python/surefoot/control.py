@@ -28,8 +28,8 @@ def load_scenario(
     seed: int = 0,
     set: Sequence[str] | Mapping[str, Any] = (),
     *,
-    robot: Robot | str | None = None,
-    stack: Stack | str | None = None,
+    robot: Robot | str | os.PathLike[str] | None = None,
+    stack: Stack | str | os.PathLike[str] | None = None,
     gaits: Mapping[str, Callable[[], Gait]] | None = None,
 ) -> Scenario:
     """Reads a scenario, by its name or as a path that ends in .yaml.
@@ -39,8 +39,9 @@ def load_scenario(
     robot, stack: others than the file's.
     gaits: your own, {"sway": Sway}, which `gait:` and commands may then name; each controller makes one.
     Raises Error, naming file, line and key, on everything that is unknown or out of range."""
-    words = words_in(set) + [f"stack={stack}"] * isinstance(stack, str)
-    return _load_scenario(os.fspath(name), seed, words, robot, stack if isinstance(stack, Stack) else None, dict(gaits or {}), registered_tasks())
+    words = words_in(set) + ([f"stack={os.fspath(stack)}"] if isinstance(stack, str | os.PathLike) else [])
+    of = os.fspath(robot) if isinstance(robot, os.PathLike) else robot
+    return _load_scenario(os.fspath(name), seed, words, of, stack if isinstance(stack, Stack) else None, dict(gaits or {}), registered_tasks())
 
 
 def words_in(given: Sequence[str] | Mapping[str, Any]) -> list[str]:
@@ -139,10 +140,10 @@ class Controller(_core.ControllerBase):
 
     def __init__(
         self,
-        of: Scenario | Robot | str,
+        of: Scenario | Robot | str | os.PathLike[str],
         plant: Plant | None = None,
         *,
-        stack: Stack | str | None = None,
+        stack: Stack | str | os.PathLike[str] | None = None,
         set: Sequence[str] | Mapping[str, Any] = (),
         estimator: Estimator | None = None,
         planner: Planner | None = None,
@@ -165,9 +166,9 @@ def advice_of_controller(controller: _core.ControllerBase, name: str) -> str:
 refuse_to_set(_core.ControllerBase, advice_of_controller)
 
 
-def change_stack(controller: _core.ControllerBase, stack: Stack | str, duration: float, robot: Robot, options: str) -> bool:
+def change_stack(controller: _core.ControllerBase, stack: Stack | str | os.PathLike[str], duration: float, robot: Robot, options: str) -> bool:
     """`ControllerBase.set_stack()`; `options`: the scenario's, as JSON."""
-    if not isinstance(stack, Stack | str):
+    if not isinstance(stack, Stack | str | os.PathLike):
         raise ArgumentError(f"stack is {stack!r}; a Stack, or the name of one, would be valid")
     made = stack if isinstance(stack, Stack) else Stack(stack)
     changed = json.loads(options).get("tasks") or {}

@@ -27,12 +27,12 @@ if TYPE_CHECKING:
 
 @checked
 def run(
-    scenario: Scenario | str,
+    scenario: Scenario | str | os.PathLike[str],
     *,
     seed: int = 0,
     set: Sequence[str] | Mapping[str, Any] = (),
-    robot: Robot | str | None = None,
-    stack: Stack | str | None = None,
+    robot: Robot | str | os.PathLike[str] | None = None,
+    stack: Stack | str | os.PathLike[str] | None = None,
     gaits: Mapping[str, Callable[[], Gait]] | None = None,
     record: str | os.PathLike[str] | None = None,
     every_tick: Callable[[Tick], None] | None = None,

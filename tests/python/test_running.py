@@ -320,6 +320,33 @@ def test_a_stack_of_a_campaign_is_written_for_the_robot_of_its_runs(tmp_path):
     assert same.table.num_rows == 2, "numbers that are given are those of every robot"
 
 
+def test_paths_are_taken_wherever_names_are(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    robot, stack, scenario = ROOT / "robots/solo12.yaml", ROOT / "stacks/terrain_adaptation.yaml", ROOT / "scenarios/walk_flat_ideal.yaml"
+    short = {"duration": 0.05}
+    assert surefoot.Robot(robot).name == surefoot.Controller(robot, stack=stack).scenario.robot == "solo12"
+    assert surefoot.load_scenario("walk_flat", robot=robot, stack=stack).robot == surefoot.load_scenario(scenario, robot=robot).robot == "solo12"
+    by_name = surefoot.run("walk_flat_ideal", set=short, robot="solo12", stack="terrain_adaptation")
+    assert surefoot.run(scenario, set=short, robot=robot, stack=stack).torques_hash == by_name.torques_hash
+    urdf = pathlib.Path(surefoot.Robot("solo12").urdf)
+    assert surefoot.doctor(urdf).can_walk and surefoot.Robot(urdf).joint_names == surefoot.doctor(str(urdf)).robot.joint_names
+    given = surefoot.load_scenario("walk_flat_ideal", set=short, stack=str(stack))
+    plant = surefoot.Plant(given)
+    controller = surefoot.Controller(given, plant)
+    evaluator = surefoot.Evaluator(given, plant, controller, record=pathlib.Path("hand.mcap"))
+    assert controller.set_stack(stack, duration=0.01)
+    by_hand(given, controller, plant, evaluator)
+    evaluator.close()
+    assert len(surefoot.read("hand.mcap").time) == 20
+    for wrong in (3, b"solo12"):
+        with pytest.raises(surefoot.Error, match=f"name_or_path is {wrong!r}; a text would be valid"):
+            surefoot.Robot(wrong)
+        with pytest.raises(surefoot.Error, match=f"description is {wrong!r}; a text would be valid"):
+            surefoot.doctor(wrong)
+    with pytest.raises(surefoot.Error, match="robot is 3; a Robot or a text or None would be valid"):
+        surefoot.load_scenario("walk_flat", robot=3)
+
+
 def test_what_is_kept_of_a_tick_says_that_its_run_has_ended():
     kept = []
     surefoot.run("walk_flat_ideal", set=["duration=0.01"], every_tick=lambda tick: kept.append((tick, tick.plant, tick.controller)))
