@@ -175,7 +175,8 @@ def check_name(name: str) -> None:
 def check_stack_name(name: str) -> None:
     """Files are called so."""
     if not re.fullmatch(r"(?!\.+$)[\w.][^\n\"'{}\[\]:#,/\\\0]{0,199}", name):
-        raise Error(f"{name!r} is no name of a stack; a text that begins with a letter or digit, of at most 200, without slashes, quotes, brackets, colons and commas is valid")
+        raise Error(f"{name!r} is no name of a stack; a text that begins with a letter or digit, of at most 200, without slashes, quotes, brackets, "
+                    "colons and commas is valid")  # fmt: skip
 
 
 @checked

@@ -310,13 +310,15 @@ def test_a_stack_of_a_campaign_is_written_for_the_robot_of_its_runs(tmp_path):
     robots = ["anymal_b", "solo12"]
     for varied in (
         {"grid": {"robot": robots}, "set": {"stack": stack}}, {"grid": {"robot": robots, "stack": [stack, stack.tune("com_xy", kp=300)]}},
-        {"cases": {"own": {}, "small": {"robot": "solo12"}}, "set": {"stack": stack}}, {"cases": {"own": {"stack": stack}, "other": {}}, "grid": {"robot": robots}},
+        {"cases": {"own": {}, "small": {"robot": "solo12"}}, "set": {"stack": stack}},
+        {"cases": {"own": {"stack": stack}, "other": {}}, "grid": {"robot": robots}},
     ):  # fmt: skip
         with pytest.raises(surefoot.Error, match="stack terrain_adaptation has other numbers for each of the robots .*solo12.*; a case for each robot"):
             surefoot.campaign(spec | varied, out=tmp_path / "other", jobs=1)
     assert not (tmp_path / "other").exists()
     own = surefoot.Stack(name="own").last(*(task for level in stack.levels() for task in level.tasks))
-    same = surefoot.campaign(spec | {"set": {"duration": 0.05, "stack": own}, "grid": {"robot": ["anymal_b", "anymal_b_kinova"]}}, out=tmp_path / "same", jobs=1)
+    spec = spec | {"set": {"duration": 0.05, "stack": own}, "grid": {"robot": ["anymal_b", "anymal_b_kinova"]}}
+    same = surefoot.campaign(spec, out=tmp_path / "same", jobs=1)
     assert same.table.num_rows == 2, "numbers that are given are those of every robot"
 
 

@@ -32,15 +32,17 @@ def test_so_are_the_examples(tmp_path):
 
 def test_a_wrong_type_is_found(tmp_path):
     (tmp_path / "wrong.py").write_text('import surefoot\n\nrobot: int = surefoot.Robot("anymal_b")\nsurefoot.tasks.ComXy(kp="much")\n'
-                                       "surefoot.tasks.ComXy().kp = 3\ncontroller = surefoot.Controller('anymal_b')\ncontroller.friction = 0.3\ncontroller.set_stack(3)\n")  # fmt: skip
+                                       "surefoot.tasks.ComXy().kp = 3\ncontroller = surefoot.Controller('anymal_b')\n"
+                                       "controller.friction = 0.3\ncontroller.set_stack(3)\n")  # fmt: skip
     said = checked("wrong.py", folder=tmp_path)
     assert "Found 5 errors" in said, said
 
 
 def test_what_is_valid_is_of_the_right_type(tmp_path):
     (tmp_path / "right.py").write_text("import numpy as np\nimport surefoot\n\nlevels = ({'A': np.eye(2), 'b': np.ones(2)},)\n"
-                                       "import pathlib\nfile = pathlib.Path('robot.yaml')\nsurefoot.Controller(file, stack=file).set_stack(file)\nsurefoot.doctor(surefoot.Robot(file).urdf)\n"
+                                       "import pathlib\nfile = pathlib.Path('robot.yaml')\nsurefoot.Controller(file, stack=file).set_stack(file)\n"
                                        "surefoot.Stack(file).write(file, robot=file)\nsurefoot.run(file, robot=file, stack=file)\nsurefoot.doctor(file)\n"
+                                       "surefoot.Robot(file)\n"
                                        "surefoot.solve(levels, x_ref=np.zeros(2))\nsurefoot.HierarchicalSolver().solve([*levels], x_ref=[0.0, 0.0])\n"
                                        "errors: list[type[surefoot.Error]] = [surefoot.WorldError, surefoot.FileError]\n")  # fmt: skip
     assert checked("right.py", folder=tmp_path).startswith("Success")
