@@ -6,7 +6,7 @@ set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${layers_file})
 # Third-party libraries stay inside the folder that uses them: no public header shows their types.
 set(third_party_model pinocchio::pinocchio_default pinocchio::pinocchio_parsers tinyxml2::tinyxml2)
 set(third_party_simulation mujoco::mujoco)
-set(third_party_config yaml-cpp $<BUILD_INTERFACE:nlohmann_json::nlohmann_json> tinyxml2::tinyxml2)
+set(third_party_config yaml-cpp::yaml-cpp $<BUILD_INTERFACE:nlohmann_json::nlohmann_json> tinyxml2::tinyxml2)
 set(third_party_logging $<BUILD_INTERFACE:nlohmann_json::nlohmann_json> zstd::libzstd_shared)
 set(third_party_runtime Threads::Threads)
 set(third_party_explain $<BUILD_INTERFACE:nlohmann_json::nlohmann_json>)

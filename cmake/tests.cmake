@@ -27,7 +27,7 @@ foreach(source IN LISTS sources)
     add_executable(test_${folder})
     # Tests may look at every stage's third-party types, to check against them.
     target_link_libraries(test_${folder} PRIVATE ${SUREFOOT_TEST_LIBRARIES} GTest::gtest_main
-      nlohmann_json::nlohmann_json mujoco::mujoco yaml-cpp zstd::libzstd_shared)
+      nlohmann_json::nlohmann_json mujoco::mujoco yaml-cpp::yaml-cpp zstd::libzstd_shared)
     # What walks for a while is labelled, so that a quick run can leave it out.
     if(folder STREQUAL "scenarios")
       set(labels PROPERTIES LABELS slow)
