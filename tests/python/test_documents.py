@@ -104,6 +104,13 @@ def test_every_header_that_users_include_stands_in_the_table_of_cpp():
     assert set(re.findall(r"^\| `(surefoot/\w+\.hpp)`", table, re.MULTILINE)) == headers
 
 
+def test_each_example_of_a_part_of_ones_own_is_built_with_the_installed_library():
+    parts = set(re.findall(r"\.\./examples/(\w+)\.cpp", (ROOT / "docs/cpp.md").read_text()))
+    built = (ROOT / "tests/install/CMakeLists.txt").read_text()
+    assert len(parts) > 4
+    assert not [part for part in sorted(parts) if f" {part}" not in built]
+
+
 def test_every_campaign_that_ships_stands_in_the_table_of_campaigns():
     ships = {file.stem for file in (ROOT / "campaigns").glob("*.yaml")}
     table = (ROOT / "docs/campaigns.md").read_text().split("What ships in")[1].split("\n\n")[1]
