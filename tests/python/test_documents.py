@@ -2,6 +2,7 @@
 
 import json
 import re
+import subprocess
 import sys
 
 import pytest
@@ -102,6 +103,18 @@ def test_every_header_that_users_include_stands_in_the_table_of_cpp():
     table = (ROOT / "docs/cpp.md").read_text().split("| `#include` |")[1].split("\n\n")[0]
     headers = {f"surefoot/{path.name}" for path in (ROOT / "surefoot").glob("*.hpp")}
     assert set(re.findall(r"^\| `(surefoot/\w+\.hpp)`", table, re.MULTILINE)) == headers
+
+
+def installed_headers():
+    listed = subprocess.run([sys.executable, ROOT / "tools/installed_headers.py"], capture_output=True, text=True, check=True).stdout
+    return [ROOT / header for header in listed.split(";")]
+
+
+def test_what_cpp_calls_stands_in_an_installed_header():
+    called = set(re.findall(r"`(?:\w+::)*([a-z]\w+)\(", (ROOT / "docs/cpp.md").read_text()))
+    declared = "".join(header.read_text() for header in installed_headers())
+    assert {"check_task", "step"} < called
+    assert not [name for name in sorted(called) if not re.search(rf"\b{name}\(", declared)]
 
 
 def test_each_example_of_a_part_of_ones_own_is_built_with_the_installed_library():
