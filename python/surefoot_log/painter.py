@@ -5,7 +5,7 @@ import contextlib
 import numpy as np
 from PIL import Image
 
-from surefoot_log.offscreen import mujoco
+from surefoot_log.offscreen import mujoco, renderer
 from surefoot_log.overlays import Overlays
 from surefoot_log.push_arrows import draw_pushes
 
@@ -22,7 +22,7 @@ class Painter:
         self._options = mujoco.MjvOption()
         self._options.geomgroup[:] = [group in SHOWN_GROUPS for group in range(len(self._options.geomgroup))]
         width, height = size
-        self._renderer = mujoco.Renderer(scene.model, height, width)
+        self._renderer = renderer(scene.model, height, width)
         self._overlays = Overlays(self._renderer.scene, foot_radius)
         self._sun = mujoco.mj_name2id(scene.model, mujoco.mjtObj.mjOBJ_LIGHT, "sun")
 

@@ -2,6 +2,7 @@
 
 import io
 import resource
+import sys
 
 import numpy as np
 import pytest
@@ -73,13 +74,21 @@ def test_a_film_that_finds_no_room_is_told_in_a_line_and_the_one_before_stays(lo
     assert file.read_bytes() == b"the film before" and list(tmp_path.iterdir()) == [file]
 
 
-def test_where_nothing_can_render_it_is_said_what_is_needed(log, tmp_path, monkeypatch):
-    """A package of that name that is broken, as OpenGL is where its library is missing."""
+@pytest.mark.parametrize(
+    "file, text, helps",
+    [
+        # As OpenGL is where its library is missing.
+        ("OpenGL/__init__.py", "raise AttributeError('no OSMesa')\n", "): `apt install libosmesa6`, or set MUJOCO_GL=egl where EGL works"),
+        ("sitecustomize.py", "import sys\nsys.modules['OpenGL'] = None\n", f"): `{sys.executable} -m pip install PyOpenGL`"),
+    ],
+    ids=["library", "package"],
+)
+def test_where_nothing_can_render_it_is_said_what_installs_what_is_needed(log, tmp_path, monkeypatch, file, text, helps):
     (tmp_path / "OpenGL").mkdir()
-    (tmp_path / "OpenGL/__init__.py").write_text("raise AttributeError('no OSMesa')\n")
+    (tmp_path / file).write_text(text)
     monkeypatch.setenv("MUJOCO_GL", "osmesa")
     done = log_command("video", log, "--out", tmp_path / "a.mp4", before=tmp_path)
-    assert done.returncode == 2 and "libosmesa6" in done.stderr and len(done.stderr.splitlines()) == 1
+    assert done.returncode == 2 and done.stderr.endswith(f"{helps}\n") and len(done.stderr.splitlines()) == 1
 
 
 @pytest.mark.slow

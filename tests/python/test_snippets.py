@@ -20,6 +20,7 @@ NOT_RUN = {
     "./demo": "it is tests/python/test_demo.py",
     "./test": "it is this",
     "pip install": "tests/python/test_wheel.py does",
+    "apt install": "tools/setup.sh does",
     "cmake --preset": "another build takes minutes",
     "SUREFOOT_FUZZ": "it needs that other build",
     "bash tools/": "benchmarks take half an hour",
