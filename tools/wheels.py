@@ -7,10 +7,13 @@ ccache has every object but the module's.
 
 import os
 import pathlib
+import platform
 import re
 import shutil
 import subprocess
 import sys
+import tempfile
+import zipfile
 
 ROOT = pathlib.Path(__file__).resolve().parents[1]
 VERSIONS = ["3.11", "3.12", "3.13"]
@@ -65,19 +68,35 @@ def builder(version, python):
     return str(environment / "bin/python")
 
 
-def build(version, python, folder):
-    """The wheel for a version, built unless the folder has it."""
-    folder = pathlib.Path(folder)
-    if not (there := [*folder.glob(f"surefoot-*-{tag(version)}-*.whl")]):
-        python = builder(version, python)
-        # As the tree's own build, for ccache.
-        environment = os.environ | {"CC": "/usr/bin/cc", "CXX": "/usr/bin/c++", "PATH": f"{pathlib.Path(python).parent}:{os.environ['PATH']}"}
-        settings = {"SUREFOOT_WARNINGS_AS_ERRORS": "ON", "SUREFOOT_PYTHON": ROOT / ".venv/bin/python"}
-        run(python, "-m", "pip", "wheel", "-q", "--no-deps", "--no-build-isolation", "--wheel-dir", folder,
-            *(f"--config-settings=cmake.define.{name}={value}" for name, value in settings.items()), ".", cwd=ROOT, env=environment)  # fmt: skip
-        there = [*folder.glob(f"surefoot-*-{tag(version)}-*.whl")]
-    [wheel] = there
+def made(python, folder, **settings):
+    """The wheel that scikit-build-core makes."""
+    # As the tree's own build, for ccache.
+    environment = os.environ | {"CC": "/usr/bin/cc", "CXX": "/usr/bin/c++", "PATH": f"{pathlib.Path(python).parent}:{os.environ['PATH']}"}
+    settings = {"cmake.define.SUREFOOT_WARNINGS_AS_ERRORS": "ON", "cmake.define.SUREFOOT_PYTHON": ROOT / ".venv/bin/python", **settings}
+    run(python, "-m", "pip", "wheel", "-q", "--no-deps", "--no-build-isolation", "--wheel-dir", folder,
+        *(f"--config-settings={name}={value}" for name, value in settings.items()), ".", cwd=ROOT, env=environment)  # fmt: skip
+    [wheel] = pathlib.Path(folder).glob("surefoot-*.whl")
     return wheel
+
+
+def manylinux(wheel):
+    """The platform tag by the newest glibc that its programs and libraries ask for: pip then refuses it where the libc is older."""
+    with zipfile.ZipFile(wheel) as archive, tempfile.TemporaryDirectory() as folder:
+        files = [archive.extract(name, folder) for name in archive.namelist() if archive.open(name).read(4) == b"\x7fELF"]
+        asked = subprocess.run(["readelf", "--version-info", *files], capture_output=True, text=True, check=True).stdout
+    return f"manylinux_2_{max(map(int, re.findall(r'GLIBC_2[.]([0-9]+)', asked)))}_{platform.machine()}"
+
+
+def build(version, python, folder):
+    """The wheel for a version, built unless the folder has it: once to learn which glibc it asks for, and packed again with that tag."""
+    folder = pathlib.Path(folder)
+    if there := [*folder.glob(f"surefoot-*-{tag(version)}-manylinux_*.whl")]:
+        return there[0]
+    python = builder(version, python)
+    with tempfile.TemporaryDirectory() as first, tempfile.TemporaryDirectory() as second:
+        wheel = made(python, second, **{"wheel.tags": f"{tag(version)}-{manylinux(made(python, first))}"})
+        folder.mkdir(parents=True, exist_ok=True)
+        return pathlib.Path(shutil.move(wheel, folder))
 
 
 def main(folder):

@@ -97,6 +97,19 @@ def test_the_wheel_names_nothing_of_the_tree_and_is_small(wheel):
     assert wheel.stat().st_size < 8e6
 
 
+def test_pip_refuses_it_where_the_libc_is_older_than_what_it_asks_for(wheel, tmp_path):
+    with zipfile.ZipFile(wheel) as archive:
+        (information,) = [name for name in archive.namelist() if name.endswith("/WHEEL")]
+        assert "Tag: {}-{}-{}\n".format(*wheel.stem.split("-")[2:]) in archive.read(information).decode()
+        binaries = [content for content in map(archive.read, archive.namelist()) if content.startswith(b"\x7fELF")]
+    asked = max(int(minor) for content in binaries for minor in re.findall(rb"\0GLIBC_2\.(\d+)(?=\0)", content))
+    assert len(binaries) == 4 and wheel.stem.endswith(f"-manylinux_2_{asked}_x86_64")
+    pip = [sys.executable, "-m", "pip", "download", "--no-deps", "--no-index", "--only-binary=:all:", "-d", tmp_path, wheel, "--platform"]
+    tool(*pip, f"manylinux_2_{asked}_x86_64")
+    older = subprocess.run([*map(str, pip), f"manylinux_2_{asked - 1}_x86_64"], capture_output=True, text=True)
+    assert older.returncode == 1 and "not a supported wheel on this platform" in older.stderr
+
+
 def test_the_version_is_that_of_the_project(wheel, surefoot):
     version = wheel.name.split("-")[1]
     assert f"VERSION {version} " in (ROOT / "CMakeLists.txt").read_text()
