@@ -4,6 +4,7 @@
 #include "surefoot/model/dynamics.hpp"
 
 #include <memory>
+#include <string>
 
 namespace surefoot::python {
 
@@ -11,6 +12,16 @@ namespace surefoot::python {
 struct NamedDynamics {
   std::shared_ptr<Robot> robot;
   model::Dynamics values;
+  std::string world = "W";  ///< "W", the controller's; "S", the simulator's; empty: not known
 };
+
+/// What moves with the robot, and the world that its numbers are in; empty: not known, or B.
+template <typename Kinematics>
+struct InWorld {
+  Kinematics values;
+  std::string world;
+};
+using Point = InWorld<model::PointKinematics>;
+using Rotation = InWorld<model::RotationKinematics>;
 
 }  // namespace surefoot::python

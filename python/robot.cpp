@@ -100,9 +100,17 @@ NamedDynamics at(const std::shared_ptr<Robot>& robot, const RobotState& state,
   return {robot, model.update(state, terrain_normal)};
 }
 
+void check_world(const std::string& world) {
+  if (world.empty() || world == "W" || world == "S") return;
+  throw UnknownNameError("world is \"" + world +
+                         "\"; valid are: W, the controller's, S, the simulator's, and \"\", none "
+                         "of them");
+}
+
 NamedDynamics dynamics(const std::shared_ptr<Robot>& robot, const Numbers& q, const Numbers& u,
                        const std::vector<double>& p_WB, const std::vector<double>& q_WB,
-                       const std::vector<double>& terrain_normal) {
+                       const std::vector<double>& terrain_normal, const std::string& world) {
+  check_world(world);
   const model::RobotDescription& description = robot->description();
   const int n = description.num_joints();
   RobotState state;
@@ -121,17 +129,26 @@ NamedDynamics dynamics(const std::shared_ptr<Robot>& robot, const Numbers& q, co
   assign(normal, terrain_normal, "terrain_normal", true);
   if (normal.norm() < 1e-9)
     throw Error("terrain_normal is zero; a vector out of the ground is valid");
-  return at(robot, state, normal.normalized());
+  NamedDynamics made = at(robot, state, normal.normalized());
+  made.world = world;
+  return made;
 }
 
-model::FrameKinematics frame(const NamedDynamics& self, const std::string& name,
-                             const std::string& relative_to) {
+/// `Frame` in Python.
+struct Frame {
+  Point point;
+  Rotation rotation;
+};
+
+Frame frame(const NamedDynamics& self, const std::string& name, const std::string& relative_to) {
   if (relative_to != "world" && relative_to != "base")
     throw UnknownNameError("relative_to is \"" + relative_to + "\"; valid are: world, base");
   const model::Frames& frames = self.robot->frames();
   const model::FrameKinematics in_W =
       model::frame_kinematics(frames[frames.number(name)], self.values);
-  return relative_to == "world" ? in_W : model::relative_to_base(in_W, self.values);
+  if (relative_to == "world") return {{in_W.point, self.world}, {in_W.rotation, self.world}};
+  const model::FrameKinematics in_B = model::relative_to_base(in_W, self.values);
+  return {{in_B.point, ""}, {in_B.rotation, ""}};
 }
 
 /// h at rest, with payload and leg lengths as they are believed: m g of the centre of mass.
@@ -141,41 +158,59 @@ std::vector<double> gravity(const NamedDynamics& self) {
   return {h.begin(), h.end()};
 }
 
-template <typename T>
-nb::object by_leg(const PerLeg<T>& values, nb::handle owner) {
-  nb::dict legs;
+nb::typed<nb::dict, std::string, Point> points(
+    const NamedDynamics& self, PerLeg<model::PointKinematics> model::Dynamics::* member) {
+  nb::typed<nb::dict, std::string, Point> legs;
+  const PerLeg<model::PointKinematics>& values = self.values.*member;
   for (const Leg leg : values.legs())
-    legs[nb::cast(leg_name(leg, static_cast<int>(values.size())))] =
-        nb::cast(&values[index(leg)], nb::rv_policy::reference_internal, owner);
+    legs[nb::cast(leg_name(leg, self.values.num_legs()))] =
+        nb::cast(Point{values[index(leg)], self.world});
   return legs;
 }
 
-using PointsByLeg = nb::typed<nb::dict, std::string, model::PointKinematics>;
+/// A property that looks at a member; surefoot/_worlds.py marks its array with `world`.
+template <typename Kinematics, typename Matrix>
+void def_view(nb::class_<InWorld<Kinematics>>& type, const char* name, Matrix Kinematics::* member,
+              const char* doc) {
+  using Self = nb::handle_t<InWorld<Kinematics>>;
+  const auto look = [member](Self self) {
+    return view(nb::inst_ptr<InWorld<Kinematics>>(self)->values.*member, self);
+  };
+  type.def_prop_ro(name, look, doc);
+}
 
-PointsByLeg points(nb::handle_t<NamedDynamics> self,
-                   PerLeg<model::PointKinematics> model::Dynamics::* member) {
-  return nb::borrow<PointsByLeg>(by_leg(nb::inst_ptr<NamedDynamics>(self)->values.*member, self));
+template <typename Struct>
+void def_world(nb::class_<Struct>& type) {
+  type.def_prop_ro(
+      "world", [](const Struct& self) { return self.world; },
+      "of the arrays in it: \"W\", the controller's, \"S\", the simulator's, or \"\", not known or "
+      "none, as B");
 }
 
 void bind_points(nb::module_& module) {
-  nb::class_<model::PointKinematics> point(
+  nb::class_<Point> point(
       module, "Point",
-      "A point of the robot: v = J u, its acceleration is J u̇ + Jdot_u; all in W.");
+      "A point of the robot: v = J u, its acceleration is J u̇ + Jdot_u; all in its world, which is "
+      "that of the\ndynamics, or in B.");
   def_view(point, "p", &model::PointKinematics::p, "position [m], shape (3,)");
   def_view(point, "v", &model::PointKinematics::v, "velocity [m/s], shape (3,)");
   def_view(point, "J", &model::PointKinematics::J, "Jacobian, shape (3, number of velocities)");
   def_view(point, "Jdot_u", &model::PointKinematics::Jdot_u, "J̇ u [m/s²], shape (3,)");
-  nb::class_<model::RotationKinematics> rotation(
-      module, "Rotation", "A body's orientation: w = J u, its rate is J u̇ + Jdot_u; all in W.");
+  def_world(point);
+  nb::class_<Rotation> rotation(
+      module, "Rotation",
+      "A body's orientation: w = J u, its rate is J u̇ + Jdot_u; all in its world, which is that of "
+      "the\ndynamics, or in B.");
   def_view(rotation, "R", &model::RotationKinematics::R,
-           "takes its coordinates to W, shape (3, 3)");
+           "takes its coordinates to that world, or to B, shape (3, 3)");
   def_view(rotation, "w", &model::RotationKinematics::w, "angular velocity [rad/s], shape (3,)");
   def_view(rotation, "J", &model::RotationKinematics::J,
            "Jacobian, shape (3, number of velocities)");
   def_view(rotation, "Jdot_u", &model::RotationKinematics::Jdot_u, "J̇ u [rad/s²], shape (3,)");
-  nb::class_<model::FrameKinematics>(module, "Frame", "A frame of the robot.")
-      .def_ro("point", &model::FrameKinematics::point, "its origin")
-      .def_ro("rotation", &model::FrameKinematics::rotation, "its axes");
+  def_world(rotation);
+  nb::class_<Frame>(module, "Frame", "A frame of the robot.")
+      .def_ro("point", &Frame::point, "its origin")
+      .def_ro("rotation", &Frame::rotation, "its axes");
 }
 
 void bind_dynamics(nb::module_& module) {
@@ -186,14 +221,18 @@ void bind_dynamics(nb::module_& module) {
       return view(nb::inst_ptr<Self>(self)->values.*member, self);
     };
   };
-  const auto part = [](auto model::Dynamics::* member) {
-    return [member](Self& self) -> auto& { return self.values.*member; };
+  const auto point = [](model::PointKinematics model::Dynamics::* member) {
+    return [member](const Self& self) { return Point{self.values.*member, self.world}; };
   };
-  nb::class_<Self>(module, "Dynamics",
-                   "A robot at one state, with u = (v_WB in W, w_WB_B in B, q̇):\n\n"
-                   "    M u̇ + h = Sᵀ τ + Σ J_Cᵀ λ      (Eq. 2)\n\n"
-                   "J_C is contacts[leg].J, S takes the joints' part.")
-      .def("__repr__",
+  const auto of_legs = [](PerLeg<model::PointKinematics> model::Dynamics::* member) {
+    return [member](const Self& self) { return points(self, member); };
+  };
+  nb::class_<Self> type(module, "Dynamics",
+                        "A robot at one state, with u = (v_WB in W, w_WB_B in B, q̇):\n\n"
+                        "    M u̇ + h = Sᵀ τ + Σ J_Cᵀ λ      (Eq. 2)\n\n"
+                        "J_C is contacts[leg].J, S takes the joints' part.");
+  def_world(type);
+  type.def("__repr__",
            [](const Self& self) {
              return "<dynamics of " + self.robot->description().name + ", " +
                     std::to_string(self.values.num_velocities()) + " velocities>";
@@ -212,22 +251,16 @@ void bind_dynamics(nb::module_& module) {
       .def_prop_ro("q", look(&model::Dynamics::q), "joint positions [rad], shape (joints,)")
       .def_prop_ro(
           "mass", [](const Self& self) { return self.values.mass; }, "[kg]")
-      .def_prop_ro("base", part(&model::Dynamics::base), nb::rv_policy::reference_internal,
-                   "origin of B")
-      .def_prop_ro("base_rotation", part(&model::Dynamics::base_rotation),
-                   nb::rv_policy::reference_internal, "of B; its w and J are in W")
-      .def_prop_ro("com", part(&model::Dynamics::com), nb::rv_policy::reference_internal,
-                   "centre of mass")
+      .def_prop_ro("base", point(&model::Dynamics::base), "origin of B")
       .def_prop_ro(
-          "hips", [](nb::handle_t<Self> self) { return points(self, &model::Dynamics::hip); },
-          "by leg")
-      .def_prop_ro(
-          "feet", [](nb::handle_t<Self> self) { return points(self, &model::Dynamics::foot); },
-          "centres of the foot spheres, by leg")
-      .def_prop_ro(
-          "contacts",
-          [](nb::handle_t<Self> self) { return points(self, &model::Dynamics::contact); },
-          "lowest points of the foot spheres along the terrain normal, by leg")
+          "base_rotation",
+          [](const Self& self) { return Rotation{self.values.base_rotation, self.world}; },
+          "of B; its w and J are in the world, not in B")
+      .def_prop_ro("com", point(&model::Dynamics::com), "centre of mass")
+      .def_prop_ro("hips", of_legs(&model::Dynamics::hip), "by leg")
+      .def_prop_ro("feet", of_legs(&model::Dynamics::foot), "centres of the foot spheres, by leg")
+      .def_prop_ro("contacts", of_legs(&model::Dynamics::contact),
+                   "lowest points of the foot spheres along the terrain normal, by leg")
       .def("frame", &frame, nb::arg("name"), nb::arg("relative_to") = "world",
            "A frame by its name, of Robot.frames, at this state. relative_to: \"world\", or "
            "\"base\" for its\nmotion in B, which only the joints cause. Raises Error with near "
@@ -311,15 +344,17 @@ void bind_robot(nb::module_& module) {
           "dynamics", &dynamics, nb::arg("q") = nb::none(), nb::arg("u") = nb::none(),
           nb::kw_only(), nb::arg("p_WB") = std::vector<double>{0, 0, 0},
           nb::arg("q_WB") = std::vector<double>{1, 0, 0, 0},
-          nb::arg("terrain_normal") = std::vector<double>{0, 0, 1},
+          nb::arg("terrain_normal") = std::vector<double>{0, 0, 1}, nb::arg("world") = "",
           "Its dynamics at joint positions q [rad], by default the nominal stance, and velocities\n"
-          "u = (v_WB, w_WB_B, q̇), by default at rest.")
+          "u = (v_WB, w_WB_B, q̇), by default at rest. world: that of these numbers, \"W\" or "
+          "\"S\"; "
+          "unless you give it, that of\nthe arrays which know theirs, as truth.p_SB does, or none.")
       .def(
           "dynamics",
           [](const std::shared_ptr<Robot>& self, const RobotState& state) {
             return at(self, state, Vec3::UnitZ());
           },
-          nb::arg("state"), "The same at a state, as that of a controller.");
+          nb::arg("state"), "The same at a state, as that of a controller, in W.");
   const auto limit = [&robot](const char* name, JointVector model::RobotDescription::* member,
                               const char* doc) {
     robot.def_prop_ro(

@@ -38,6 +38,7 @@ from surefoot import _worlds as _worlds
 _errors.tell()
 _worlds.tell()
 _arguments.tell()
+_worlds.tell_of_arguments()
 _derived.tell()
 _named.tell()
 _printed.tell()

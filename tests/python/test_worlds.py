@@ -90,6 +90,79 @@ def test_state_and_truth_of_a_running_robot_do_not_mix():
     assert state.p_WB[0] == 8.0 and np.shares_memory(state.p_WB, state.p_WB)
 
 
+def seen_by_parts(scenario):
+    """A controller after some ticks with its plant, and the dynamics that its planner, its own task and its own gait were given."""
+    given = {}
+
+    class Plans(surefoot.Planner):
+        def update(self, user, state, dynamics, last):
+            given["planner"] = dynamics
+            return super().update(user, state, dynamics, last)
+
+    class Looks(surefoot.OwnTask):
+        max_rows = 1
+
+        def rows(self, tick):
+            given["task"] = tick.dynamics
+
+    class Stands(surefoot.Gait):
+        def com(self, now):
+            given["gait"] = now.dynamics
+            return now.com
+
+    user = "user=[{time: 0, walk: true, gait: mine}]"
+    words = ["planner.calibration.duration=0", user, *ELSEWHERE]
+    scenario = surefoot.load_scenario(scenario, gaits={"mine": Stands}, stack=surefoot.Stack("terrain_adaptation").last(Looks("looks")), set=words)
+    plant = surefoot.Plant(scenario)
+    controller = surefoot.Controller(scenario, plant, planner=Plans(scenario))
+    while plant.time < 0.5:
+        plant.write(controller.step(plant.read(), scenario.user(plant.time)))
+    assert controller.fault == "" and len(given) == 3
+    return plant, controller, given
+
+
+def test_points_of_dynamics_are_in_the_controllers_world():
+    plant, controller, given = seen_by_parts("walk_flat_ideal")
+    truth = plant.truth
+    of_state = surefoot.Robot("anymal_b").dynamics(controller.state)
+    for dynamics in (controller.dynamics, of_state, *given.values()):
+        frame, foot = dynamics.frame("LF_FOOT"), dynamics.feet["LF"]
+        assert dynamics.world == foot.world == frame.rotation.world == "W"
+        for expression in (lambda: dynamics.com.p - truth.p_SCom, lambda: foot.p - truth.p_SF[0], lambda: dynamics.base.v - truth.v_SB,
+                           lambda: dynamics.hips["RF"].J @ np.ones(18) - truth.v_SB, lambda: dynamics.base_rotation.R @ truth.v_SB,
+                           lambda: frame.point.p - truth.p_SF[0], lambda: frame.rotation.w - truth.v_SB, lambda: dynamics.contacts["RH"].Jdot_u + truth.v_SB):  # fmt: skip
+            with pytest.raises(WorldError, match="in W, the controller's world, the other in S"):
+                expression()
+        assert (dynamics.com.p[:2] - controller.plan.com.p).world == "W" and not hasattr(dynamics.M, "world")
+
+
+def test_what_is_relative_to_the_base_is_in_neither_world():
+    _, controller, _ = seen_by_parts("walk_flat_ideal")
+    frame = controller.dynamics.frame("LF_FOOT", relative_to="base")
+    assert frame.point.world == frame.rotation.world == ""
+    for array in (frame.point.p, frame.point.v, frame.point.J, frame.point.Jdot_u, frame.rotation.R, frame.rotation.w):
+        assert type(array) is np.ndarray
+
+
+def test_dynamics_of_a_robot_are_in_the_world_of_the_arrays_that_they_are_of():
+    plant, controller, _ = seen_by_parts("walk_flat_ideal")
+    robot, truth, state = surefoot.Robot("anymal_b"), plant.truth, controller.state
+    true = robot.dynamics(truth.qpos[7:], p_WB=truth.p_SB, q_WB=truth.qpos[3:7])
+    assert true.world == "S" and np.linalg.norm(true.com.p - truth.p_SCom) < 0.01
+    with pytest.raises(WorldError, match="in W, the controller's world, the other in S"):
+        true.com.p - state.p_WB
+    believed = robot.dynamics(state.q, p_WB=state.p_WB, q_WB=state.q_WB)
+    assert believed.world == "W" and np.allclose(believed.com.p, controller.dynamics.com.p)
+    with pytest.raises(WorldError, match="Robot.dynamics of both means nothing"):
+        robot.dynamics(state.q, p_WB=truth.p_SB, q_WB=state.q_WB)
+    with pytest.raises(WorldError, match="world is 'W', and an array is in S"):
+        robot.dynamics(p_WB=truth.p_SB, world="W")
+    alone = robot.dynamics(p_WB=[1, 2, 3])
+    assert alone.world == "" and type(alone.com.p) is np.ndarray and robot.dynamics(p_WB=[1, 2, 3], world="S").base.p.world == "S"
+    with pytest.raises(surefoot.UnknownNameError, match='world is "B"; valid are: W, the controller\'s, S, the simulator\'s, and "", none of them'):
+        robot.dynamics(world="B")
+
+
 def test_an_axis_of_a_plot_takes_one_world_and_is_named_by_it(run):
     from matplotlib import pyplot as plt
 
