@@ -222,7 +222,12 @@ class FieldProperties {
       PerLeg<double>& values = place.in(self);
       return View<-1>(values.data(), {values.size()}, self);
     };
-    type_.def_prop_ro(name, get, with_shape(doc, "number of legs,").c_str());
+    const auto set = [place, name](Self self, const std::vector<double>& numbers) {
+      PerLeg<double>& values = place.in(self);
+      Eigen::Map<Eigen::VectorXd> legs(values.data(), static_cast<Eigen::Index>(values.size()));
+      assign(legs, numbers, name, false);
+    };
+    type_.def_prop_rw(name, get, set, with_shape(doc, "number of legs,").c_str());
   }
 
   void add(const char* name, Place<PerLeg<Vec3>> place, const std::string& doc) {

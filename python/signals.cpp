@@ -19,24 +19,25 @@ namespace surefoot::python {
 
 namespace {
 
-SensorReading sensor_reading(int num_joints) {
-  if (num_joints < 1 || num_joints > kMaxJoints)
-    throw Error("num_joints is " + std::to_string(num_joints) + "; a robot has 1 to " +
-                std::to_string(kMaxJoints) + " joints");
-  SensorReading reading;
-  reading.q = reading.torque = JointVector::Constant(num_joints, kNaN);
-  return reading;
-}
-
 void check_num_legs(int num_legs) {
   if (num_legs == 2 || num_legs == 4 || num_legs == 6) return;
   throw Error("num_legs is " + std::to_string(num_legs) + "; a robot has 2, 4 or 6 legs");
 }
 
-RobotState robot_state(int num_joints, int num_legs) {
+SensorReading sensor_reading(int num_joints, int num_legs) {
   check_num_legs(num_legs);
+  if (num_joints < 1 || num_joints > kMaxJoints)
+    throw Error("num_joints is " + std::to_string(num_joints) + "; a robot has 1 to " +
+                std::to_string(kMaxJoints) + " joints");
+  SensorReading reading;
+  reading.q = reading.torque = JointVector::Constant(num_joints, kNaN);
+  reading.foot_force = per_leg(kNaN, num_legs);
+  return reading;
+}
+
+RobotState robot_state(int num_joints, int num_legs) {
   RobotState state;
-  state.q = state.qd = state.torque = sensor_reading(num_joints).q;
+  state.q = state.qd = state.torque = sensor_reading(num_joints, num_legs).q;
   state.size_legs(num_legs);
   state.foot_force = per_leg<Vec3>(Vec3::Constant(kNaN), num_legs);
   return state;
@@ -140,11 +141,11 @@ void bind_signals(nb::module_& module) {
   signal<SensorReading>(module, "SensorReading", "What the robot's sensors give at one tick.")
       .def(
           "__init__",
-          [](SensorReading* self, int num_joints) {
-            new (self) SensorReading(sensor_reading(num_joints));
+          [](SensorReading* self, int num_joints, int num_legs) {
+            new (self) SensorReading(sensor_reading(num_joints, num_legs));
           },
-          nb::arg("num_joints") = kNumLegJoints,
-          "All unknown. num_joints: of the robot, len(scenario.joint_names).");
+          nb::arg("num_joints") = kNumLegJoints, nb::arg("num_legs") = kNumLegs,
+          "All unknown. Of the robot: len(scenario.joint_names), and len(robot.legs).");
 
   signal<ReachCommand>(module, "ReachCommand",
                        "Where the tip of an arm shall be, or a frame that a task of the stack "

@@ -99,7 +99,13 @@ void Controller::Implementation::begin_tick(const SensorReading& reading,
   const auto num_joints = static_cast<Eigen::Index>(model.description().num_joints());
   if (reading.q.size() != num_joints || reading.torque.size() != num_joints)
     fault.set("the reading does not have the robot's number of joints");
-  size_joints(record, model.description().num_joints(), model.description().num_legs());
+  const int num_legs = model.description().num_legs();
+  const PerLeg<double>& forces = reading.foot_force;
+  const bool has_foot_sensors =
+      !std::ranges::all_of(forces, [](double f) { return std::isnan(f); });
+  if (has_foot_sensors && static_cast<int>(forces.size()) != num_legs)
+    fault.set("the reading's foot_force does not have the robot's number of legs");
+  size_joints(record, model.description().num_joints(), num_legs);
   record.user = limited(user);
 }
 

@@ -44,6 +44,22 @@ TEST(Controller, AReadingOfAnotherRobotIsToldAndGivesALegalCommand) {
   EXPECT_NE(statue.controller.record().command.mode, CommandMode::optimal);
 }
 
+TEST(Controller, FootSensorsOfAnotherRobotAreTold) {
+  test::Statue statue;
+  statue.run(20);
+  SensorReading reading = statue.reading;
+  for (const double force : {kNaN, 50.0}) {
+    reading.time += statue.period;
+    reading.foot_force = per_leg(force, 6);
+    test::expect_legal(statue.controller.step(reading, statue.user));
+    EXPECT_EQ(statue.controller.record().reading.foot_force.size(), 4u);
+    EXPECT_EQ(statue.controller.fault(),
+              std::isnan(force)
+                  ? ""
+                  : "the reading's foot_force does not have the robot's number of legs");
+  }
+}
+
 TEST(Controller, EveryReadingThatIsNotANumberGivesALegalCommandAndIsForgottenAtOnce) {
   test::Statue statue;
   statue.user = {.walk = true, .velocity = {0.05, 0.0}};

@@ -4,6 +4,7 @@ import gc
 import json
 import math
 import pathlib
+import pickle
 import re
 
 import numpy as np
@@ -229,6 +230,20 @@ def test_a_reading_has_the_joints_of_a_robot_with_an_arm():
         surefoot.SensorReading(num_joints=33)
     with pytest.raises(surefoot.Error, match="num_legs is 12; a robot has 2, 4 or 6 legs"):
         surefoot.MotionPlan(num_legs=12)
+
+
+@pytest.mark.parametrize("num_legs", [2, 4, 6])
+def test_a_reading_has_the_foot_sensors_of_a_robot_with_any_legs(num_legs):
+    reading = surefoot.SensorReading(3 * num_legs, num_legs)
+    assert reading.foot_force.shape == (num_legs,) and np.isnan(reading.foot_force).all()
+    reading.foot_force = 50.0 + np.arange(num_legs)
+    reading.foot_force[1] = np.nan
+    again = pickle.loads(pickle.dumps(reading))
+    np.testing.assert_array_equal(again.foot_force, [50.0, np.nan, *range(52, 50 + num_legs)])
+    with pytest.raises(surefoot.Error, match=f"foot_force has {num_legs} numbers; 3 were given"):
+        reading.foot_force = [1, 2, 3]
+    with pytest.raises(surefoot.Error, match="num_legs is 3; a robot has 2, 4 or 6 legs"):
+        surefoot.SensorReading(9, num_legs=3)
 
 
 def test_torques_of_ones_own_are_applied(scenario):
