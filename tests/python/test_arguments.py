@@ -301,6 +301,21 @@ def test_a_command_can_be_copied_and_pickled():
     assert user.velocity[0] == 0.1
 
 
+def test_no_field_of_a_command_is_lost_on_the_way_to_another_process():
+    user, seen = surefoot.UserCommand(), {}
+    for number, (name, member) in enumerate(vars(surefoot.UserCommand).items()):
+        if not isinstance(member, property):
+            continue
+        before = getattr(user, name)
+        given = {bool: lambda: not before, float: lambda: 0.1 * number, int: lambda: "trot", np.ndarray: lambda: 0.1 * number + np.arange(len(before)),
+                 surefoot.ReachCommand: lambda: surefoot.ReachCommand(arm=1, position=[1, 2, 3], in_world=True, orientation=[0.1, 0, 0], frame=2)}  # fmt: skip
+        setattr(user, name, given[type(before)]())
+        seen[name] = repr(getattr(user, name))
+        assert seen[name] != repr(before), f"{name} is as it was"
+    again = pickle.loads(pickle.dumps(user))
+    assert {name: repr(getattr(again, name)) for name in seen} == seen and {"walk", "reach", "gait"} <= set(seen)
+
+
 @pytest.mark.parametrize("robot", ["anymal_b", "hexapod"])
 def test_what_a_loop_passes_on_can_be_copied_and_pickled(robot):
     scenario = surefoot.load_scenario("walk_flat", robot=robot)
