@@ -109,10 +109,10 @@ void bind_gait_tick(nb::module_& module) {
           [](const Self& self, const std::string& leg, double lift_off) {
             const Self::Parts& parts = self.changing();
             check_finite(lift_off, "lift_off");
-            parts.gait->unload(self.leg(leg), lift_off, *parts.changed_body);
+            parts.gait->unload(self.standing_leg(leg), lift_off, *parts.changed_body);
           },
           nb::arg("leg"), nb::arg("lift_off"),
-          "Takes the load off a foot until the time of its lift-off [s].")
+          "Takes the load off a foot that stands until the time of its lift-off [s].")
       .def(
           "lift",
           [place, duration](const Self& self, const std::string& leg, const Place& to,
@@ -120,12 +120,12 @@ void bind_gait_tick(nb::module_& module) {
             const Self::Parts& parts = self.changing();
             const double rise = apex.value_or(self.body().options.swing.apex);
             check_finite(rise, "apex");
-            parts.gait->lift(self.leg(leg), place(to), duration(seconds, "duration"), rise,
+            parts.gait->lift(self.standing_leg(leg), place(to), duration(seconds, "duration"), rise,
                              *parts.changed, *parts.changed_body);
           },
           nb::arg("leg"), nb::arg("to"), nb::arg("duration"), nb::arg("apex") = nb::none(),
-          "Begins a swing to a place in W [m]. It ends at the first contact; without one the foot "
-          "goes on down.");
+          "Begins a swing to a place in W [m], of a foot that stands; others may be in the air. It "
+          "ends at the first contact;\nwithout one the foot goes on down.");
 }
 
 }  // namespace surefoot::python

@@ -38,13 +38,66 @@ auto with_tick(const SharedObject& object, const char* method, GaitTick tick, co
   });
 }
 
+/// Of the legs but one that are about to lift off.
+std::optional<Leg> first_unloading(const Body& body, std::optional<Leg> but) {
+  for (const Leg k : body.legs.all())
+    if (k != but && body.legs[k].phase() == LegPhase::unloading) return k;
+  return {};
+}
+
 }  // namespace
+
+Leg GaitTick::standing_leg(const std::string& name) const {
+  const Leg found = leg(name);
+  if (body().legs[found].down()) return found;
+  std::string others;
+  for (const Leg each : body().legs.all())
+    if (body().legs[each].down())
+      others += (others.empty() ? "" : ", ") + std::string(leg_name(each, now().num_legs()));
+  throw Error(name + " is in the air; a leg that stands would be valid: " +
+              (others.empty() ? "there is none" : others));
+}
 
 void PythonGait::begin(Situation& now, Body& body, const std::optional<gaits::Action>& first) {
   forget_steps();
   plan_com(now, body);
   if (first) act(*first, now, body);
   with_tick(object_, "begin", {{&now, &body, &now, &body, this}, robot_}, [](const nb::object&) {});
+}
+
+gaits::GaitStatus PythonGait::status(const Body& body) const {
+  gaits::GaitStatus result;
+  if (!swings_.empty()) {
+    result.swings = swings_.back().leg;
+    result.lands_at = swings_.back().lands_at;
+  }
+  result.unloads = first_unloading(body, {});
+  return result;
+}
+
+/// The library's reactions know one leg in the air, and one that is about to lift off: the leg of
+/// the event, and another one. What a loss asks of these holds for all.
+std::optional<gaits::Action> PythonGait::answer(gaits::LegEvent event, const Situation& now,
+                                                Leg leg) const {
+  Situation of_leg = now;
+  if (swings(leg)) of_leg.gait.swings = leg;
+  of_leg.gait.unloads = first_unloading(now.body, leg);
+  std::optional<gaits::Action> action = Gait::answer(event, of_leg, leg);
+  const bool is_loss = event == gaits::LegEvent::lost || event == gaits::LegEvent::airborne;
+  if (action && is_loss)
+    for (const Swing& swing : swings_) action->searches[index(swing.leg)] = true;
+  return action;
+}
+
+void PythonGait::follow(const gaits::Action& action, const Situation& now, Body& body) {
+  if (action.reloads)
+    for (const Leg k : body.legs.all())
+      if (body.legs[k].phase() == LegPhase::unloading) body.legs[k].reload(now.time);
+  if (action.swing && !action.swing->keeps_deadline)
+    for (Swing& swing : swings_)
+      if (swing.leg == action.swing->leg) swing.lands_at = now.time + action.swing->target.duration;
+  const auto lands = [&](const Swing& swing) { return swing.leg == action.lands; };
+  body.steps_taken += static_cast<int>(std::erase_if(swings_, lands));
 }
 
 /// Feet in the air land where they are aimed at; then come the steps ahead, and rest.
@@ -56,9 +109,18 @@ void PythonGait::plan_com(const Situation& now, Body& body) {
     time += duration;
     return duration;
   };
-  if (swings_) ahead.add(pass_until(lands_at_), true);
-  for (const Leg k : body.legs.all())
-    if (!ahead.is_down(k)) ahead.land(k, swings_ == k ? body.legs[k].target().goal : now.foot(k));
+  const auto land_lost = [&] {
+    for (const Leg k : body.legs.all())
+      if (!ahead.is_down(k) && !swings(k)) ahead.land(k, now.foot(k));
+  };
+  std::vector<Swing> swings = swings_;
+  std::ranges::sort(swings, {}, &Swing::lands_at);
+  for (const Swing& swing : swings) {
+    if (time == now.time || swing.lands_at > time) ahead.add(pass_until(swing.lands_at), true);
+    land_lost();
+    ahead.land(swing.leg, body.legs[swing.leg].target().goal);
+  }
+  land_lost();
   for (const StepAhead& step : steps_) {
     ahead.add_support_until_lift_off(step.leg, pass_until(step.lift_off));
     ahead.add(pass_until(time + step.swing), true);
@@ -78,15 +140,14 @@ GaitOutcome PythonGait::go_on(Situation& now, Body& body) {
                    });
 }
 
-Motion<double> PythonGait::bounce() const {
+Motion<double> PythonGait::motion_of(const char* method, const char* valid) const {
   return in_python([&] {
-    const nb::object given = (*object_).attr("bounce")();
+    const nb::object given = (*object_).attr(method)();
     std::vector<double> numbers;
     if (nb::try_cast(given, numbers) && numbers.size() == 3 &&
         std::ranges::all_of(numbers, [](double number) { return std::isfinite(number); }))
       return Motion<double>{numbers[0], numbers[1], numbers[2]};
-    throw Error(
-        wrong_result(*object_, "bounce", given, "(height, velocity, acceleration) [m, m/s, m/s²]"));
+    throw Error(wrong_result(*object_, method, given, valid));
   });
 }
 
@@ -168,6 +229,11 @@ void bind_gait(nb::module_& module) {
           nb::sig("def bounce(self) -> tuple[float, float, float]"),
           "How the torso goes up and down in a cycle: height, velocity, acceleration [m, m/s, "
           "m/s²].")
+      .def(
+          "pitch", [](const Self&) { return std::make_tuple(0.0, 0.0, 0.0); },
+          nb::sig("def pitch(self) -> tuple[float, float, float]"),
+          "How the torso pitches in a cycle, nose down: angle, rate, acceleration [rad, rad/s, "
+          "rad/s²].")
       .def(
           "restart", [](const Self&) {},
           "Forgets everything: the robot may stand elsewhere. The gait is not active.");

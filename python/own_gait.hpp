@@ -4,6 +4,7 @@
 #include "python/own_parts.hpp"
 #include "surefoot/gaits/gait.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <optional>
@@ -21,7 +22,13 @@ struct StepAhead {
   Vec3 to;
 };
 
-/// A gait that is written in Python.
+/// A leg in the air that the gait has lifted, and when it is expected to land [s].
+struct Swing {
+  Leg leg;
+  double lands_at;
+};
+
+/// A gait that is written in Python. Any number of legs may be in the air at once.
 class PythonGait final : public gaits::Gait {
  public:
   PythonGait(SharedObject object, std::shared_ptr<Robot> robot)
@@ -44,18 +51,22 @@ class PythonGait final : public gaits::Gait {
     return in_python([&] { return truth_of("is_static", (*object_).attr("is_static")()); });
   }
   double speed() const override { return number_of("speed", "a speed [m/s]"); }
-  Motion<double> bounce() const override;
+  Motion<double> bounce() const override {
+    return motion_of("bounce", "(height, velocity, acceleration) [m, m/s, m/s²]");
+  }
+  Motion<double> pitch() const override {
+    return motion_of("pitch", "(angle, rate, acceleration) [rad, rad/s, rad/s²]");
+  }
   ComPlan com(const gaits::Situation& now, const gaits::Body& body) const override;
 
-  // For GaitTick.
+  // For GaitTick, of legs that are down.
   void lift(Leg leg, const Vec3& to, double duration, double apex, gaits::Situation& now,
             gaits::Body& body) {
-    swings_ = leg;
+    swings_.push_back({leg, now.time + duration});
     begins_step_ = true;
-    unloads_.reset();
     std::erase_if(steps_, [&](const StepAhead& step) { return step.leg == leg; });
-    lands_at_ = now.time + duration;
     act({.events = now.event_list(PlanEvent::lift_off, leg),
+         .memory = body.swing.for_new_swing(),
          .swing = gaits::SwingOrder{leg,
                                     {.start = now.foot(leg),
                                      .goal = to,
@@ -64,8 +75,7 @@ class PythonGait final : public gaits::Gait {
                                      .apex = apex}}},
         now, body);
   }
-  void unload(Leg leg, double lift_off, gaits::Body& body) {
-    unloads_ = leg;
+  static void unload(Leg leg, double lift_off, gaits::Body& body) {
     body.legs[leg].unload(lift_off);
   }
   /// What is planned again, as after a touchdown, has these steps ahead, too.
@@ -83,6 +93,7 @@ class PythonGait final : public gaits::Gait {
       throw Error(wrong_result(*object_, method, given, valid));
     });
   }
+  [[nodiscard]] Motion<double> motion_of(const char* method, const char* valid) const;
   [[nodiscard]] bool truth_of(const char* method, nb::handle given) const {
     bool is_true = false;
     if (nb::try_cast<bool>(given, is_true)) return is_true;
@@ -91,26 +102,22 @@ class PythonGait final : public gaits::Gait {
 
   void forget_steps() {
     begins_step_ = false;
-    swings_.reset();
-    unloads_.reset();
+    swings_.clear();
     steps_.clear();
   }
-  gaits::GaitStatus status(const gaits::Body&) const override {
-    return {.swings = swings_, .unloads = unloads_, .lands_at = lands_at_};
+  [[nodiscard]] bool swings(Leg leg) const {
+    return std::ranges::any_of(swings_, [&](const Swing& swing) { return swing.leg == leg; });
   }
-  void follow(const gaits::Action& action, const gaits::Situation&, gaits::Body& body) override {
-    if (unloads_ && action.reloads == unloads_) unloads_.reset();
-    if (!swings_ || action.lands != swings_) return;
-    swings_.reset();
-    ++body.steps_taken;
-  }
+  gaits::GaitStatus status(const gaits::Body& body) const override;
+  std::optional<gaits::Action> answer(gaits::LegEvent event, const gaits::Situation& now,
+                                      Leg leg) const override;
+  void follow(const gaits::Action& action, const gaits::Situation& now, gaits::Body& body) override;
   void plan_com(const gaits::Situation& now, gaits::Body& body) override;
   gaits::GaitOutcome go_on(gaits::Situation& now, gaits::Body& body) override;
 
   SharedObject object_;
   std::shared_ptr<Robot> robot_;
-  std::optional<Leg> swings_, unloads_;
-  double lands_at_ = gaits::kNever;  // the swing leg [s]
+  std::vector<Swing> swings_;
   std::vector<StepAhead> steps_;
   bool begins_step_ = false;  // at this tick
 };
@@ -143,6 +150,8 @@ class GaitTick {
       if (leg_name(each, now().num_legs()) == name) return each;
     throw UnknownNameError("no leg \"" + name + "\"; before.feet has their names");
   }
+  /// Throws Error if it is in the air.
+  [[nodiscard]] Leg standing_leg(const std::string& name) const;
 
  private:
   [[nodiscard]] const Parts& live() const {

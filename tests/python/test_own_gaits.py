@@ -99,6 +99,67 @@ def test_its_torso_bounces():
     assert np.ptp(heights[800:]) == pytest.approx(0.02, abs=1e-3)
 
 
+def test_its_torso_pitches_nose_down():
+    class Nodding(Gait):
+        def begin(self, now):
+            self.begins = self.now = now.time
+
+        def go_on(self, now):
+            self.now = now.time
+            return super().go_on(now)
+
+        def pitch(self):
+            phase = 3.0 * (self.now - self.begins)
+            return 0.05 * (1 - np.cos(phase)), 0.15 * np.sin(phase), 0.45 * np.cos(phase)
+
+    nose, rates = [], []
+
+    def every_tick(tick):
+        w, x, y, z = tick.controller.plan.torso.q_WB
+        nose.append(2 * (x * z - w * y))  # height of the forward axis
+        rates.append(tick.controller.plan.torso.w_WB[1])
+
+    assert not surefoot.run(walking(Nodding, duration=4.0), every_tick=every_tick)["fell"]
+    assert min(nose) == pytest.approx(-np.sin(0.1), abs=0.01) and max(nose) == pytest.approx(0, abs=0.01)
+    assert max(rates) == pytest.approx(0.15, abs=0.01)
+
+
+class Pairs(Gait):
+    """Diagonal pairs, one after the other, from 0.5 s on."""
+
+    pairs, swing = [("LF", "RH"), ("RF", "LH")], 0.35
+
+    def begin(self, now):
+        self.left = list(self.pairs)
+
+    def go_on(self, now):
+        if now.time > 0.5 and now.all_down and self.left:
+            pair = self.left.pop(0)
+            for leg in pair:
+                now.lift(leg, now.foothold(leg, 1.0), self.swing)
+            assert not any(map(now.is_down, pair))
+        return False
+
+
+@pytest.mark.parametrize("robot", ["anymal_b", "hexapod"])
+def test_legs_that_are_in_the_air_together_are_all_counted(robot):
+    class Steps(Pairs):
+        pairs = Pairs.pairs if robot == "anymal_b" else [("LF", "RM", "LH"), ("RF", "LM", "RH")]
+
+    taken, events = [0], []
+
+    def every_tick(tick):
+        taken.append(tick.controller.steps_taken)
+        events.extend((event.name, event.leg) for event in tick.controller.plan.events)
+
+    user = "user=[{time: 0.2, walk: true, velocity: [0.05, 0], gait: mine}]"
+    words = ["duration=3", "planner.calibration.duration=0", "criteria=none", user]
+    result = surefoot.run("walk_flat_ideal", robot=robot, gaits={"mine": Steps}, set=words, every_tick=every_tick)
+    legs = sorted(leg for pair in Steps.pairs for leg in pair)
+    assert sorted(leg for name, leg in events if name == "lift-off") == sorted(leg for name, leg in events if name == "touchdown") == legs
+    assert taken[-1] == len(legs) and not result["fell"] and result.fault == ""
+
+
 @pytest.mark.parametrize(("speed", "waits"), [(0.0, False), (3.0, True)])
 def test_another_gait_waits_until_it_is_slow(speed, waits):
     yields = []
@@ -181,8 +242,11 @@ WRONG = {
     "moves in com": ({"com": lambda gait, now: now.unload("LF", 1.0)}, "the legs are moved in begin() and go_on() only"),
     "keeps": ({"com": kept}, "this tick is over"),
     "leg": ({"begin": lambda gait, now: now.unload("XF", 1.0)}, 'no leg "XF"; before.feet has their names'),
+    "lifts in the air": ({"begin": lambda gait, now: [now.lift("LF", now.foothold("LF", 1.0), 0.5) for _ in range(2)]}, "LF is in the air; a leg that stands would be valid: RF, LH, RH"),
+    "unloads in the air": ({"begin": lambda gait, now: (now.lift("LF", now.foothold("LF", 1.0), 0.5), now.unload("LF", 9.0))}, "LF is in the air; a leg that stands would be valid"),
     "nan": ({"begin": lambda gait, now: now.lift("LF", [0, 0, np.nan], 0.5)}, "to[2] is nan; a finite number would be valid"),
     "no bounce": ({"bounce": lambda gait: 0.1}, "bounce returned 0.1; (height, velocity, acceleration) [m, m/s, m/s²] would be valid"),
+    "no pitch": ({"pitch": lambda gait: [0, 0]}, "pitch returned [0, 0]; (angle, rate, acceleration) [rad, rad/s, rad/s²] would be valid"),
     "static": ({"is_static": lambda gait: None}, "is_static returned None; True or False would be valid"),
     "in the air": ({"begin": lambda gait, now: now.lift("LF", now.foothold("LF", 1.0), 0.5), "go_on": lambda gait, now: True}, "with a foot in the air"),
 }  # fmt: skip
