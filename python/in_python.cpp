@@ -2,6 +2,7 @@
 
 #include <nanobind/stl/string.h>
 
+#include <exception>
 #include <string>
 
 namespace surefoot::python {
@@ -10,9 +11,22 @@ std::string text_of(const nb::object& object) {
   return nb::cast<std::string>(nb::str(nb::handle(object)));
 }
 
+namespace {
+
+/// Also of an exception whose own text fails.
+std::string what(const nb::python_error& error) {
+  try {
+    return text_of(nb::borrow<nb::object>(error.value()));
+  } catch (const std::exception&) {
+    return "its text can't be read";
+  }
+}
+
+}  // namespace
+
 std::string one_line(const nb::python_error& error) {
   const std::string name = text_of(error.type().attr("__name__"));
-  const std::string what = text_of(nb::borrow<nb::object>(error.value()));
+  const std::string what = python::what(error);
   if (!error.traceback().is_valid()) return name + ": " + what;  // raised by C
   const nb::object frames = nb::module_::import_("traceback").attr("extract_tb")(error.traceback());
   if (nb::len(frames) == 0) return name + ": " + what;

@@ -6,17 +6,28 @@
 #include "python/numbers.hpp"
 #include "python/own_parts.hpp"
 #include "surefoot/base/formatted.hpp"
+#include "surefoot/config/loaded_gaits.hpp"
 
 #include <cmath>
 #include <memory>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace surefoot::python {
 namespace {
 
 /// `Planner` in Python.
-using BoundPlanner = BoundPart<gaits::MotionPlanner>;
+struct BoundPlanner : BoundPart<gaits::MotionPlanner> {
+  std::vector<std::string> gaits{};  ///< of the library's, by name
+
+  /// A command whose gait is found by its name. Throws UnknownNameError if the scenario has none.
+  [[nodiscard]] UserCommand with_gait(const NamedCommand& user) const {
+    UserCommand command = user;
+    if (!user.gait_name.empty()) command.gait = config::gait_place(user.gait_name, gaits);
+    return command;
+  }
+};
 
 class PythonPlanner final : public gaits::MotionPlanner {
  public:
@@ -112,11 +123,12 @@ void bind_planner(nb::module_& module) {
       .def(
           "__init__",
           [](Self* self, const config::Scenario& scenario) {
-            new (self) Self{[options = scenario.controller, scale = scenario.robot.scale] {
-                              return gaits::make_planner(options.planner, options.period, scale,
-                                                         options.gaits, options.first_gait);
-                            },
-                            scenario.robot.name};
+            new (self) Self{{[options = scenario.controller, scale = scenario.robot.scale] {
+                               return gaits::make_planner(options.planner, options.period, scale,
+                                                          options.gaits, options.first_gait);
+                             },
+                             scenario.robot.name},
+                            config::gait_names(scenario.controller.gaits)};
           },
           nb::arg("scenario"), "With the library's, which super().update() then asks.")
       .def(
@@ -126,7 +138,7 @@ void bind_planner(nb::module_& module) {
             if (!self.library)
               throw Error(
                   "Planner() plans nothing by itself: write update(), or give it a scenario");
-            return self.library->update(user, state, dynamics.values, last);
+            return self.library->update(self.with_gait(user), state, dynamics.values, last);
           },
           nb::arg("user"), nb::arg("state"), nb::arg("dynamics"), nb::arg("last"),
           "A tick: the plan now. `dynamics` is the robot at `state`.")

@@ -239,6 +239,40 @@ def test_a_planner_that_goes_wrong_is_told_and_the_robot_sits_down(wrong, said):
         surefoot.Planner().update(scenario.user(0), controller.state, scenario.robot_model.dynamics(), None or hierarchy_outcome())
 
 
+def test_the_librarys_planner_follows_a_gait_by_its_name():
+    user = "user=[{time: 0.2, walk: true, velocity: [0.1, 0], gait: trot}, {time: 9, walk: true, gait: crawl}]"
+    scenario = surefoot.load_scenario("trot", set=["duration=3", "planner.calibration.duration=0", "criteria=none", user])
+    seen = []
+
+    class Changes(surefoot.Planner):
+        def __init__(self, name):
+            super().__init__(scenario)
+            self.name = name
+
+        def update(self, user, state, dynamics, last):
+            user.gait = self.name
+            plan = super().update(user, state, dynamics, last)
+            seen.append(scenario.gaits[plan.gait])
+            return plan
+
+    assert surefoot.run(scenario, planner=Changes("crawl")).fault == "" and seen[-1] == "crawl"
+    with pytest.warns(RuntimeWarning, match="gait"):
+        assert 'gait "craw' in surefoot.run(scenario, planner=Changes("crawls")).fault
+
+
+def test_an_exception_whose_text_fails_is_told_by_its_kind():
+    class Broken(Exception):
+        def __str__(self):
+            raise ValueError("no text")
+
+    class Raises(Still):
+        def update(self, user, state, dynamics, last):
+            raise Broken
+
+    with pytest.warns(RuntimeWarning, match=r"threw: Broken: its text can't be read \(test_own_parts.py, line \d+\)"):
+        surefoot.run("walk_flat_ideal", set=["duration=0.01"], planner=Raises())
+
+
 def hierarchy_outcome():
     """As a planner is given it."""
     kept = []
