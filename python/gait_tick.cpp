@@ -30,6 +30,11 @@ void bind_gait_tick(nb::module_& module) {
     throw Error(std::string(what) + " is " + std::to_string(seconds) +
                 "; a time above 0 s would be valid");
   };
+  const auto at_least_0 = [](double number, const char* what, const char* kind) {
+    if (number >= 0.0 && std::isfinite(number)) return number;
+    throw Error(std::string(what) + " is " + std::to_string(number) + "; a " + kind +
+                " of at least 0 would be valid");
+  };
   nb::class_<Self>(module, "GaitTick", "A tick as a gait sees it, for as long as its method runs.",
                    nb::type_slots(kNoVectorcall))
       .def("__repr__",
@@ -73,10 +78,11 @@ void bind_gait_tick(nb::module_& module) {
           nb::arg("leg"), "Does the foot bear so little that it can lift off?")
       .def(
           "foothold",
-          [](const Self& self, const std::string& leg, double cycle) {
+          [at_least_0](const Self& self, const std::string& leg, double cycle) {
             const gaits::Body& body = self.body();
             Vec3 at = body.footholds.foothold(self.leg(leg), body.legs.footholds(), body.plane,
-                                              self.now().yaw, self.now().user, cycle);
+                                              self.now().yaw, self.now().user,
+                                              at_least_0(cycle, "cycle", "time [s]"));
             return nb::module_::import_("numpy").attr("array")(view(at, nb::handle()));
           },
           nb::arg("leg"), nb::arg("cycle"),
@@ -103,7 +109,8 @@ void bind_gait_tick(nb::module_& module) {
                   "numpy.typing.ArrayLike]]) -> None"),
           "Plans `com` for steps ahead, each (leg, support, swing, to): after `support` seconds "
           "the "
-          "leg lifts off, and lands\non `to` in W [m] after `swing` seconds.")
+          "leg lifts off, and lands\non `to` in W [m] after `swing` seconds. At most 4 steps, or "
+          "fewer with legs in the air.")
       .def(
           "unload",
           [](const Self& self, const std::string& leg, double lift_off) {
@@ -115,11 +122,11 @@ void bind_gait_tick(nb::module_& module) {
           "Takes the load off a foot that stands until the time of its lift-off [s].")
       .def(
           "lift",
-          [place, duration](const Self& self, const std::string& leg, const Place& to,
-                            double seconds, const std::optional<double>& apex) {
+          [place, duration, at_least_0](const Self& self, const std::string& leg, const Place& to,
+                                        double seconds, const std::optional<double>& apex) {
             const Self::Parts& parts = self.changing();
-            const double rise = apex.value_or(self.body().options.swing.apex);
-            check_finite(rise, "apex");
+            const double rise =
+                at_least_0(apex.value_or(self.body().options.swing.apex), "apex", "height [m]");
             parts.gait->lift(self.standing_leg(leg), place(to), duration(seconds, "duration"), rise,
                              *parts.changed, *parts.changed_body);
           },

@@ -78,11 +78,9 @@ class PythonGait final : public gaits::Gait {
   static void unload(Leg leg, double lift_off, gaits::Body& body) {
     body.legs[leg].unload(lift_off);
   }
-  /// What is planned again, as after a touchdown, has these steps ahead, too.
-  void plan_com(std::vector<StepAhead> steps, const gaits::Situation& now, gaits::Body& body) {
-    steps_ = std::move(steps);
-    plan_com(now, body);
-  }
+  /// What is planned again, as after a touchdown, has these steps ahead, too. Throws Error on more
+  /// than a plan has phases for.
+  void plan_com(std::vector<StepAhead> steps, const gaits::Situation& now, gaits::Body& body);
 
  private:
   [[nodiscard]] double number_of(const char* method, const char* valid) const {
