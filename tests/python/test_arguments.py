@@ -207,7 +207,7 @@ def test_enough_is_looked_at():
     (lambda world: surefoot.campaign({"scenario": world.scenario, "seeds": [1]}), "^spec has a Scenario; numbers, texts, .* scenarios and robots go by their names$"),
     (lambda world: surefoot.campaign({"scenario": "walk_flat", "seeds": np.array([1j])}), "^spec has a complex; numbers, texts, "),
     (lambda world: surefoot.UserCommand(speed=3), r"UserCommand\(\): got an unexpected keyword argument 'speed'; its arguments are walk, velocity"),
-    (lambda world: surefoot.SensorReading(q=[0] * 12), r"^SensorReading\(\): q is set behind it: made = SensorReading\(num_joints\); made.q = …$"),
+    (lambda world: surefoot.SensorReading(q=[0] * 12), r"^SensorReading\(\): q is set behind it: made = SensorReading\(num_joints, num_legs\); made.q = …$"),
     (lambda world: world.plant.push(), r"Plant.push\(\): missing a required argument: 'force'; its arguments are force, body"),
     (lambda world: surefoot.Scenario(), "Scenario objects are made by the library, not by hand"),
     (lambda world: surefoot.Robot(None), "name_or_path is None; a text would be valid"),
@@ -306,7 +306,7 @@ def test_no_field_of_a_command_is_lost_on_the_way_to_another_process():
     for number, (name, member) in enumerate(vars(surefoot.UserCommand).items()):
         if not isinstance(member, property):
             continue
-        before = getattr(user, name)
+        before = copy.copy(getattr(user, name))
         given = {bool: lambda: not before, float: lambda: 0.1 * number, int: lambda: "trot", np.ndarray: lambda: 0.1 * number + np.arange(len(before)),
                  surefoot.ReachCommand: lambda: surefoot.ReachCommand(arm=1, position=[1, 2, 3], in_world=True, orientation=[0.1, 0, 0], frame=2)}  # fmt: skip
         setattr(user, name, given[type(before)]())
