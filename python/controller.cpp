@@ -63,6 +63,12 @@ void BoundController::check(const SensorReading& reading) const {
                   " joints; that of SensorReading(" + std::to_string(num_joints) +
                   ") would be valid");
   }
+  const int num_legs = robot_.num_legs();
+  if (static_cast<int>(reading.foot_force.size()) != num_legs)
+    throw Error("reading.foot_force has " + std::to_string(reading.foot_force.size()) +
+                " numbers, and " + robot_.name + " has " + std::to_string(num_legs) +
+                " legs; that of SensorReading(" + std::to_string(num_joints) + ", " +
+                std::to_string(num_legs) + ") would be valid");
 }
 
 void BoundController::step(const SensorReading& reading, const NamedCommand& user) {

@@ -90,7 +90,8 @@ class HandEvaluator {
       throw Error("scenario is of " + scenario.robot.name + ", and the controller of " +
                   controller.robot().name);
     controller->explain_levels(record.has_value());
-    if (record) log_ = std::make_unique<HandLog>(record->string(), scenario, controller, &plant, model_);
+    if (record)
+      log_ = std::make_unique<HandLog>(record->string(), scenario, controller, &plant, model_);
   }
 
   void add() {

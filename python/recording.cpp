@@ -61,11 +61,13 @@ void bind_recording(nb::module_& module) {
               throw Error(
                   "controller is that of a run; surefoot.run(…, record=\"run.mcap\") would "
                   "be valid");
-            new (self) Self(nb::cast<BoundController&>(controller),
-                            nb::cast<const config::Scenario&>(controller.attr("scenario")), path.string());
+            new (self)
+                Self(nb::cast<BoundController&>(controller),
+                     nb::cast<const config::Scenario&>(controller.attr("scenario")), path.string());
           },
           nb::arg("controller"), nb::arg("path"), nb::keep_alive<1, 2>(),
-          nb::sig("def __init__(self, controller: ControllerBase, path: str | os.PathLike[str]) -> None"),
+          nb::sig("def __init__(self, controller: ControllerBase, path: str | os.PathLike[str]) -> "
+                  "None"),
           "path: of the log to write, run.mcap.")
       .def("add", &Self::add, "A tick: after step().")
       .def("close", &Self::close, "Completes the log; without it, it is called run.mcap.partial.")
