@@ -21,6 +21,8 @@
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/vector.h>
 
+#include <algorithm>
+#include <cmath>
 #include <memory>
 #include <optional>
 #include <string>
@@ -64,7 +66,9 @@ void BoundController::check(const SensorReading& reading) const {
                   ") would be valid");
   }
   const int num_legs = robot_.num_legs();
-  if (static_cast<int>(reading.foot_force.size()) != num_legs)
+  const bool has_forces =
+      std::ranges::any_of(reading.foot_force, [](double force) { return std::isfinite(force); });
+  if (has_forces && static_cast<int>(reading.foot_force.size()) != num_legs)
     throw Error("reading.foot_force has " + std::to_string(reading.foot_force.size()) +
                 " numbers, and " + robot_.name + " has " + std::to_string(num_legs) +
                 " legs; that of SensorReading(" + std::to_string(num_joints) + ", " +

@@ -74,19 +74,13 @@ void bind_stack(nb::module_& module) {
   const char* levels =
       "-> list[tuple[str, float, list[tuple[str, float, dict[str, float | str]]]]]";
   module.def(
-      "check_task",
+      "try_task",
       [](const nb::object& task, const Robot& robot) {
         return tasks::check_task(nb::cast<std::string>(task.attr("name")), robot.description(),
                                  own_tasks(nb::list(nb::make_tuple(task))));
       },
       nb::arg("task"), nb::arg("robot"),
-      nb::sig("def check_task(task: typing.Any, robot: Robot) -> list[str]"),
-      "Tries a task of your own in 64 states of a robot, with all sets of feet down: what is "
-      "wrong, "
-      "in sentences. Call it in your tests:\n\n"
-      "    assert surefoot.check_task(MyTask(), surefoot.Robot(\"anymal_b\")) == []\n\n"
-      "It finds what raises, what the solver can't solve, and rows that differ for the same "
-      "input.");
+      nb::sig("def try_task(task: typing.Any, robot: Robot) -> list[str]"));
   module.def(
       "catalog",
       [] {

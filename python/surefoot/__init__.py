@@ -57,6 +57,7 @@ from surefoot.stack import StackLevel as StackLevel
 from surefoot.stack import Stack as Stack
 from surefoot.stack import Task as Task
 from surefoot.stack import catalog as catalog
+from surefoot.stack import check_task as check_task
 from surefoot.stack import register_task as register_task
 
 if _TYPE_CHECKING:
@@ -91,7 +92,7 @@ def __getattr__(name: str) -> type:
 
 
 # What the package's own Python calls of its compiled part is not for its users.
-_INTERNAL = ("ControllerBase", "parse_stack", "read_scenario", "run_scenario", "stack_levels")
+_INTERNAL = ("ControllerBase", "parse_stack", "read_scenario", "run_scenario", "stack_levels", "try_task")
 for _name in _INTERNAL:
     globals().pop(_name, None)
 __all__ = ["tasks", "Recorded"] + [name for name, thing in globals().items() if name[0] != "_" and not isinstance(thing, type(_os))]

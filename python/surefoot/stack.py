@@ -139,6 +139,16 @@ def register_task(task: OwnTask) -> None:
     _registered[task.task] = task
 
 
+@checked
+def check_task(task: OwnTask, robot: Robot | str) -> list[str]:
+    """Tries a task of your own in 64 states of a robot, with all sets of feet down: what is wrong, in sentences. Call it in your tests:
+
+        assert surefoot.check_task(MyTask("mine"), "anymal_b") == []
+
+    It finds what raises, what the solver can't solve, and rows that differ for the same input."""
+    return _core.try_task(task, robot if isinstance(robot, Robot) else Robot(robot))
+
+
 def registered_tasks() -> list[OwnTask]:
     return list(_registered.values())
 

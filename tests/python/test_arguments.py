@@ -24,9 +24,11 @@ BAD = {
 }  # fmt: skip
 LIVES_SHORTLY = {"GaitTick"}  # within a gait's method: test_own_gaits.py
 HEAVY = {"film", "report", "picture", "plot", "doctor", "write", "complete"}  # what they take is checked as for all others
-INTERNAL = {"read_scenario", "parse_stack", "stack_levels", "run_scenario", "ControllerBase.__init__", "ControllerBase.set_stack_text", "GaitEvent", "Recorded.__init__", "OwnTask.rows"}  # what surefoot's own Python calls
+INTERNAL = {"read_scenario", "parse_stack", "stack_levels", "run_scenario", "try_task", "ControllerBase.__init__", "ControllerBase.set_stack_text", "GaitEvent", "Recorded.__init__", "OwnTask.rows"}  # what surefoot's own Python calls
 VALID = {  # where the parameter's name alone does not say it
-    "Recorded.in_W": {"name": "truth.p_SB"}, "Recorded.aligned_error": {"name": "com"}, "ControllerBase.switch_levels": {"remove": ["torso_height"]},
+    "Recorded.in_W": lambda world: {"name": "truth.p_SB"}, "Recorded.aligned_error": lambda world: {"name": "com"},
+    "ControllerBase.switch_levels": lambda world: {"remove": ["torso_height"]}, "check_task": lambda world: {"task": world.own_task},
+    "Recorder.__init__": lambda world: {"controller": world.fresh},
 }  # fmt: skip
 TOLD = (ValueError, TypeError, KeyError)  # surefoot.Error is a ValueError
 
@@ -63,6 +65,7 @@ class World:
         self.controller.step(self.plant.read(), self.scenario.user(0))
         self.planner, self.estimator = surefoot.Planner(self.scenario), surefoot.Estimator(self.scenario)
         self.folder, self.log = folder, log
+        self.own_task, self.fresh = Keeps("keeps"), surefoot.Controller(self.scenario)
 
     def argument(self, name):
         user, robot = surefoot.UserCommand(), self.scenario.robot_model
@@ -85,6 +88,7 @@ class World:
             "Planner": self.planner, "Estimator": self.estimator, "Task": surefoot.tasks.ComXy(), "Aligner": surefoot.Aligner(),
             "HierarchicalSolver": surefoot.HierarchicalSolver(), "Recorded": surefoot.read(self.log),
             "Evaluator": surefoot.Evaluator(self.scenario, self.plant, self.controller), "MotionPlan": self.controller.plan,
+            "Recorder": surefoot.Recorder(surefoot.Controller(self.scenario), self.folder / "own.mcap"),
             "RobotState": self.controller.state, "GroundTruth": self.plant.truth, "FootPlan": self.controller.plan.feet["LF"],
             "TorsoPlan": self.controller.plan.torso, "ComPlan": self.controller.plan.com, "ArmPlan": self.controller.plan.arm,
             "ModelRecord": self.controller.model, "SensorHealth": self.controller.health, "GroupHealth": self.controller.health.imu,
@@ -152,7 +156,7 @@ def calls(world, name, kind, function):
                 continue
 
             def call(value, each=each, target=target, needed=needed):
-                others = {one: world.argument(one) for one in needed if one != each} | VALID.get(name, {})
+                others = {one: world.argument(one) for one in needed if one != each} | VALID.get(name, lambda world: {})(world)
                 return target(**others | {each: value})
 
             found.append((each, call))

@@ -71,7 +71,7 @@ def test_a_log_that_would_begin_too_late_is_refused(tmp_path):
     plant = surefoot.Plant(scenario)
     controller = surefoot.Controller(scenario, plant)
     first = surefoot.Evaluator(scenario, plant, controller, str(tmp_path / "a.mcap"))
-    with pytest.raises(surefoot.Error, match=r"another Evaluator records .*; close\(\) it first"):
+    with pytest.raises(surefoot.Error, match=r"another log records .*; close\(\) it first"):
         surefoot.Evaluator(scenario, plant, controller, str(tmp_path / "b.mcap"))
     controller.step(plant.read(), scenario.user(0))
     first.add()
