@@ -3,7 +3,6 @@
 #include "python/bindings.hpp"
 #include "python/dynamics.hpp"
 #include "python/interrupt.hpp"
-#include "python/level_outcome.hpp"
 #include "python/numbers.hpp"
 #include "python/own_parts.hpp"
 #include "python/plant.hpp"
@@ -13,7 +12,6 @@
 #include "surefoot/config/stack_file.hpp"
 #include "surefoot/config/stack_text.hpp"
 #include "surefoot/control/stack_reach.hpp"
-#include "surefoot/logging/hierarchy_status.hpp"
 #include "surefoot/simulation/make_estimator.hpp"
 
 #include <nanobind/stl/optional.h>
@@ -75,6 +73,16 @@ void BoundController::check(const SensorReading& reading) const {
                 std::to_string(num_legs) + ") would be valid");
 }
 
+bool BoundController::set_stack(const control::StackOptions& stack, double duration) {
+  StackNames now = names();
+  return changed([&](control::Controller& controller) {
+    if (!controller.set_stack(stack, duration)) return false;
+    before_ = std::move(now);
+    before_time_ = controller.record().reading.time;
+    return true;
+  });
+}
+
 void BoundController::step(const SensorReading& reading, const NamedCommand& user) {
   const UserCommand command = checked(user);
   check(reading);
@@ -112,9 +120,7 @@ bool set_stack(BoundController& self, const std::string& text, const std::string
   const control::StackOptions stack = config::with_scaled_arms(
       config::parse_stack(text, name, self.robot().scale, own_tasks(own)), self.robot());
   control::check_reach(stack, control::reach_of(model::RobotModel(self.robot())));
-  const bool begins = self.changed(
-      [&](control::Controller& controller) { return controller.set_stack(stack, duration); });
-  if (!begins) return false;
+  if (!self.set_stack(stack, duration)) return false;
   self.changes.add({.time = kNaN,
                     .kind = "stack",
                     .text = "stack " + name,
@@ -154,7 +160,7 @@ std::optional<NamedDynamics> dynamics(const BoundController& self) {
 
 /// The levels of the last tick, as solve() takes them.
 nb::list problem(const BoundController& self) {
-  if (self->dynamics() == nullptr || !logging::was_solved(self->record().hierarchy))
+  if (self->dynamics() == nullptr || self.has_other_stack())
     throw Error(
         "no hierarchy was solved at the last tick, or another stack has come since; after "
         "a step() one would be there");
@@ -269,9 +275,8 @@ void bind_controller(nb::module_& module) {
                     std::to_string(self->steps_taken()) + " footsteps>";
            })
       .def(
-          "levels", [](Self& self) { return outcomes(*self); },
-          "The hierarchy at the last tick, highest priority first; after set_stack() without "
-          "results until the next one.")
+          "levels", [](const Self& self) { return outcomes(*self, self.names()); },
+          "The hierarchy at the last tick, highest priority first.")
       .def_prop_ro(
           "state", [](const Self& self) { return self->record().state; },
           "as believed at the last tick")

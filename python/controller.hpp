@@ -2,6 +2,7 @@
 
 #include "python/changes.hpp"
 #include "python/lent.hpp"
+#include "python/level_outcome.hpp"
 #include "python/named_command.hpp"
 #include "python/robot.hpp"
 #include "surefoot/config/scenario.hpp"
@@ -9,6 +10,7 @@
 #include "surefoot/runtime/stage_timer.hpp"
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -44,6 +46,16 @@ class BoundController : public Lent<control::Controller> {
   void step(const SensorReading& reading, const NamedCommand& user);
   /// How many ticks it has made, but not in a run.
   [[nodiscard]] long ticks() const { return ticks_; }
+  /// Of the stack at the last tick, which may have been another one.
+  [[nodiscard]] StackNames names() const {
+    return has_other_stack() ? *before_ : StackNames{(*this)->level_names(), (*this)->row_names()};
+  }
+  /// Has another stack come since the last tick?
+  [[nodiscard]] bool has_other_stack() const {
+    return before_ && before_time_ == (*this)->record().reading.time;
+  }
+  /// As the controller's; keeps the names of the last tick.
+  [[nodiscard]] bool set_stack(const control::StackOptions& stack, double duration);
   /// A command with its gait found. Throws Error on NaN and on a gait that is not the scenario's.
   [[nodiscard]] UserCommand checked(const NamedCommand& user) const;
   /// What a part of the user's own did wrong, when it does so first.
@@ -74,6 +86,8 @@ class BoundController : public Lent<control::Controller> {
   std::unique_ptr<runtime::StageTimer> timer_;
   std::string told_;
   long ticks_ = 0;
+  std::optional<StackNames> before_;  // the last change of the stack
+  double before_time_ = kNaN;         // of the tick before it [s]
 };
 
 }  // namespace surefoot::python

@@ -89,7 +89,6 @@ class HandEvaluator {
     if (controller.robot().name != scenario.robot.name)
       throw Error("scenario is of " + scenario.robot.name + ", and the controller of " +
                   controller.robot().name);
-    controller->explain_levels(record.has_value());
     if (record)
       log_ = std::make_unique<HandLog>(record->string(), scenario, controller, &plant, model_);
   }

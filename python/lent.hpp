@@ -52,7 +52,7 @@ class Lent {
   }
 
   /// The run goes on with what it lends, until it pauses.
-  void resume() { turn_->begin(Turn::Kind::tick); }
+  void resume() { turn_->resume(); }
   void pause() { turn_->end(); }
   /// The run, which goes on, ends.
   void end() {

@@ -46,13 +46,19 @@ inline std::string state_name(solver::RowState state) {
   return "";
 }
 
-/// The levels of a controller at its last tick.
-inline std::vector<LevelOutcome> outcomes(const control::Controller& controller) {
+/// Of a controller's stack.
+struct StackNames {
+  std::vector<std::string> levels;
+  std::vector<std::vector<std::string>> rows;  ///< by level and id
+};
+
+/// The levels of a controller at its last tick, with the names that its stack had then.
+inline std::vector<LevelOutcome> outcomes(const control::Controller& controller,
+                                          const StackNames& names) {
   const HierarchyReport& report = controller.record().hierarchy;
-  const std::vector<std::string> names = controller.level_names();
   std::vector<LevelOutcome> levels;
   for (std::size_t k = 0; k < static_cast<std::size_t>(report.num_levels); ++k) {
-    levels.push_back({.name = names[k],
+    levels.push_back({.name = names.levels[k],
                       .report = report.levels[k],
                       .active = {},
                       .certificate = {},
@@ -61,7 +67,7 @@ inline std::vector<LevelOutcome> outcomes(const control::Controller& controller)
   for (std::size_t i = 0; i < static_cast<std::size_t>(report.num_active); ++i) {
     const ActiveRow& row = report.active[i];
     levels[static_cast<std::size_t>(row.level)].active.emplace_back(
-        controller.row_name(row.level, row.id),
+        names.rows[static_cast<std::size_t>(row.level)][static_cast<std::size_t>(row.id)],
         state_name(static_cast<solver::RowState>(row.state)));
   }
   return levels;

@@ -188,11 +188,11 @@ class TickHook final : public closed_loop::RunSteering {
     try {
       every_tick_(tick_);
       user_ = tick.controller.checked(tick.user);
+      tick.plant.changes.take(time, 0, log_change_);
+      tick.controller.changes.take(time, 0, log_change_);
     } catch (...) {
       error_ = std::current_exception();
     }
-    tick.plant.changes.take(time, 0, log_change_);
-    tick.controller.changes.take(time, 0, log_change_);
     tick.resume();
     return error_ || tick.stops ? closed_loop::RunOrder::stop : closed_loop::RunOrder::tick;
   }

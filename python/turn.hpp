@@ -41,11 +41,11 @@ class Turn {
   void look() {
     std::unique_lock lock(mutex_);
     if (!is_taken_) return;
-    if (is_mine()) return refuse_inside();
-    ++looks_;
-    wait(lock, [&] { return !is_taken_; });
-    --looks_;
-    changed_.notify_all();
+    if (is_mine()) {
+      if (calls_back_) refuse_inside();
+      return;
+    }
+    wait_before_ticks(lock, kPatience);
     refuse_if_taken();
   }
 
@@ -53,15 +53,23 @@ class Turn {
   /// another tick, and if another thread takes 10 s.
   void begin(Kind kind) {
     std::unique_lock lock(mutex_);
-    if (is_taken_ && is_mine()) return refuse_inside();
+    if (is_taken_ && is_mine()) refuse_inside();
     if (is_taken_ && kind == Kind::tick && kind_ == Kind::tick)
       throw Error("this " + name_ +
                   " is busy with a tick of another thread; one thread at a time would be valid");
-    if (is_taken_ || looks_ > 0) wait(lock, [&] { return !is_taken_ && looks_ == 0; });
+    if (kind == Kind::change) {
+      wait_before_ticks(lock, kPatience);
+    } else {
+      wait(lock, kPatience, [&] { return !is_taken_ && waiting_ == 0; });
+    }
     refuse_if_taken();
-    is_taken_ = true;
-    kind_ = kind;
-    owner_ = std::this_thread::get_id();
+    take(kind);
+  }
+  /// As a tick, however long another thread takes.
+  void resume() {
+    std::unique_lock lock(mutex_);
+    wait(lock, std::chrono::hours(1000), [&] { return !is_taken_ && waiting_ == 0; });
+    take(Kind::tick);
   }
 
   void end() noexcept {
@@ -75,23 +83,38 @@ class Turn {
 
   [[nodiscard]] bool is_mine() const { return owner_ == std::this_thread::get_id(); }
 
-  /// Whoever holds `lock` does not wait for the interpreter's.
+  void take(Kind kind) {
+    is_taken_ = true;
+    kind_ = kind;
+    owner_ = std::this_thread::get_id();
+  }
+  /// The next tick begins after whoever waits here.
+  void wait_before_ticks(std::unique_lock<std::mutex>& lock, std::chrono::seconds patience) {
+    ++waiting_;
+    wait(lock, patience, [&] { return !is_taken_; });
+    --waiting_;
+    changed_.notify_all();
+  }
+  /// Until it holds while this thread has both locks. Nobody waits for one with the other.
   template <typename Condition>
-  void wait(std::unique_lock<std::mutex>& lock, const Condition& holds) {
-    lock.unlock();
-    {
-      const nb::gil_scoped_release others_may_run;
-      lock.lock();
-      (void)changed_.wait_for(lock, kPatience, holds);
+  void wait(std::unique_lock<std::mutex>& lock, std::chrono::seconds patience,
+            const Condition& holds) {
+    const auto end = std::chrono::steady_clock::now() + patience;
+    while (!holds() && std::chrono::steady_clock::now() < end) {
       lock.unlock();
+      {
+        const nb::gil_scoped_release others_may_run;
+        lock.lock();
+        (void)changed_.wait_until(lock, end, holds);
+        lock.unlock();
+      }
+      lock.lock();
     }
-    lock.lock();
   }
 
-  void refuse_inside() const {
-    if (calls_back_)
-      throw Error("this " + name_ +
-                  " is busy with the call that called this; between two ticks would be valid");
+  [[noreturn]] void refuse_inside() const {
+    throw Error("this " + name_ +
+                " is busy with the call that called this; between two ticks would be valid");
   }
   void refuse_if_taken() const {
     if (is_taken_)
@@ -103,7 +126,7 @@ class Turn {
   const bool calls_back_;
   std::mutex mutex_;
   std::condition_variable changed_;
-  int looks_ = 0;  // that wait
+  int waiting_ = 0;  // looks and changes
   bool is_taken_ = false;
   Kind kind_ = Kind::tick;
   std::thread::id owner_;

@@ -89,9 +89,9 @@ class Controller {
 
   /// Between two ticks: replaces the stack by one with the same levels, in any order and with any
   /// parameters. Estimator, plan and safety continue; the torques fade from the old stack's to the
-  /// new one's over `duration` [s] (see `StackFade`). Names are those of the new stack at once, and
-  /// the record has no results of its levels before the next tick. Returns false without effect
-  /// during another change or level switch. Throws Error on an invalid stack or duration.
+  /// new one's over `duration` [s] (see `StackFade`). Names are those of the new stack at once; the
+  /// record is that of the last tick, of the old one. Returns false without effect during another
+  /// change or level switch. Throws Error on an invalid stack or duration.
   /// Allocates.
   [[nodiscard]] bool set_stack(const StackOptions& stack, double duration = 0.3);
   /// Between two ticks: sets the assumed friction coefficient of all feet, like

@@ -3,7 +3,6 @@
 #include "surefoot/base/error.hpp"
 #include "surefoot/base/fields.hpp"
 #include "surefoot/control/controller_implementation.hpp"
-#include "surefoot/control/unsolved_tick.hpp"
 
 #include <memory>
 #include <string>
@@ -38,7 +37,6 @@ bool Controller::set_stack(const StackOptions& stack, double duration) {
   if (!implementation_->stack.set_stack(stack, duration)) return false;
   implementation_->follow_frames();
   implementation_->safety.set_first_free_level(implementation_->stack.tasks().first_free_level());
-  describe_unsolved(implementation_->record.hierarchy);
   return true;
 }
 

@@ -19,18 +19,14 @@ ModelRecord unknown_model(int num_legs) {
 
 }  // namespace
 
-void describe_unsolved(HierarchyReport& hierarchy) {
-  const std::int32_t num_levels = hierarchy.num_levels;
-  hierarchy = HierarchyReport{};
-  hierarchy.num_levels = num_levels;
-  for (LevelReport& level : hierarchy.levels) level.residual = kNaN;
-  hierarchy.status = static_cast<std::int32_t>(solver::SolveStatus::invalid_input);
-}
-
 void describe_unsolved(TickRecord& record, std::array<double, kMaxLevels>& level_times) {
   level_times.fill(0.0);
   record.model = unknown_model(static_cast<int>(record.plan.feet.size()));
-  describe_unsolved(record.hierarchy);
+  const std::int32_t num_levels = record.hierarchy.num_levels;
+  record.hierarchy = HierarchyReport{};
+  record.hierarchy.num_levels = num_levels;
+  for (LevelReport& level : record.hierarchy.levels) level.residual = kNaN;
+  record.hierarchy.status = static_cast<std::int32_t>(solver::SolveStatus::invalid_input);
 }
 
 }  // namespace surefoot::control

@@ -6,9 +6,6 @@
 
 namespace surefoot::control {
 
-/// Of a hierarchy whose levels were not solved yet.
-void describe_unsolved(HierarchyReport& hierarchy);
-
 /// Describes a tick at which nothing was solved: the results of the last one must not be logged
 /// again. `level_times`: of the solver [s].
 void describe_unsolved(TickRecord& record, std::array<double, kMaxLevels>& level_times);

@@ -1,7 +1,6 @@
 // What changes the controller between two ticks: another stack in the place of the present one, and
 // the friction that it assumes.
 #include "surefoot/base/error.hpp"
-#include "surefoot/solver/solution.hpp"
 #include "tests/control/statue.hpp"
 #include "tests/support/malloc_counter.hpp"
 #include "tests/support/messages.hpp"
@@ -64,21 +63,6 @@ TEST(StackChange, the_controllers_names_are_those_of_the_new_stack) {
       EXPECT_EQ(rows[k][id], statue.controller.row_name(static_cast<int>(k), static_cast<int>(id)));
     }
   }
-}
-
-TEST(StackChange, the_new_stacks_levels_have_no_results_of_the_old_ones) {
-  const ControllerOptions options = test::options_of();
-  test::Statue statue(options);
-  statue.run(2);
-  const HierarchyReport& report = statue.controller.record().hierarchy;
-  ASSERT_GT(report.levels[4].num_rows, 0);
-  EXPECT_TRUE(statue.controller.set_stack(changed(options.stack)));
-  EXPECT_EQ(report.status, static_cast<std::int32_t>(solver::SolveStatus::invalid_input));
-  EXPECT_EQ(report.num_levels, std::ssize(statue.controller.level_names()));
-  EXPECT_EQ(report.levels[4].num_rows, 0);
-  statue.run(1);
-  EXPECT_EQ(report.status, 0);
-  EXPECT_GT(report.levels[4].num_rows, 0);
 }
 
 TEST(StackChange, one_at_a_time) {

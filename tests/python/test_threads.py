@@ -140,15 +140,48 @@ def test_what_a_run_lends_waits_for_its_ticks_too(scenario):
     assert set(found) == {6} and "the run of this controller has ended" in failed[0]
 
 
-def test_after_a_change_of_stack_the_levels_have_no_results_of_the_old_one(late):
+def test_a_loop_without_a_plant_lets_changes_in(scenario):
+    """It keeps the interpreter's lock between its ticks for some microseconds only."""
+    controller, stack, failed, changes = surefoot.Controller("anymal_b"), surefoot.Stack("walk"), [], []
+    reading, user = surefoot.Plant(surefoot.load_scenario("walk_flat")).read(), surefoot.UserCommand()
+
+    def change():
+        try:
+            while len(changes) < 10:
+                changes.append(controller.set_stack(stack, duration=0.001))
+        except surefoot.Error as error:
+            failed.append(str(error))
+
+    thread = threading.Thread(target=change)
+    thread.start()
+    while thread.is_alive():
+        controller.step(reading, user)
+    assert not failed and len(changes) == 10
+
+
+def test_right_after_a_change_of_stack_the_levels_are_still_those_of_the_last_tick(late, tmp_path):
     late.task.call = lambda: None
-    for _ in range(2):
-        late.plant.write(late.controller.step(late.plant.read(), late.scenario.user(0)))
-    rows = {level.name: level.num_rows for level in late.controller.levels()}
+    evaluator = surefoot.Evaluator(late.scenario, late.plant, late.controller, tmp_path / "run.mcap")
+
+    def step():
+        late.controller.step(late.plant.read(), late.scenario.user(0))
+        return [repr(level) for level in late.controller.levels()]
+
+    def end():
+        evaluator.add()
+        late.plant.write(late.controller.command)
+
+    step()
+    end()
+    before = step()
     assert late.controller.set_stack(surefoot.Stack("terrain_adaptation").without("com_xy").last(surefoot.tasks.ComXy()).last(late.task))
-    after = late.controller.levels()
-    assert after[-2].name == "com_xy" and {level.num_rows for level in after} == {0} and rows["com_xy"] == 2
+    assert [repr(level) for level in late.controller.levels()] == before and late.controller.level_names[-2] == "com_xy"
     with pytest.raises(surefoot.Error, match="no hierarchy was solved at the last tick, or another stack has come since"):
         late.controller.problem
-    late.controller.step(late.plant.read(), late.scenario.user(0))
-    assert {level.name: level.num_rows for level in late.controller.levels()}["com_xy"] == 2 and late.controller.problem
+    end()
+    after = step()
+    end()
+    assert {level.name: level.num_rows for level in late.controller.levels()}["com_xy"] == 2 and late.controller.problem and after != before
+    evaluator.close()
+    names = [[level["name"] for level in surefoot.explain(tmp_path / "run.mcap", time, exact=False).facts["levels"]] for time in (0.0025, 0.005)]
+    assert names[0].index("com_xy") < names[1].index("com_xy") == len(names[1]) - 2, "the log has each tick with the names of its own stack"
