@@ -130,12 +130,10 @@ void PythonGait::plan_com(const Situation& now, Body& body) {
 }
 
 void PythonGait::plan_com(std::vector<StepAhead> steps, const Situation& now, Body& body) {
-  // A phase for each landing, two for a step, and one to rest.
-  const std::size_t most = (gaits::ComProblem::kMaxPhases - 1 - swings_.size()) / 2;
-  if (steps.size() > most)
+  if (steps.size() > most_steps())
     throw Error("steps has " + std::to_string(steps.size()) + " steps; with " +
                 std::to_string(swings_.size()) + " legs in the air at most " +
-                std::to_string(most) + " would be valid");
+                std::to_string(most_steps()) + " would be valid");
   steps_ = std::move(steps);
   plan_com(now, body);
 }

@@ -65,6 +65,8 @@ class PythonGait final : public gaits::Gait {
     swings_.push_back({leg, now.time + duration});
     begins_step_ = true;
     std::erase_if(steps_, [&](const StepAhead& step) { return step.leg == leg; });
+    if (steps_.size() > most_steps())
+      steps_.erase(steps_.begin() + static_cast<std::ptrdiff_t>(most_steps()), steps_.end());
     act({.events = now.event_list(PlanEvent::lift_off, leg),
          .memory = body.swing.for_new_swing(),
          .swing = gaits::SwingOrder{leg,
@@ -83,6 +85,10 @@ class PythonGait final : public gaits::Gait {
   void plan_com(std::vector<StepAhead> steps, const gaits::Situation& now, gaits::Body& body);
 
  private:
+  /// A plan has a phase for each landing, two for a step ahead, and one to rest.
+  [[nodiscard]] std::size_t most_steps() const {
+    return (gaits::ComProblem::kMaxPhases - 1 - swings_.size()) / 2;
+  }
   [[nodiscard]] double number_of(const char* method, const char* valid) const {
     return in_python([&] {
       const nb::object given = (*object_).attr(method)();

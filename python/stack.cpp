@@ -15,6 +15,8 @@
 #include <nanobind/stl/vector.h>
 
 #include <string>
+#include <string_view>
+#include <vector>
 
 namespace surefoot::python {
 namespace {
@@ -76,8 +78,15 @@ void bind_stack(nb::module_& module) {
   module.def(
       "try_task",
       [](const nb::object& task, const Robot& robot) {
-        return tasks::check_task(nb::cast<std::string>(task.attr("name")), robot.description(),
-                                 own_tasks(nb::list(nb::make_tuple(task))));
+        std::vector<std::string> wrong =
+            tasks::check_task(nb::cast<std::string>(task.attr("name")), robot.description(),
+                              own_tasks(nb::list(nb::make_tuple(task))));
+        constexpr std::string_view kCalled = "write() threw";  // in C++
+        for (std::string& each : wrong) {
+          const std::size_t at = each.find(kCalled);
+          if (at != std::string::npos) each.replace(at, kCalled.size(), "rows() raised");
+        }
+        return wrong;
       },
       nb::arg("task"), nb::arg("robot"),
       nb::sig("def try_task(task: typing.Any, robot: Robot) -> list[str]"));

@@ -140,13 +140,13 @@ def register_task(task: OwnTask) -> None:
 
 
 @checked
-def check_task(task: OwnTask, robot: Robot | str) -> list[str]:
+def check_task(task: OwnTask, robot: Robot | str | os.PathLike[str]) -> list[str]:
     """Tries a task of your own in 64 states of a robot, with all sets of feet down: what is wrong, in sentences. Call it in your tests:
 
         assert surefoot.check_task(MyTask("mine"), "anymal_b") == []
 
     It finds what raises, what the solver can't solve, and rows that differ for the same input."""
-    return _core.try_task(task, robot if isinstance(robot, Robot) else Robot(robot))
+    return _core.try_task(task, robot if isinstance(robot, Robot) else Robot(os.fspath(robot)))
 
 
 def registered_tasks() -> list[OwnTask]:
@@ -184,9 +184,9 @@ def check_name(name: str) -> None:
 
 def check_stack_name(name: str) -> None:
     """Files are called so."""
-    if not re.fullmatch(r"(?!\.+$)[\w.][^\n\"'{}\[\]:#,/\\\0]{0,199}", name):
-        raise Error(f"{name!r} is no name of a stack; a text that begins with a letter or digit, of at most 200, without slashes, quotes, brackets, "
-                    "colons and commas is valid")  # fmt: skip
+    if not re.fullmatch(r"\w[^\n\"'{}\[\]:#,/\\\0]{0,199}", name):
+        raise Error(f"{name!r} is no name of a stack; one that begins with a letter, a digit or _, of at most 200, without slashes, quotes, brackets, "
+                    "colons, commas and #, would be valid: Stack(…, name=…)")  # fmt: skip
 
 
 @checked
@@ -317,7 +317,7 @@ class Stack:
         their names: what reads it needs register_task()."""
         of = Robot(os.fspath(robot)) if isinstance(robot, str | os.PathLike) else robot
         fit = f"# Its numbers fit {'ANYmal B' if of is None else of.name}; Stack.write(…, robot=…) writes those of another robot.\n"
-        pathlib.Path(path).write_text(fit * (self._base is not None) + self.text(of))
+        pathlib.Path(path).write_text(fit * (self._base is not None) + self.text(of), encoding="utf-8")
 
     @property
     def own_tasks(self) -> list[OwnTask]:

@@ -251,10 +251,10 @@ class Recorded:
         """Computes every torque again, as `surefoot replay --verify`: whether they are the `same`, to the bit, in how many `ticks`, and what differs."""
         return self._replayed("--verify")
 
-    def compare(self, stack: str) -> dict[str, Any]:
+    def compare(self, stack: str | os.PathLike[str]) -> dict[str, Any]:
         """What another stack, by its name or file, would have commanded at each tick, as `surefoot replay --stack`: its `joints` and `levels` beside
         the run's."""
-        return self._replayed("--stack", stack)
+        return self._replayed("--stack", os.fspath(stack))
 
     def _replayed(self, *words: str) -> dict[str, Any]:
         with told_as_error():

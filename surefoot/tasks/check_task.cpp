@@ -28,7 +28,8 @@ class Trial {
     plan_.feet.resize(robot.num_legs());
   }
 
-  TaskInput draw() {
+  /// Bit k of `lifted`: foot k is in the air.
+  TaskInput draw(int lifted) {
     const model::RobotDescription& robot = model_.description();
     RobotState state;
     state.time = 0.0;
@@ -45,7 +46,7 @@ class Trial {
     const model::Dynamics& dynamics = model_.update(state, Vec3::UnitZ());
     for (const Leg leg : plan_.feet.legs()) {
       FootPlan& foot = plan_.feet[index(leg)];
-      foot.phase = uniform(1.0) > -0.4 ? LegPhase::stance : LegPhase::swing;
+      foot.phase = (lifted >> index(leg)) % 2 == 0 ? LegPhase::stance : LegPhase::swing;
       foot.p_WF = dynamics.foot[index(leg)].p + vector(0.05);
       foot.v_WF = vector(0.2);
       foot.force_max = 400.0;
@@ -137,7 +138,7 @@ std::vector<std::string> check_task(std::string_view name, const model::RobotDes
       task->set_first_id(7);  // as behind another task of its level
       check_sizes(*task, name);
       note(fault_of_names(*task));
-      for (int i = 0; i < kNumStates; ++i) note(fault_of(*task, trial.draw()));
+      for (int i = 0; i < kNumStates; ++i) note(fault_of(*task, trial.draw(i)));
     } catch (const std::exception& error) {
       note(error.what());
     } catch (...) {

@@ -49,7 +49,7 @@ def test_what_other_threads_print_meanwhile_is_seen(tmp_path, capsys):
     during = capsys.readouterr().out
     done.set()
     thread.join()
-    assert during.count("still here") > 5 and set(during.split("\n")) == {"still here", ""}
+    assert during.count("still here") > 0 and set(during.split("\n")) == {"still here", ""}
 
 
 def test_notes_of_a_campaign_and_what_broke_are_with_its_results_and_not_on_stderr(tmp_path, log, capfd):

@@ -157,7 +157,7 @@ def test_a_task_of_ones_own_has_further_attributes_and_so_has_one_that_is_derive
 
 @pytest.mark.parametrize("name", ["v1/2", "../../tmp/zz", "a\\b", "..", "- a", "*a", "a: b", "a\0", "a" * 201])
 def test_a_stacks_name_is_one_that_a_file_can_have(name):
-    with pytest.raises(surefoot.Error, match="is no name of a stack; a text that begins with a letter"):
+    with pytest.raises(surefoot.Error, match="is no name of a stack; one that begins with a letter"):
         Stack("terrain_adaptation", name=name)
 
 
