@@ -1,4 +1,5 @@
 #include "python/bindings.hpp"
+#include "python/interpreter.hpp"
 #include "python/interrupt.hpp"
 #include "python/robot.hpp"
 #include "surefoot/base/error.hpp"
@@ -32,7 +33,7 @@ Examined examine(const std::filesystem::path& description, const std::string& na
   Examined result;
   Interrupt interrupt;
   {
-    const nb::gil_scoped_release others_may_run;
+    const Interpreter::Unlocked others_may_run;
     result.diagnosis = doctor::examine(description.string(), name);
     if (walk && result.diagnosis.robot) {
       doctor::TrialOptions options;

@@ -1,5 +1,6 @@
 #include "python/bindings.hpp"
 #include "python/explanation.hpp"
+#include "python/interpreter.hpp"
 #include "python/level_dict.hpp"
 #include "surefoot/explain/explain.hpp"
 
@@ -14,9 +15,9 @@ namespace {
 
 Explanation explain_log(const std::filesystem::path& log, double time, bool exact) {
   if (!std::isfinite(time)) throw Error("time is " + text(time) + "; expected seconds of the log");
-  const nb::gil_scoped_release others_may_run;
+  const Interpreter::Unlocked others_may_run;
   const auto stops = [] {
-    const nb::gil_scoped_acquire python;
+    const Interpreter::Locked python;
     if (PyErr_CheckSignals() != 0) throw nb::python_error();
     return false;
   };

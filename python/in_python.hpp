@@ -1,5 +1,6 @@
 #pragma once
 
+#include "python/interpreter.hpp"
 #include "python/interrupt.hpp"
 #include "surefoot/base/error.hpp"
 
@@ -32,7 +33,7 @@ const T& result_of(nb::handle object, const char* method, const char* type, nb::
 /// Calls with the interpreter's lock. What ends a program waits until the tick is over.
 template <typename Call>
 auto in_python(const Call& call) {
-  const nb::gil_scoped_acquire python;
+  const Interpreter::Locked python;
   try {
     return call();
   } catch (nb::python_error& error) {

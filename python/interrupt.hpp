@@ -1,5 +1,7 @@
 #pragma once
 
+#include "python/interpreter.hpp"
+
 #include <nanobind/nanobind.h>
 
 #include <optional>
@@ -38,7 +40,7 @@ class Interrupt {
       error_.emplace(std::move(*waiting_exit()));
       waiting_exit().reset();
     } else if (++calls_ % kCalls == 0) {
-      const nb::gil_scoped_acquire python;
+      const Interpreter::Locked python;
       if (PyErr_CheckSignals() != 0) error_.emplace();
     }
     return has_come();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "python/interpreter.hpp"
 #include "python/turn.hpp"
 #include "surefoot/base/error.hpp"
 
@@ -41,7 +42,7 @@ class Lent {
   void unlocked(const Call& call) {
     const Turn::Taken taken(*turn_, Turn::Kind::tick);
     T& mine = object();
-    const nb::gil_scoped_release others_may_run;
+    const Interpreter::Unlocked others_may_run;
     call(mine);
   }
   /// Calls with the object, whose change may call code of the user's.

@@ -1,6 +1,7 @@
 // The compiled part of the Python package `surefoot`, under the names of C++.
 
 #include "python/bindings.hpp"
+#include "python/interpreter.hpp"
 #include "surefoot/base/build_info.hpp"
 #include "surefoot/base/error.hpp"
 
@@ -28,6 +29,7 @@ NB_MODULE(_core, module) {
   module.attr("__version__") = build_info().version;
   // Parts of the user's own may refer back to what holds them, which no collector sees at exit.
   nb::set_leak_warnings(false);
+  nb::module_::import_("atexit").attr("register")(nb::cpp_function(&Interpreter::end));
   bind_errors(module);
   bind_signals(module);
   bind_level(module);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "python/in_python.hpp"
+#include "python/interpreter.hpp"
 #include "python/robot.hpp"
 #include "surefoot/config/scenario.hpp"
 #include "surefoot/estimation/state_estimator.hpp"
@@ -24,7 +25,7 @@ class SharedObject {
  public:
   explicit SharedObject(nb::object object)
       : object_(new nb::object(std::move(object)), [](nb::object* last) {
-          const nb::gil_scoped_acquire python;
+          const Interpreter::Locked python;
           delete last;
         }) {}
   /// With the lock.
@@ -50,7 +51,7 @@ void check_update(nb::handle object, nb::handle base, bool asks_library, const c
 template <typename Bound>
 void begin_anew(const SharedObject& object, const char* takes,
                 const model::RobotDescription& robot) {
-  const nb::gil_scoped_acquire python;
+  const Interpreter::Locked python;
   if (nb::inst_check(*object) && !nb::inst_ready(*object))
     throw Error(text_of((*object).type().attr("__name__")) +
                 ".__init__ must call super().__init__() first");

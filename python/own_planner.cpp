@@ -2,6 +2,7 @@
 
 #include "python/bindings.hpp"
 #include "python/dynamics.hpp"
+#include "python/interpreter.hpp"
 #include "python/named_command.hpp"
 #include "python/numbers.hpp"
 #include "python/own_parts.hpp"
@@ -159,7 +160,7 @@ void bind_planner(nb::module_& module) {
 std::unique_ptr<gaits::MotionPlanner> own_planner(const SharedObject& object,
                                                   const model::RobotDescription& robot) {
   begin_anew<BoundPlanner>(object, "user, state, dynamics, last", robot);
-  const nb::gil_scoped_acquire python;
+  const Interpreter::Locked python;
   return std::make_unique<PythonPlanner>(object, robot);
 }
 

@@ -3,6 +3,7 @@
 #include "python/bindings.hpp"
 #include "python/dynamics.hpp"
 #include "python/in_python.hpp"
+#include "python/interpreter.hpp"
 #include "python/numbers.hpp"
 #include "python/own_parts.hpp"
 #include "surefoot/tasks/task.hpp"
@@ -166,7 +167,7 @@ tasks::OwnTasks own_tasks(const nb::list& list) {
     const PythonTask task(object);  // refuses one that makes no sense
     own.add({.info = {.name = std::string(task.name()), .unit = task.unit()},
              .make = [object](const tasks::TaskParameters&) -> std::unique_ptr<tasks::Task> {
-               const nb::gil_scoped_acquire python;
+               const Interpreter::Locked python;
                return std::make_unique<PythonTask>(object);
              }});
   }

@@ -1,6 +1,7 @@
 #include "python/plant.hpp"
 
 #include "python/bindings.hpp"
+#include "python/interpreter.hpp"
 #include "python/joint_command.hpp"
 #include "surefoot/base/fields.hpp"
 #include "surefoot/base/formatted.hpp"
@@ -104,7 +105,7 @@ void bind_plant(nb::module_& module) {
                    "disturbances. That of a run's Tick ends with the run.",
                    nb::type_slots(kNoVectorcall))
       .def(nb::init<const config::Scenario&>(), nb::arg("scenario"),
-           nb::call_guard<nb::gil_scoped_release>())
+           nb::call_guard<Interpreter::Unlocked>())
       .def("__repr__",
            [](const Self& self) {
              return self.has_ended() ? std::string("<plant of a run that has ended>")

@@ -2,6 +2,7 @@
 
 #include "python/bindings.hpp"
 #include "python/controller.hpp"
+#include "python/interpreter.hpp"
 #include "python/interrupt.hpp"
 #include "python/metrics.hpp"
 #include "python/own_parts.hpp"
@@ -170,18 +171,18 @@ class TickHook final : public closed_loop::RunSteering {
   TickHook(const TickHook&) = delete;
   TickHook& operator=(const TickHook&) = delete;
   ~TickHook() override {
-    const nb::gil_scoped_acquire python;
+    const Interpreter::Locked python;
     if (tick_.is_valid()) nb::cast<Tick&>(tick_).end();
   }
 
   void begin(const closed_loop::RunParts& parts) override {
-    const nb::gil_scoped_acquire python;
+    const Interpreter::Locked python;
     tick_ = nb::cast(Tick{{scenario_, parts.plant}, {scenario_, parts.controller}, {}});
     nb::cast<Tick&>(tick_).resume();
     log_change_ = parts.log_change;
   }
   closed_loop::RunOrder before_tick(double time) override {
-    const nb::gil_scoped_acquire python;
+    const Interpreter::Locked python;
     Tick& tick = nb::cast<Tick&>(tick_);
     tick.user = scenario_.user(time);
     tick.pause();
@@ -235,7 +236,7 @@ Result run(const config::Scenario& scenario, const std::optional<std::string>& r
   options.steering = hook ? &*hook : nullptr;
   closed_loop::RunResult run;
   {
-    const nb::gil_scoped_release others_may_run;
+    const Interpreter::Unlocked others_may_run;
     run = closed_loop::run_closed_loop(scenario, options);
   }
   interrupt.raise();

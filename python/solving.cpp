@@ -1,5 +1,6 @@
 #include "python/bindings.hpp"
 #include "python/explanation.hpp"
+#include "python/interpreter.hpp"
 #include "python/level_dict.hpp"
 #include "python/level_outcome.hpp"
 #include "python/numbers.hpp"
@@ -150,7 +151,7 @@ void check_method(const std::string& method, double budget) {
 
 solver::Solution solve(const solver::Hierarchy& hierarchy, const std::string& method,
                        double budget) {
-  const nb::gil_scoped_release others_may_run;
+  const Interpreter::Unlocked others_may_run;
   if (method == name(control::SolverMethod::cascade))
     return solver::solve_in_even_units<solver::CascadeSolver>(
         hierarchy, solver::CascadeOptions{.rank = {}, .clock = runtime::steady_seconds});
@@ -184,7 +185,7 @@ void tell_certificates(NamedSolution& result) {
       result.failed_level ? static_cast<std::size_t>(*result.failed_level) : hierarchy.num_levels();
   std::vector<solver::LevelCertificate>& certificates = result.certificates;
   {
-    const nb::gil_scoped_release others_may_run;
+    const Interpreter::Unlocked others_may_run;
     certificates = solver::certify(hierarchy, result.solution.x, {.levels = finished});
   }
   for (std::size_t k = 0; k < certificates.size(); ++k) {
@@ -233,7 +234,7 @@ class WarmSolver {
     const Turn::Taken taken(turn_, Turn::Kind::tick);
     if (!fits(question.hierarchy)) make_room(question.hierarchy);
     {
-      const nb::gil_scoped_release others_may_run;
+      const Interpreter::Unlocked others_may_run;
       solver_->solve(question.hierarchy);
     }
     return answer(std::move(question), solver_->solution(), budget_, is_certified);
@@ -278,7 +279,7 @@ class WarmSolver {
 };
 
 Explanation explained(const NamedSolution& solved) {
-  const nb::gil_scoped_release others_may_run;
+  const Interpreter::Unlocked others_may_run;
   explain::SolutionExplanation told = explain::explain_solution(solved.question, solved.solution);
   told.certificates = solved.certificates;
   told.is_budget_spent = solved.solution.flops >= solved.budget;

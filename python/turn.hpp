@@ -1,5 +1,6 @@
 #pragma once
 
+#include "python/interpreter.hpp"
 #include "surefoot/base/error.hpp"
 
 #include <nanobind/nanobind.h>
@@ -103,7 +104,7 @@ class Turn {
     while (!holds() && std::chrono::steady_clock::now() < end) {
       lock.unlock();
       {
-        const nb::gil_scoped_release others_may_run;
+        const Interpreter::Unlocked others_may_run;
         lock.lock();
         (void)changed_.wait_until(lock, end, holds);
         lock.unlock();

@@ -1,5 +1,7 @@
 """Several threads at one controller and plant."""
 
+import subprocess
+import sys
 import threading
 import time
 from types import SimpleNamespace
@@ -185,3 +187,36 @@ def test_right_after_a_change_of_stack_the_levels_are_still_those_of_the_last_ti
     evaluator.close()
     names = [[level["name"] for level in surefoot.explain(tmp_path / "run.mcap", time, exact=False).facts["levels"]] for time in (0.0025, 0.005)]
     assert names[0].index("com_xy") < names[1].index("com_xy") == len(names[1]) - 2, "the log has each tick with the names of its own stack"
+
+
+DAEMONS = {
+    "a loop": "plant.write(controller.step(plant.read(), user))",
+    "a loop with an estimator of its own": "plant.write(own.step(plant.read(), user))",
+    "runs": "surefoot.run('walk_flat_ideal', set=['duration=1'])",
+    "runs with a callback": "surefoot.run('walk_flat_ideal', set=['duration=1'], every_tick=lambda tick: None)",
+    "solves": "surefoot.solve([{'A': [[1, 1]], 'b': [1]}])",
+}
+
+
+@pytest.mark.parametrize("what", DAEMONS)
+def test_a_program_ends_as_it_wants_while_a_daemon_thread_is_in_the_library(what):
+    """Where Python ends a thread that asks for its lock too late."""
+    script = f"""
+import sys, threading, surefoot
+class Looks(surefoot.Estimator):
+    def update(self, reading, context):
+        return super().update(reading, context)
+scenario = surefoot.load_scenario("walk_flat")
+plant, user, begun = surefoot.Plant(scenario), surefoot.UserCommand(), threading.Event()
+controller, own = surefoot.Controller(scenario), surefoot.Controller(scenario, estimator=Looks(scenario))
+def loop():
+    while True:
+        {DAEMONS[what]}
+        begun.set()
+threading.Thread(target=loop, daemon=True).start()
+begun.wait()
+sys.exit(3)
+"""
+    for _ in range(3):
+        done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True)
+        assert (done.returncode, done.stderr) == (3, "")
