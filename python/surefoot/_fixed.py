@@ -26,4 +26,10 @@ def refuse_to_set(kind: type, advice: Callable[[Any, str], str], fixed: Collecti
             raise FixedError(advice(self, name))
         object.__setattr__(self, name, value)
 
+    def delete(self: object, name: str) -> None:
+        if name in fixed or (is_librarys(type(self)) and name[0] != "_"):
+            raise FixedError(advice(self, name))
+        object.__delattr__(self, name)
+
     setattr(kind, "__setattr__", assign)
+    setattr(kind, "__delattr__", delete)

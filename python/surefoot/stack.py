@@ -17,7 +17,7 @@ import numpy.typing as npt
 
 from surefoot import _core
 from surefoot._arguments import checked, is_list, is_whole
-from surefoot._core import Error, Robot, TaskTick, UnknownNameError
+from surefoot._core import Error, FileError, Robot, TaskTick, UnknownNameError
 from surefoot._fixed import refuse_to_set
 from surefoot._named import Parameters, named
 from surefoot._paths import absolute_path
@@ -317,7 +317,10 @@ class Stack:
         their names: what reads it needs register_task()."""
         of = Robot(os.fspath(robot)) if isinstance(robot, str | os.PathLike) else robot
         fit = f"# Its numbers fit {'ANYmal B' if of is None else of.name}; Stack.write(…, robot=…) writes those of another robot.\n"
-        pathlib.Path(path).write_text(fit * (self._base is not None) + self.text(of), encoding="utf-8")
+        try:
+            pathlib.Path(path).write_text(fit * (self._base is not None) + self.text(of), encoding="utf-8")
+        except OSError as error:
+            raise FileError(f"{os.fspath(path)}: {error.strerror}; a file in a folder that exists would be valid") from None
 
     @property
     def own_tasks(self) -> list[OwnTask]:

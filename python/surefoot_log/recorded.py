@@ -154,7 +154,9 @@ class Recorded:
 
     def _alignment(self, member: str) -> Array:
         if "/alignment" not in self._log.topics() or len(self.table("alignment").column_names) < 2:
-            raise KeyError(f"{self._log.path} has no /alignment: its version is {self.header['log_version']}, logs have it from 3.0 on; record the run anew")
+            old = f"its version is {self.header['log_version']}, logs have it from 3.0 on; record the run anew"
+            why = old if "/truth" in self._log.topics() else "it was recorded without a plant"
+            raise KeyError(f"{self._log.path} has no /alignment: {why}")
         return np.asarray(self[f"alignment.{member}"])
 
     @cached_property

@@ -60,6 +60,8 @@ void Sensors::accumulate(const Vec3& specific_force) noexcept {
 void Sensors::read(const GroundTruth& truth, SensorReading& reading) noexcept {
   const Noise noise = draw(truth.q.size());
   reading.time = truth.time;
+  if (reading.foot_force.size() != truth.feet.size())
+    reading.foot_force = per_leg(kNaN, static_cast<int>(truth.feet.size()));
   drift();
   read_encoders(truth, reading);
   if (torque_clock_.is_due()) {

@@ -33,6 +33,8 @@ def test_a_controller_without_a_plant_is_recorded_explained_and_computed_again(t
     assert found["same"] and found["ticks"] == 100
     with pytest.raises(KeyError, match="has no metrics, .* or of one without a plant"):
         log.metrics
+    with pytest.raises(KeyError, match="has no /alignment: it was recorded without a plant"):
+        log.aligned_error("com")
     with pytest.raises(surefoot.Error, match="has no attachment model.xml, which this needs; a log that is recorded with a plant would be valid"):
         log.picture(0.1)
 

@@ -360,6 +360,13 @@ def test_what_is_kept_of_a_tick_says_that_its_run_has_ended():
             use()
 
 
+def test_a_robot_that_only_stands_has_a_controller_of_its_own():
+    controller = surefoot.Controller("g1")
+    assert controller.step(surefoot.SensorReading(29, 2), surefoot.UserCommand()).torque.shape == (29,)
+    plant = surefoot.Plant(surefoot.load_scenario("flat_feet"))
+    assert plant.read().foot_force.shape == (2,) and surefoot.Plant(surefoot.load_scenario("walk_flat", robot="hexapod")).read().foot_force.shape == (6,)
+
+
 def test_what_belongs_to_another_robot_is_refused(scenario):
     other = surefoot.Plant(surefoot.load_scenario("walk_flat", robot="go1"))
     with pytest.raises(surefoot.Error, match="plant is of the robot go1, and the controller of anymal_b"):

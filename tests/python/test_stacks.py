@@ -165,6 +165,8 @@ def test_a_stacks_name_may_be_a_text_and_is_not_set_later():
     made = Stack("terrain_adaptation", name="größer 2.1 - b")
     with pytest.raises(surefoot.Error, match=r"name of a stack can't be set; Stack\(…, name=…\)"):
         made.name = "other"
+    with pytest.raises(surefoot.Error, match=r"name of a stack can't be set; Stack\(…, name=…\)"):
+        del made.name
     with pytest.raises(surefoot.Error, match=r"has no kp to set; before\(\), .* give another stack"):
         made.kp = 3
     assert surefoot.load_scenario("walk_flat", stack=made).name == "walk_flat"
