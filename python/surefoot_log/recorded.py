@@ -250,7 +250,8 @@ class Recorded:
             return pathlib.Path(write_report(self._log.path, folder, pictures))
 
     def verify(self) -> dict[str, Any]:
-        """Computes every torque again, as `surefoot replay --verify`: whether they are the `same`, to the bit, in how many `ticks`, and what differs."""
+        """Computes every torque again, as `surefoot replay --verify`: whether they are the `same`, to the bit, in how many `ticks`, and what differs.
+        A run with a task of your own is computed again in C++ alone (ReplayOptions::own_tasks)."""
         return self._replayed("--verify")
 
     def compare(self, stack: str | os.PathLike[str]) -> dict[str, Any]:
