@@ -153,8 +153,8 @@ class Controller(_core.ControllerBase):
                 raise Error("a scenario has its stack and options; give them to load_scenario(…, stack=…, set=…)")
             scenario = of
         else:
-            script: Any = {"user": []} if isinstance(set, Mapping) else ["user=[]"]  # each step has its command
-            scenario = load_scenario(PLAIN, set=script | dict(set) if isinstance(set, Mapping) else [*script, *set], robot=of, stack=stack)
+            words: Any = {"user": []} | dict(set) if isinstance(set, Mapping) else ["user=[]", *set]  # each step() has its command
+            scenario = load_scenario(PLAIN, set=words, robot=of, stack=stack)
         super().__init__(scenario, plant, estimator, planner)
         vars(self)["scenario"] = scenario
 
