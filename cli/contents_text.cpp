@@ -1,9 +1,9 @@
 #include "cli/contents_text.hpp"
 
-#include "cli/clock_text.hpp"
 #include "surefoot/base/formatted.hpp"
 #include "surefoot/base/text_table.hpp"
 #include "surefoot/explain/outcome.hpp"
+#include "surefoot/logging/clock_text.hpp"
 
 namespace surefoot::cli {
 namespace {
@@ -141,7 +141,8 @@ std::string contents_text(const std::string& path, const LogContents& contents) 
       (contents.problem.empty() ? ", the file is whole\n" : ", the file is not whole\n");
   if (!contents.problem.empty()) out += "  " + contents.problem + "\n";
   out += "\n" + facts(contents) + "\n";
-  if (const std::string clock = clock_text(contents.clock); !clock.empty()) out += clock + "\n";
+  if (const std::string clock = logging::clock_text(contents.clock); !clock.empty())
+    out += clock + "\n";
   if (!contents.topics.empty()) out += topics(contents) + "\n";
   return out + attachments(contents);
 }
@@ -177,7 +178,7 @@ Json contents_json(const std::string& path, const LogContents& contents) {
   json["attachments"] = Json::object();
   for (const AttachmentContents& one : contents.attachments)
     json["attachments"][one.name] = one.bytes;
-  add_clock(contents.clock, json);
+  logging::add_clock(contents.clock, json);
   json["summary"] = result_json(contents);
   if (!contents.problem.empty()) json["problem"] = contents.problem;
   if (!contents.losses.empty())

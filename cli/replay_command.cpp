@@ -1,6 +1,5 @@
 #include "cli/replay_command.hpp"
 
-#include "cli/clock_text.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/log_commands.hpp"
 #include "cli/replay_text.hpp"
@@ -8,10 +7,12 @@
 #include "surefoot/base/error.hpp"
 #include "surefoot/base/printable.hpp"
 #include "surefoot/control/asked_stack.hpp"
+#include "surefoot/logging/clock_text.hpp"
 #include "surefoot/logging/hierarchy_status.hpp"
 #include "surefoot/logging/log_reader.hpp"
 #include "surefoot/logging/output_files.hpp"
 #include "surefoot/logging/whole_file.hpp"
+#include "surefoot/replay/replay_json.hpp"
 #include "surefoot/runtime/interrupt.hpp"
 
 #include <array>
@@ -54,7 +55,7 @@ class TickTable {
     if (!has_head_) write_head(header, other_levels);
     has_head_ = true;
     const bool is_answered = other != nullptr && other->is_usable();
-    file_ << shortest(to_nanosecond(logged.reading.time));
+    file_ << shortest(logging::to_nanosecond(logged.reading.time));
     origin(logged.command, logged.hierarchy);
     if (other == nullptr)
       file_ << ",,";
@@ -116,7 +117,7 @@ class TickTable {
 int verify(const ReplayArguments& arguments, std::ostream& out) {
   const replay::Verification result = replay::verify_log(arguments.log);
   if (arguments.json) {
-    out << printable(verification_json(arguments.log, result).dump()) << std::endl;
+    out << printable(replay::json_of(arguments.log, result)) << std::endl;
   } else {
     out << printable(verification_text(arguments.log, result), "\n") << std::flush;
   }
@@ -153,7 +154,7 @@ int run_replay(const ReplayArguments& arguments, std::ostream& out) {
   if (arguments.verify) return verify(arguments, out);
   const replay::StackComparison result = compare(arguments);
   if (arguments.json) {
-    out << printable(comparison_json(arguments.log, result).dump()) << std::endl;
+    out << printable(replay::json_of(arguments.log, result)) << std::endl;
   } else {
     out << printable(comparison_text(arguments.log, result), "\n") << std::flush;
   }

@@ -1,16 +1,14 @@
 #include "cli/replay_text.hpp"
 
-#include "cli/clock_text.hpp"
 #include "surefoot/base/build_info.hpp"
 #include "surefoot/base/formatted.hpp"
 #include "surefoot/base/text_table.hpp"
+#include "surefoot/logging/clock_text.hpp"
 
 #include <cmath>
 
 namespace surefoot::cli {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 std::string seconds(double time) { return formatted("%.4f s", time); }
 
@@ -95,32 +93,6 @@ std::string another_build(const logging::LogHeader& header) {
   return "The log was recorded by " + built_from(header) + ", this is surefoot " +
          std::string(build.version) + ", commit " + std::string(build.commit) +
          ": another build may compute other bits.\n";
-}
-
-Json joint_json(const logging::LogHeader& header, const replay::TorqueDifference& difference) {
-  return {{"tick", difference.tick},
-          {"time", difference.time},
-          {"joint", header.robot.joint_names[static_cast<std::size_t>(difference.joint)]},
-          {"logged", difference.logged},
-          {"computed", difference.computed}};
-}
-
-Json gap_json(const replay::LogGap& gap) {
-  return {{"from", gap.from ? Json(to_nanosecond(*gap.from)) : Json(nullptr)},
-          {"to", to_nanosecond(gap.to)},
-          {"ticks_behind", gap.ticks_behind}};
-}
-
-Json log_json(const std::string& path, const logging::LogHeader& header) {
-  return {{"log", path},           {"scenario", header.scenario}, {"seed", header.seed},
-          {"stack", header.stack}, {"version", header.version},   {"commit", header.commit}};
-}
-
-/// `time`: of the largest; null without one.
-Json difference_json(double rms, double largest, double time) {
-  return {{"rms", rms},
-          {"largest", largest},
-          {"time", largest == 0.0 ? Json() : Json(to_nanosecond(time))}};
 }
 
 /// Three digits, from 100 on all before the point.
@@ -243,13 +215,6 @@ std::string optimality(const replay::StackComparison& result) {
   return out;
 }
 
-Json count_json(const replay::TickCount& count) {
-  Json json = {{"ticks", count.ticks}};
-  if (count.ticks > 0) json["first"] = to_nanosecond(count.first);
-  if (!count.why.empty()) json["why"] = count.why;
-  return json;
-}
-
 }  // namespace
 
 std::string verification_text(const std::string& path, const replay::Verification& result) {
@@ -261,40 +226,15 @@ std::string verification_text(const std::string& path, const replay::Verificatio
     return out +
            (result.is_all() ? "every torque is the same to the bit.\n"
                             : "so far every torque is the same to the bit.\n") +
-           clock_text(result.clock) + not_compared(result) + all_compared(result) +
+           logging::clock_text(result.clock) + not_compared(result) + all_compared(result) +
            not_whole(result.problem);
   }
   out += std::to_string(result.different_ticks) + " have another torque or mode.\n";
   if (result.first) out += "  first:   " + place(result.header, *result.first);
   if (result.largest) out += "  largest: " + place(result.header, *result.largest);
-  return out + first_cause(result) + another_build(result.header) + clock_text(result.clock) +
-         not_compared(result) + all_compared(result) + not_whole(result.problem);
-}
-
-Json verification_json(const std::string& path, const replay::Verification& result) {
-  Json json = log_json(path, result.header);
-  json["estimated"] = result.estimated;
-  if (!result.played_back.empty()) json["played_back"] = result.played_back;
-  json["ticks"] = result.ticks;
-  json["first_time"] = result.first_time;
-  json["last_time"] = result.last_time;
-  if (result.is_same() && !result.is_all()) {
-    json["same"] = nullptr;
-  } else {
-    json["same"] = result.is_same();
-  }
-  json["different_ticks"] = result.different_ticks;
-  if (result.first) json["first"] = joint_json(result.header, *result.first);
-  if (result.largest) json["largest"] = joint_json(result.header, *result.largest);
-  json["different_messages"] = Json::object();
-  for (const replay::MessageDifferences& topic : result.messages)
-    if (topic.ticks > 0)
-      json["different_messages"][topic.topic] = {{"ticks", topic.ticks}, {"first", topic.first}};
-  json["all_compared"] = result.is_all();
-  add_clock(result.clock, json);
-  if (result.gap) json["gap"] = gap_json(*result.gap);
-  if (!result.problem.empty()) json["problem"] = result.problem;
-  return json;
+  return out + first_cause(result) + another_build(result.header) +
+         logging::clock_text(result.clock) + not_compared(result) + all_compared(result) +
+         not_whole(result.problem);
 }
 
 std::string comparison_text(const std::string& path, const replay::StackComparison& result) {
@@ -304,43 +244,6 @@ std::string comparison_text(const std::string& path, const replay::StackComparis
          span(result.ticks, result.first_time, result.last_time) + "\n" + compared(result) + "\n" +
          tables + "\n" + walk_end(result, tables) + optimality(result) +
          behind_gap(result.gap, "asked") + not_whole(result.problem);
-}
-
-Json comparison_json(const std::string& path, const replay::StackComparison& result) {
-  Json json = log_json(path, result.header);
-  json["other"] = result.other;
-  json["ticks"] = result.ticks;
-  json["first_time"] = to_nanosecond(result.first_time);
-  json["last_time"] = to_nanosecond(result.last_time);
-  json["compared"] = result.compared;
-  for (std::size_t i = 0; i < result.joints.size(); ++i) {
-    const replay::JointComparison& joint = result.joints[i];
-    json["torque_difference"][result.header.robot.joint_names[i]] =
-        difference_json(joint.rms, joint.largest, joint.time);
-  }
-  json["levels"] = Json::array();
-  for (const replay::LevelComparison& level : result.levels) {
-    Json one = {{"name", level.name}, {"unit", level.unit}};
-    if (level.in_log)
-      one["logged"] = difference_json(level.logged_rms, level.logged_max, level.logged_time);
-    if (level.in_other)
-      one["other"] = difference_json(level.other_rms, level.other_max, level.other_time);
-    json["levels"].push_back(std::move(one));
-  }
-  json["not_optimal"] = {{"logged", result.logged_not_optimal.ticks},
-                         {"other", result.other_not_optimal.ticks}};
-  json["unanswered"] = {{"logged", count_json(result.logged_unanswered)},
-                        {"other", count_json(result.other_unanswered)}};
-  json["not_asked"] = count_json(result.not_asked);
-  json["other_stopped"] = count_json(result.other_stopped);
-  json["not_reproduced"] = count_json(result.not_reproduced);
-  if (result.walk_end)
-    json["walk_end"] = {{"time", to_nanosecond(result.walk_end->time)},
-                        {"why", result.walk_end->why}};
-  json["logged_switches"] = result.logged_switches;
-  if (result.gap) json["gap"] = gap_json(*result.gap);
-  if (!result.problem.empty()) json["problem"] = result.problem;
-  return json;
 }
 
 }  // namespace surefoot::cli

@@ -3,8 +3,6 @@
 #include "surefoot/replay/log_verification.hpp"
 #include "surefoot/replay/stack_comparison.hpp"
 
-#include <nlohmann/json.hpp>
-
 #include <string>
 
 namespace surefoot::cli {
@@ -12,13 +10,9 @@ namespace surefoot::cli {
 /// What `replay --verify` prints.
 [[nodiscard]] std::string verification_text(const std::string& path,
                                             const replay::Verification& result);
-[[nodiscard]] nlohmann::ordered_json verification_json(const std::string& path,
-                                                       const replay::Verification& result);
 
 /// What `replay --stack` prints.
 [[nodiscard]] std::string comparison_text(const std::string& path,
                                           const replay::StackComparison& result);
-[[nodiscard]] nlohmann::ordered_json comparison_json(const std::string& path,
-                                                     const replay::StackComparison& result);
 
 }  // namespace surefoot::cli

@@ -33,6 +33,7 @@ void bind_controller(nb::module_& module);
 void bind_running(nb::module_& module);
 void bind_evaluation(nb::module_& module);
 void bind_recording(nb::module_& module);
+void bind_replaying(nb::module_& module);
 void bind_explaining(nb::module_& module);
 void bind_solving(nb::module_& module);
 

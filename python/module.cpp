@@ -47,6 +47,7 @@ NB_MODULE(_core, module) {
   bind_evaluation(module);
   bind_recording(module);
   bind_running(module);
+  bind_replaying(module);
   bind_explaining(module);
   bind_solving(module);
 }

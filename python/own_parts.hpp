@@ -77,5 +77,7 @@ void begin_anew(const SharedObject& object, const char* takes,
                                         std::shared_ptr<std::shared_ptr<Robot>> robot);
 /// Of a list of `OwnTask`s.
 [[nodiscard]] tasks::OwnTasks own_tasks(const nb::list& list);
+/// Of a log's run: those given, and registered ones of other names.
+[[nodiscard]] tasks::OwnTasks own_tasks_of_run(const nb::object& given);
 
 }  // namespace surefoot::python

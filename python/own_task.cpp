@@ -162,7 +162,7 @@ tasks::OwnTasks own_tasks(const nb::list& list) {
   tasks::OwnTasks own;
   for (const nb::handle each : list) {
     if (!nb::hasattr(each, "rows"))
-      throw Error("own has " + text_of(nb::repr(each)) + "; an OwnTask would be valid");
+      throw Error("own_tasks has " + text_of(nb::repr(each)) + "; an OwnTask would be valid");
     const SharedObject object(nb::borrow<nb::object>(each));
     const PythonTask task(object);  // refuses one that makes no sense
     own.add({.info = {.name = std::string(task.name()), .unit = task.unit()},
@@ -172,6 +172,10 @@ tasks::OwnTasks own_tasks(const nb::list& list) {
              }});
   }
   return own;
+}
+
+tasks::OwnTasks own_tasks_of_run(const nb::object& given) {
+  return own_tasks(nb::list(nb::module_::import_("surefoot.stack").attr("with_registered")(given)));
 }
 
 }  // namespace surefoot::python

@@ -16,7 +16,7 @@ from typing import Any
 import numpy.typing as npt
 
 from surefoot import _core
-from surefoot._arguments import checked, is_list, is_whole
+from surefoot._arguments import ArgumentError, checked, is_list, is_whole, shown
 from surefoot._core import Error, FileError, Robot, TaskTick, UnknownNameError
 from surefoot._fixed import refuse_to_set
 from surefoot._named import Parameters, named
@@ -151,6 +151,13 @@ def check_task(task: OwnTask, robot: Robot | str | os.PathLike[str]) -> list[str
 
 def registered_tasks() -> list[OwnTask]:
     return list(_registered.values())
+
+
+def with_registered(given: Sequence[OwnTask]) -> list[OwnTask]:
+    """And registered ones of other names."""
+    if not is_list(given):
+        raise ArgumentError(f"own_tasks is {shown(given)}; a list of OwnTasks would be valid")
+    return [*given, *(task for name, task in _registered.items() if name not in [each.task for each in given])]
 
 
 @contextlib.contextmanager

@@ -39,15 +39,15 @@ class Message(NamedTuple):
     data: memoryview
 
 
-def program(*words, good=(0,)):
-    """What the program prints, and its notes. Throws InputError with its complaint, unless its exit code is a good one."""
+def program(*words):
+    """What the program prints, and its notes. Throws InputError with its complaint."""
     command = [os.environ.get("SUREFOOT_PROGRAM") or (WHEEL if os.path.exists(WHEEL) else "surefoot"), *map(str, words)]
     try:
         done = subprocess.run(command, stdin=subprocess.DEVNULL, capture_output=True, text=True)
     except OSError as error:
         raise InputError(f"the program {command[0]}, which logs are read with, can't be started: {error.strerror}; bin/surefoot names it") from None
     said = [line.removeprefix("surefoot: ") for line in done.stderr.splitlines()]
-    if done.returncode not in good:
+    if done.returncode:
         raise InputError(said[-1] if said else f"the program {command[0]} ended with {done.returncode}")
     return done.stdout, said
 

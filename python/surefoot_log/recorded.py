@@ -6,7 +6,8 @@ import json
 import math
 import os
 import pathlib
-from collections.abc import Iterator
+import tempfile
+from collections.abc import Iterator, Sequence
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
@@ -14,11 +15,14 @@ import numpy as np
 import numpy.typing as npt
 import pyarrow as pa
 
+from surefoot import _core
+from surefoot._core import Error, Planner
 from surefoot._errors import told_as_error
 from surefoot._named import named
+from surefoot.stack import OwnTask, Stack
 from surefoot_campaign.errors import InputError, valid_names
 from surefoot_log.figures import figure_of
-from surefoot_log.log_file import SUMMARY, LogFile, program
+from surefoot_log.log_file import SUMMARY, LogFile
 from surefoot_log.table import Table
 from surefoot_log.worlds import in_world, transforms, world_of
 
@@ -28,7 +32,6 @@ if TYPE_CHECKING:
 
 Array = npt.NDArray[Any]
 ERRORS = ["com", "height", "base", "heading"]  # of /alignment
-REPLAYED = (0, 1, 4)  # exit codes of the program: the same, another, not the whole log
 KEPT = 1 << 28  # bytes: of a larger topic only the channels asked for stay in memory
 
 
@@ -249,20 +252,36 @@ class Recorded:
         with told_as_error():
             return pathlib.Path(write_report(self._log.path, folder, pictures))
 
-    def verify(self) -> dict[str, Any]:
+    def verify(self, *, own_tasks: Sequence[OwnTask] = (), planner: Planner | None = None) -> dict[str, Any]:
         """Computes every torque again, as `surefoot replay --verify`: whether they are the `same`, to the bit, in how many `ticks`, and what differs.
-        A run with a task of your own is computed again in C++ alone (ReplayOptions::own_tasks)."""
-        return self._replayed("--verify")
 
-    def compare(self, stack: str | os.PathLike[str]) -> dict[str, Any]:
-        """What another stack, by its name or file, would have commanded at each tick, as `surefoot replay --stack`: its `joints` and `levels` beside
-        the run's."""
-        return self._replayed("--stack", os.fspath(stack))
+        own_tasks, planner: your own of the run, as they were at its start. Tasks that are registered are known; without a planner its plans are the
+        log's, as the states of an estimator of your own always are."""
+        return self._computed(_core.verify_log(str(self.path), own_tasks, planner))
 
-    def _replayed(self, *words: str) -> dict[str, Any]:
-        with told_as_error():
-            found: dict[str, Any] = named(json.loads(program("replay", self._log.path, *words, "--json", good=REPLAYED)[0]))
-        return found
+    def compare(self, stack: Stack | str | os.PathLike[str], *, own_tasks: Sequence[OwnTask] = ()) -> dict[str, Any]:
+        """What another stack would have commanded at each tick, as `surefoot replay --stack`: its `torque_difference` and `levels` beside the run's.
+
+        stack: a Stack, whose numbers are made for the run's robot, or a name or file. own_tasks: as for verify(); those of a Stack are known."""
+        if not isinstance(stack, Stack):
+            return self._computed(_core.compare_stack(str(self.path), os.fspath(stack), own_tasks))
+        own = [*own_tasks, *(task for task in stack.own_tasks if not any(task is each for each in own_tasks))]
+        names = [task.task for task in own]
+        twice = [name for name in names if names.count(name) > 1]
+        if twice:
+            raise Error(f"own_tasks and the stack have two tasks {twice[0]!r}; the same one in both, or two names, would be valid")
+        with tempfile.TemporaryDirectory(prefix="surefoot_") as folder:
+            file = pathlib.Path(folder) / "stack.yaml"
+            file.write_text(stack.text(_core.robot_of_log(str(self.path), own)))
+            try:
+                return self._computed(_core.compare_stack(str(self.path), str(file), own)) | {"other": stack.name}
+            except Error as error:
+                raise type(error)(str(error).replace(str(file), stack.name)) from None
+
+    @staticmethod
+    def _computed(found: str) -> dict[str, Any]:
+        computed: dict[str, Any] = named(json.loads(found))
+        return computed
 
     def _in_world(self, values: Array, names: list[str]) -> Array:
         """Marked with its world, so that it can't be subtracted from another's."""

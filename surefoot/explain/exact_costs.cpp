@@ -107,12 +107,13 @@ std::string find_all(replay::LogReplay& replay, const std::vector<Wanted>& list,
 }
 
 /// Does nothing where no level gave way.
-void find_exact_costs(TickExplanation& explanation, const std::function<bool()>& stops) {
+void find_exact_costs(TickExplanation& explanation, const std::function<bool()>& stops,
+                      const tasks::OwnTasks& own) {
   const std::vector<Wanted> list = wanted(explanation);
   const bool is_asked = explanation.blend || !gave_way(explanation).empty();
   if (list.empty() || !is_asked) return;
   try {
-    replay::LogReplay replay(explanation.log);
+    replay::LogReplay replay(explanation.log, {.own_tasks = own});
     explanation.why_estimates = find_all(replay, list, stops);
   } catch (const Error& error) {
     explanation.why_estimates = error.what();
@@ -122,9 +123,9 @@ void find_exact_costs(TickExplanation& explanation, const std::function<bool()>&
 }  // namespace
 
 TickExplanation explain_tick(const std::string& log, double time, Costs costs,
-                             const std::function<bool()>& stops) {
+                             const std::function<bool()>& stops, const tasks::OwnTasks& own) {
   TickExplanation explanation = read_tick(log, time);
-  if (costs == Costs::exact) find_exact_costs(explanation, stops);
+  if (costs == Costs::exact) find_exact_costs(explanation, stops, own);
   return explanation;
 }
 

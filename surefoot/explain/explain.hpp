@@ -19,10 +19,11 @@ enum class Costs { estimated, exact };
 /// `explain_solution` for the tick's hierarchy (in a blend: for those of the ticks before and after
 /// it). For this the log's controller is computed again, which takes about as long as a replay up
 /// to the tick. If that is not possible, the estimates stay and `why_estimates` says why. `stops`
-/// is called at each tick of the replay; true ends it. Throws as `read_tick`.
+/// is called at each tick of the replay; true ends it. `own`: the user's tasks of the run. Throws
+/// as `read_tick`.
 [[nodiscard]] TickExplanation explain_tick(
     const std::string& log, double time, Costs costs = Costs::exact,
-    const std::function<bool()>& stops = [] { return false; });
+    const std::function<bool()>& stops = [] { return false; }, const tasks::OwnTasks& own = {});
 
 /// Why each level of a hierarchy came out as it did.
 struct SolutionExplanation {

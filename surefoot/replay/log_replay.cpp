@@ -1,6 +1,7 @@
 #include "surefoot/replay/log_replay.hpp"
 
 #include "surefoot/base/error.hpp"
+#include "surefoot/base/formatted.hpp"
 #include "surefoot/config/stack_file.hpp"
 #include "surefoot/logging/message_decoder.hpp"
 #include "surefoot/logging/scratch_folder.hpp"
@@ -29,6 +30,9 @@ bool gave_plans(const std::string& own_part) {
   return own_part == "planner" || own_part.starts_with("gait ");
 }
 
+constexpr const char* kHowToGive =
+    "a task of your own can be given: in Python own_tasks=[…], in C++ ReplayOptions::own_tasks";
+
 /// States and plans are in the log; what a task asked for is not.
 void check_tasks(const std::string& path, const logging::LogHeader& header,
                  const tasks::OwnTasks& own) {
@@ -36,9 +40,9 @@ void check_tasks(const std::string& path, const logging::LogHeader& header,
   for (const std::string& part : header.own_parts) {
     if (!part.starts_with(kTask) || own.find(part.substr(kTask.size())) != nullptr) continue;
     throw Error(path + ": the run's " + part +
-                " is the user's own, and this program does not have it, so the run's controller "
-                "can't be made again; the program that recorded the log can, with "
-                "ReplayOptions::own_tasks");
+                " is the user's own and was not given, so the run's controller can't be made "
+                "again; " +
+                kHowToGive);
   }
 }
 
@@ -51,7 +55,8 @@ void keep_change(const logging::McapMessage& message, std::vector<logged::Change
 }  // namespace
 
 LogReplay::LogReplay(const std::string& path, const ReplayOptions& options)
-    : log_(path,
+    : path_(path),
+      log_(path,
            [this, observer = options.observer](const logging::McapMessage& message) {
              keep_change(message, changes_);
              if (observer) observer(message);
@@ -74,7 +79,7 @@ LogReplay::LogReplay(const std::string& path, const ReplayOptions& options)
   }
   std::unique_ptr<gaits::MotionPlanner> planner;
   if (options.make_planner) {
-    planner = options.make_planner();
+    planner = options.make_planner(scenario.robot);
   } else {
     std::ranges::copy_if(own_parts, std::back_inserter(played_back_), gave_plans);
     if (!played_back_.empty()) planner = std::make_unique<PlaybackPlanner>(tick_);
@@ -84,6 +89,7 @@ LogReplay::LogReplay(const std::string& path, const ReplayOptions& options)
                                                       std::move(estimator), std::move(planner));
   explain_levels(true);
   stack_ = std::move(scenario.controller.stack);
+  robot_ = std::move(scenario.robot);
 }
 
 bool LogReplay::step() {
@@ -112,12 +118,20 @@ void LogReplay::apply_changes() {
   for (const logged::Change& change : changes_) {
     if (change.kind == "friction") controller_->set_friction(change.friction);
     if (change.kind != "stack") continue;
-    const control::StackOptions stack =
-        config::parse_stack(change.stack, "/changes", {}, own_tasks_);
+    const control::StackOptions stack = changed_stack(change);
     // Refused only if the log is of another version; then `is_same` is false.
     (void)controller_->set_stack(stack, change.duration);
   }
   changes_.clear();
+}
+
+control::StackOptions LogReplay::changed_stack(const logged::Change& change) const {
+  try {
+    return config::parse_stack(change.stack, "/changes", {}, own_tasks_);
+  } catch (const Error& error) {
+    throw Error(path_ + formatted(": from %.4f s on", tick_.reading.time) +
+                " the run has a stack that can't be read: " + error.what() + "; " + kHowToGive);
+  }
 }
 
 void LogReplay::switch_levels(const LevelSwitchReport& logged) {

@@ -24,8 +24,9 @@ struct ReplayOptions {
   logging::LogReader::Other observer{};
   /// The user's own tasks of the run: without them its controller can't be made again.
   tasks::OwnTasks own_tasks{};
-  /// The user's own planner of the run; empty: the plans are the log's.
-  std::function<std::unique_ptr<gaits::MotionPlanner>()> make_planner{};
+  /// The user's own planner of the run, for its robot; empty: the plans are the log's.
+  std::function<std::unique_ptr<gaits::MotionPlanner>(const model::RobotDescription&)>
+      make_planner{};
 };
 
 /// Ticks that are lost within a log, or at its begin. A controller can't be computed again after
@@ -56,6 +57,7 @@ class LogReplay {
   [[nodiscard]] const control::Controller& controller() const { return *controller_; }
   /// The stack at the run's start.
   [[nodiscard]] const control::StackOptions& stack() const { return stack_; }
+  [[nodiscard]] const model::RobotDescription& robot() const { return robot_; }
   /// The last tick, as in the log.
   [[nodiscard]] const TickRecord& logged() const { return tick_; }
   [[nodiscard]] const logging::LogHeader& header() const { return log_.header(); }
@@ -76,8 +78,10 @@ class LogReplay {
  private:
   void switch_levels(const LevelSwitchReport& logged);
   void apply_changes();
+  [[nodiscard]] control::StackOptions changed_stack(const logged::Change& change) const;
   void count_rest();
 
+  std::string path_;
   std::vector<logged::Change> changes_;  // since the last tick
   logging::LogReader log_;
   TickRecord tick_;
@@ -87,6 +91,7 @@ class LogReplay {
   std::vector<std::string> played_back_;
   std::unique_ptr<control::Controller> controller_;
   control::StackOptions stack_;
+  model::RobotDescription robot_;
   tasks::OwnTasks own_tasks_;
 };
 

@@ -4,7 +4,6 @@
 #include "surefoot/logging/mcap_reader.hpp"
 #include "surefoot/logging/message_codec.hpp"
 #include "surefoot/replay/log_replay.hpp"
-#include "surefoot/runtime/interrupt.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -103,7 +102,8 @@ void compare_messages(const MessageComparison& comparison, const TickRecord& log
 
 }  // namespace
 
-Verification verify_log(const std::string& path, const ReplayOptions& options) {
+Verification verify_log(const std::string& path, const ReplayOptions& options,
+                        const std::function<bool()>& stops) {
   LogReplay replay(path, options);
   const MessageComparison comparison(path, replay.header().is_older());
   Verification result;
@@ -112,7 +112,7 @@ Verification verify_log(const std::string& path, const ReplayOptions& options) {
   result.estimated = replay.estimates();
   result.played_back = replay.played_back();
   while (replay.step()) {
-    if (runtime::interrupted()) throw Error("interrupted: nothing is said of the log");
+    if (stops()) throw Error("interrupted: nothing is said of the log");
     const TickRecord& logged = replay.logged();
     if (result.ticks == 0) result.first_time = logged.reading.time;
     result.last_time = logged.reading.time;

@@ -2,8 +2,10 @@
 
 #include "surefoot/logging/log_header.hpp"
 #include "surefoot/replay/log_replay.hpp"
+#include "surefoot/runtime/interrupt.hpp"
 
 #include <array>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -52,10 +54,11 @@ struct Verification {
 };
 
 /// Runs the controller of a log again on the logged readings, with the run's own estimator, and
-/// compares every torque bit for bit, up to the first tick that is lost. Throws Error as
-/// `LogReplay`, if the log holds no tick, and when it is interrupted.
-[[nodiscard]] Verification verify_log(const std::string& path,
-                                      const ReplayOptions& options = {
-                                          .state = ReplayedState::estimated});
+/// compares every torque bit for bit, up to the first tick that is lost. `stops` is called at each
+/// tick; true ends it. Throws Error as `LogReplay`, if the log holds no tick, and where it is
+/// ended.
+[[nodiscard]] Verification verify_log(
+    const std::string& path, const ReplayOptions& options = {.state = ReplayedState::estimated},
+    const std::function<bool()>& stops = runtime::interrupted);
 
 }  // namespace surefoot::replay

@@ -15,6 +15,11 @@ const std::string& attachment(const logging::LogHeader& header, const std::strin
   return *header.attachment(name);
 }
 
+void replace(std::string& text, const std::string& part, const std::string& other) {
+  const std::size_t found = text.find(part);
+  if (found != std::string::npos) text.replace(found, part.size(), other);
+}
+
 /// The robot's file, with its URDF, or that made from its MJCF, where this program finds it.
 std::string robot_file(const logging::LogHeader& header, const logging::ScratchFolder& folder) {
   std::string robot = attachment(header, "robot.yaml");
@@ -49,8 +54,8 @@ config::Scenario logged_scenario(const logging::LogHeader& header,
         {scenario, 0, {"stack=" + file.string(), "robot=" + robot, "stack_switches=[]"}, own});
   } catch (const Error& error) {
     std::string text = error.what();
-    const std::size_t found = text.find(scenario);
-    if (found != std::string::npos) text.replace(found, scenario.size(), "the log's scenario");
+    replace(text, scenario, "the log's scenario");
+    replace(text, "--set stack=" + file.string() + ": stack: ", "");
     throw Error("stack " + stack + ": " + text);
   }
 }

@@ -5,7 +5,6 @@
 #include "surefoot/logging/hierarchy_status.hpp"
 #include "surefoot/logging/stop_text.hpp"
 #include "surefoot/replay/logged_scenario.hpp"
-#include "surefoot/runtime/interrupt.hpp"
 #include "surefoot/solver/solution.hpp"
 
 #include <algorithm>
@@ -191,7 +190,8 @@ void check_has_ticks(const std::string& path, const StackComparison& result) {
 // torques are those of the logged readings; a controller with the other stack would contradict
 // them.
 StackComparison compare_stack(const std::string& path, const std::string& stack,
-                              const StackObserver& observer, const tasks::OwnTasks& own) {
+                              const StackObserver& observer, const tasks::OwnTasks& own,
+                              const std::function<bool()>& stops) {
   WalkEndWatch walk;
   LogReplay replay(path,
                    {.state = ReplayedState::logged,
@@ -205,7 +205,7 @@ StackComparison compare_stack(const std::string& path, const std::string& stack,
   result.other = stack;
   Comparison comparison(replay.header(), other, result);
   while (replay.step()) {
-    if (runtime::interrupted()) throw Error("interrupted: nothing is said of the other stack");
+    if (stops()) throw Error("interrupted: nothing is said of the other stack");
     const TickRecord& logged = replay.logged();
     const control::Controller& controller = replay.controller();
     const model::Dynamics* dynamics = controller.dynamics();

@@ -3,6 +3,7 @@
 #include "surefoot/logging/log_header.hpp"
 #include "surefoot/replay/log_replay.hpp"
 #include "surefoot/replay/walk_end.hpp"
+#include "surefoot/runtime/interrupt.hpp"
 #include "surefoot/signals/leg.hpp"
 
 #include <array>
@@ -87,10 +88,10 @@ using StackObserver =
                        const std::vector<OtherLevel>& other_levels)>;
 
 /// `stack`: name or file, as in `--set stack=`. Throws Error as `LogReplay`, if the stack does not
-/// exist or does not fit the log's scenario, if the log has no tick, and on interruption. Both
-/// stacks can name tasks of the user's `own`.
-[[nodiscard]] StackComparison compare_stack(const std::string& path, const std::string& stack,
-                                            const StackObserver& observer = {},
-                                            const tasks::OwnTasks& own = {});
+/// exist or does not fit the log's scenario, if the log has no tick, and where `stops` ends it, as
+/// in `verify_log`. Both stacks can name tasks of the user's `own`.
+[[nodiscard]] StackComparison compare_stack(
+    const std::string& path, const std::string& stack, const StackObserver& observer = {},
+    const tasks::OwnTasks& own = {}, const std::function<bool()>& stops = runtime::interrupted);
 
 }  // namespace surefoot::replay

@@ -1,5 +1,7 @@
 """Logs of loops without a plant, logs that are computed again, and tasks that are tried."""
 
+import signal
+
 import numpy as np
 import pytest
 
@@ -70,6 +72,118 @@ def test_another_stack_is_asked_at_each_tick_of_a_log(tmp_path):
     assert found["ticks"] == 400 and {level["name"] for level in found["levels"]} > {"torso_height", "torso_yaw"}
     with pytest.raises(surefoot.Error, match="no_such"):
         surefoot.read(log).compare("no_such")
+
+
+class Still(surefoot.OwnTask):
+    """Brakes the base, more with a larger gain."""
+
+    max_rows, unit, gain = 3, "m/s²", 20
+
+    def rows(self, tick):
+        base = tick.dynamics.base
+        return base.J[:3], -self.gain * base.v[:3] - base.Jdot_u[:3]
+
+
+class Braking(Still):
+    gain = 40
+
+
+class Asking(surefoot.Planner):
+    def update(self, user, state, dynamics, last):
+        return super().update(user, state, dynamics, last)
+
+
+BRAKED = surefoot.Stack("terrain_adaptation").replace("torso_height", Still("still"))
+
+
+@pytest.fixture(scope="module")
+def braked(tmp_path_factory):
+    """The log of a run with a task of one's own."""
+    file = tmp_path_factory.mktemp("own") / "run.mcap"
+    surefoot.run("walk_flat_ideal", set=["duration=1"], stack=BRAKED, record=file)
+    return surefoot.read(file)
+
+
+def test_a_run_with_a_task_of_ones_own_is_computed_again_with_it(braked, monkeypatch):
+    with pytest.raises(surefoot.Error, match=r"the run's task still is the user's own and was not given, .*: in Python own_tasks=\[…\]"):
+        braked.verify()
+    assert braked.verify(own_tasks=[Still("still")])["same"] is True
+    assert braked.verify(own_tasks=[Braking("still")])["same"] is False
+    monkeypatch.setattr("surefoot.stack._registered", {"still": Still("still")})
+    assert braked.verify()["same"] is True
+    assert braked.verify(own_tasks=[Braking("still")])["same"] is False, "what is given goes before what is registered"
+
+
+def test_a_stack_is_asked_at_each_tick_of_a_log_with_its_own_tasks(braked):
+    same = braked.compare(BRAKED)
+    assert same["other"] == "terrain_adaptation" and same["not_reproduced"]["ticks"] == 0
+    assert {each["largest"] for each in same["torque_difference"].values()} == {0.0}
+    stiffer = braked.compare(BRAKED.tune("com_xy", kp=400))
+    assert stiffer["torque_difference"]["LF_KFE"]["rms"] > 1e-4
+    by_name = braked.compare("terrain_adaptation", own_tasks=[Still("still")])
+    assert {"still"} == {each["name"] for each in by_name["levels"] if "other" not in each}
+    with pytest.raises(surefoot.Error, match="own_tasks and the stack have two tasks 'still'"):
+        braked.compare(BRAKED, own_tasks=[Still("still")])
+    with pytest.raises(surefoot.Error, match='^stack own: the stack "own" has no equations_of_motion'):
+        braked.compare(surefoot.Stack().last(*BRAKED.own_tasks))
+
+
+def test_a_stack_that_is_compared_has_the_numbers_of_the_runs_robot(tmp_path):
+    file = tmp_path / "run.mcap"
+    surefoot.run("walk_flat_ideal", robot="hyq", set=["duration=0.2"], record=file)
+    found = surefoot.read(file).compare(surefoot.Stack("walk"))
+    assert {each["largest"] for each in found["torque_difference"].values()} == {0.0}
+
+
+def test_exact_costs_of_a_run_with_a_task_of_ones_own_need_it(braked):
+    assert "own_tasks" in surefoot.explain(braked, 0.5).facts["why_estimates"]
+    assert not surefoot.explain(braked, 0.5, own_tasks=[Still("still")]).facts.get("why_estimates")
+
+
+def test_a_stack_with_a_task_of_ones_own_that_a_run_changed_to_is_needed_too(tmp_path):
+    def change(tick):
+        if tick.time == 0.5:
+            tick.controller.set_stack(surefoot.Stack("terrain_adaptation").replace("torso_height", surefoot.StackLevel("torso_height", (Still("still"),))), 0.1)
+
+    file = tmp_path / "run.mcap"
+    surefoot.run("walk_flat_ideal", stack="terrain_adaptation", set=["duration=1"], every_tick=change, record=file)
+    with pytest.raises(surefoot.Error, match='from 0.5000 s on the run has a stack that can.t be read: .*unknown task "still".*own_tasks='):
+        surefoot.read(file).verify()
+    assert surefoot.read(file).verify(own_tasks=[Still("still")])["same"] is True
+
+
+def test_a_planner_of_ones_own_plans_again_where_it_is_given(tmp_path):
+    scenario = surefoot.load_scenario("walk_flat_ideal", set=["duration=0.5"])
+    file = tmp_path / "run.mcap"
+    surefoot.run(scenario, planner=Asking(scenario), record=file)
+    assert surefoot.read(file).verify()["played_back"] == ["planner"]
+    again = surefoot.read(file).verify(planner=Asking(scenario))
+    assert again["same"] is True and "played_back" not in again
+
+
+class Interrupted(Still):
+    calls = 0
+
+    def rows(self, tick):
+        self.calls += 1
+        if self.calls == 50:
+            signal.raise_signal(signal.SIGINT)
+        return super().rows(tick)
+
+
+@pytest.mark.parametrize(
+    "computed",
+    [
+        lambda log, own: log.verify(own_tasks=own),
+        lambda log, own: log.compare("walk", own_tasks=own),
+        lambda log, own: surefoot.explain(log, 0.9, own_tasks=own),
+    ],
+)
+def test_ctrl_c_ends_what_is_computed_again(computed, braked):
+    task = Interrupted("still")
+    with pytest.raises(KeyboardInterrupt):
+        computed(braked, [task])
+    assert task.calls < 100
 
 
 class Height(surefoot.OwnTask):

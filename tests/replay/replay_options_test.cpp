@@ -5,6 +5,7 @@
 #include "surefoot/replay/log_replay.hpp"
 #include "surefoot/replay/log_verification.hpp"
 #include "surefoot/replay/stack_comparison.hpp"
+#include "tests/control/own_task.hpp"
 #include "tests/logging/temporary_folder.hpp"
 #include "tests/support/messages.hpp"
 
@@ -12,6 +13,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
+#include <string>
+#include <vector>
 
 namespace surefoot::replay {
 namespace {
@@ -56,6 +60,85 @@ TEST(Verification, BelievesTheLoggedStateWhereTheRunHadTheTruth) {
   const Verification result = verify_log(folder / "run.mcap");
   EXPECT_FALSE(result.estimated);
   EXPECT_TRUE(result.is_same());
+}
+
+/// A run with a task of the user's and a planner that only asks the library's.
+struct OwnRun {
+  class Planner final : public gaits::MotionPlanner {
+   public:
+    explicit Planner(const config::Scenario& scenario)
+        : library_(gaits::make_planner(scenario.controller.planner, scenario.controller.period,
+                                       scenario.robot.scale)) {}
+    const MotionPlan& update(const UserCommand& user, const RobotState& state,
+                             const model::Dynamics& dynamics,
+                             const HierarchyOutcome& last) override {
+      return library_->update(user, state, dynamics, last);
+    }
+    void restart() override { library_->restart(); }
+
+   private:
+    std::unique_ptr<gaits::MotionPlanner> library_;
+  };
+
+  OwnRun() {
+    scenario.controller.stack.own_tasks = test::own_tasks();
+    const control::TaskSpec mine{.task = "own", .numbers = {}, .choices = {}};
+    auto& levels = scenario.controller.stack.levels;
+    levels.insert(levels.begin() + 4, {.name = "mine", .tasks = {mine}});
+    (void)closed_loop::run_closed_loop(scenario, {.record_path = log, .make_planner = [this] {
+                                                    return std::make_unique<Planner>(scenario);
+                                                  }});
+  }
+
+  const test::TemporaryFolder folder;
+  const std::string log = folder / "run.mcap";
+  config::Scenario scenario = config::load_scenario(kTruth);
+};
+
+TEST(Verification, OfARunWithATaskOfTheUsersNeedsIt) {
+  const OwnRun run;
+  EXPECT_TRUE(holds(test::message_of([&] { (void)verify_log(run.log); }),
+                    "the run's task own is the user's own and was not given"));
+  const Verification result = verify_log(run.log, {.own_tasks = test::own_tasks()});
+  EXPECT_TRUE(result.is_same());
+  EXPECT_EQ(result.played_back, std::vector<std::string>{"planner"});
+
+  tasks::OwnTasks another;
+  another.add(
+      {.info = test::own_tasks().find("own")->info, .make = [](const tasks::TaskParameters&) {
+         return std::make_unique<test::OwnTask>(test::OwnTask::Options{.acceleration = 1});
+       }});
+  EXPECT_FALSE(verify_log(run.log, {.own_tasks = another}).is_same());
+}
+
+TEST(Verification, AsksThePlannerThatItIsGiven) {
+  const OwnRun run;
+  const Verification result = verify_log(
+      run.log,
+      {.own_tasks = test::own_tasks(), .make_planner = [&](const model::RobotDescription& robot) {
+         EXPECT_EQ(robot.name, run.scenario.robot.name);
+         return std::make_unique<OwnRun::Planner>(run.scenario);
+       }});
+  EXPECT_TRUE(result.is_same());
+  EXPECT_TRUE(result.played_back.empty());
+}
+
+TEST(Verification, EndsWhereItIsStopped) {
+  const test::TemporaryFolder folder;
+  record(folder / "run.mcap", kTruth);
+  int ticks = 0;
+  EXPECT_TRUE(holds(test::message_of([&] {
+                      (void)verify_log(folder / "run.mcap", {}, [&] { return ++ticks == 5; });
+                    }),
+                    "interrupted"));
+  EXPECT_EQ(ticks, 5);
+}
+
+TEST(StackComparison, OfARunWithATaskOfTheUsersNeedsIt) {
+  const OwnRun run;
+  EXPECT_TRUE(holds(test::message_of([&] { (void)compare_stack(run.log, "walk"); }),
+                    "the run's task own is the user's own and was not given"));
+  EXPECT_EQ(compare_stack(run.log, "walk", {}, test::own_tasks()).not_reproduced.ticks, 0);
 }
 
 TEST(StackComparison, OfTheRunsOwnStackFindsNoDifference) {

@@ -1,17 +1,17 @@
-#include "cli/clock_text.hpp"
+#include "surefoot/logging/clock_text.hpp"
 
 #include "surefoot/base/formatted.hpp"
 
 #include <cmath>
 
-namespace surefoot::cli {
+namespace surefoot::logging {
 namespace {
 
 std::string seconds(double time) { return formatted("%.4f s", time); }
 
 }  // namespace
 
-std::string clock_text(const logging::ClockSkips& clock) {
+std::string clock_text(const ClockSkips& clock) {
   std::string out;
   if (clock.begin != 0.0)
     out += "The clock begins at " + seconds(clock.begin) + "; nothing before it is lost.\n";
@@ -22,7 +22,7 @@ std::string clock_text(const logging::ClockSkips& clock) {
   return out + ": nothing is lost there, the controller was not called.\n";
 }
 
-void add_clock(const logging::ClockSkips& clock, nlohmann::ordered_json& json) {
+void add_clock(const ClockSkips& clock, nlohmann::ordered_json& json) {
   if (clock.begin == 0.0 && clock.count == 0) return;
   json["clock"] = {{"begin", clock.begin}, {"skips", clock.count}};
   if (clock.count > 0) json["clock"]["first_skip"] = {clock.from, clock.to};
@@ -30,4 +30,4 @@ void add_clock(const logging::ClockSkips& clock, nlohmann::ordered_json& json) {
 
 double to_nanosecond(double time) { return std::round(time * 1e9) / 1e9; }
 
-}  // namespace surefoot::cli
+}  // namespace surefoot::logging
