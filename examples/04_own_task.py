@@ -8,7 +8,7 @@ import numpy as np
 
 import surefoot
 from surefoot import OwnTask, Stack, TaskTick
-from surefoot.stack import Rows
+from surefoot.task import Rows
 
 AMPLITUDE, OMEGA, KP, KD = 0.03, 2 * np.pi, 200.0, 28.0  # m, rad/s, 1/s², 1/s
 

@@ -175,7 +175,7 @@ tasks::OwnTasks own_tasks(const nb::list& list) {
 }
 
 tasks::OwnTasks own_tasks_of_run(const nb::object& given) {
-  return own_tasks(nb::list(nb::module_::import_("surefoot.stack").attr("with_registered")(given)));
+  return own_tasks(nb::list(nb::module_::import_("surefoot.task").attr("with_registered")(given)));
 }
 
 }  // namespace surefoot::python

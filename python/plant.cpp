@@ -66,7 +66,12 @@ void fail(BoundPlant& self, const std::string& sensor, const std::string& kind, 
   choose("kind", kind, fields(fault));
   fault.duration = duration;
   fault.size = size;
-  const bool is_of_feet = fault.sensor == simulation::FaultySensor::foot_force;
+  using enum simulation::FaultySensor;
+  const bool is_of_feet = fault.sensor == foot_force;
+  const bool has_elements = is_of_feet || fault.sensor == encoders || fault.sensor == joint_torques;
+  if (!element.empty() && !has_elements)
+    throw Error("element is " + element + ", and " + sensor +
+                " has none; those of encoders, joint_torques and foot_force can fail alone");
   if (!element.empty()) choose(is_of_feet ? "leg" : "joint", element, fields(fault));
   self->fail(fault);
   self.changes.add({.time = self->time(),

@@ -1,5 +1,5 @@
-// What surefoot/stack.py and the generator of surefoot/tasks.py need: the catalog of tasks, and
-// stacks as plain data.
+// What surefoot/stack.py, surefoot/task.py and the generator of surefoot/tasks.py need: the catalog
+// of tasks, and stacks as plain data.
 
 #include "python/bindings.hpp"
 #include "python/own_parts.hpp"
@@ -110,6 +110,13 @@ void bind_stack(nb::module_& module) {
                levels)
                   .c_str()),
       "The levels of a stack file: (name, damping, [(task, weight, parameters)]).");
+  module.def(
+      "stack_name",
+      [](const std::string& name_or_path, const nb::list& own) {
+        return config::load_stack(name_or_path, {}, {}, own_tasks(own)).name;
+      },
+      nb::arg("name_or_path"), nb::arg("own"),
+      nb::sig("def stack_name(name_or_path: str, own: list[typing.Any]) -> str"));
   module.def(
       "parse_stack",
       [](const std::string& text, const std::string& name, const Robot* robot,

@@ -13,7 +13,7 @@ from collections.abc import Sequence
 from typing import Literal
 
 from surefoot._arguments import checked
-from surefoot.stack import Task, name_of
+from surefoot.task import Task, name_of
 
 __all__ = {names}
 

@@ -52,13 +52,13 @@ from surefoot.control import load_scenario as load_scenario
 from surefoot.running import Campaign as Campaign
 from surefoot.running import campaign as campaign
 from surefoot.running import run as run
-from surefoot.stack import OwnTask as OwnTask
 from surefoot.stack import StackLevel as StackLevel
 from surefoot.stack import Stack as Stack
-from surefoot.stack import Task as Task
-from surefoot.stack import catalog as catalog
-from surefoot.stack import check_task as check_task
-from surefoot.stack import register_task as register_task
+from surefoot.task import OwnTask as OwnTask
+from surefoot.task import Task as Task
+from surefoot.task import catalog as catalog
+from surefoot.task import check_task as check_task
+from surefoot.task import register_task as register_task
 
 if _TYPE_CHECKING:
     from surefoot_log.recorded import Recorded as Recorded
@@ -92,7 +92,7 @@ def __getattr__(name: str) -> type:
 
 
 # What the package's own Python calls of its compiled part is not for its users.
-_INTERNAL = ("ControllerBase", "compare_stack", "parse_stack", "read_scenario", "robot_of_log", "run_scenario", "stack_levels", "try_task", "verify_log")
+_INTERNAL = ("ControllerBase", "compare_stack", "parse_stack", "read_scenario", "robot_of_log", "run_scenario", "stack_levels", "stack_name", "try_task", "verify_log")
 for _name in _INTERNAL:
     globals().pop(_name, None)
 __all__ = ["tasks", "Recorded"] + [name for name, thing in globals().items() if name[0] != "_" and not isinstance(thing, type(_os))]

@@ -16,7 +16,8 @@ from surefoot._arguments import ArgumentError, checked, is_number, number
 from surefoot._core import Error, Estimator, Gait, Planner, Plant, Robot, Scenario
 from surefoot._fixed import refuse_to_set
 from surefoot._paths import absolute_path, is_path, with_absolute_paths
-from surefoot.stack import OwnTask, Stack, own_tasks_told, registered_tasks
+from surefoot.stack import Stack
+from surefoot.task import OwnTask, own_tasks_told, registered_tasks
 
 _arguments_of: weakref.WeakKeyDictionary[Scenario, tuple[Any, ...]] = weakref.WeakKeyDictionary()
 PLAIN = "walk_flat"  # whose options a controller of a robot alone has
@@ -126,6 +127,13 @@ def read_scenario(name: str, seed: int, words: list[str], own: list[OwnTask], ga
 
 
 copyreg.pickle(Scenario, _reduce_scenario)
+
+
+def advice_of_scenario(scenario: Scenario, name: str) -> str:
+    return f"{name} of a scenario can't be set; load_scenario({scenario.name!r}, set={{{name!r}: …}}) reads one with another"
+
+
+refuse_to_set(Scenario, advice_of_scenario)
 
 
 @checked

@@ -191,6 +191,8 @@ def with_stacks_as_files(spec: Mapping[str, Any], folder: pathlib.Path) -> Any:
         return str(file)
 
     def section(key: str, value: Any) -> Any:
+        if isinstance(value, Stack):
+            raise Error(f"spec: {key} is a Stack; one under `set`, in a list under `grid`, or in one of `cases` would be valid")
         if key != "cases" or not isinstance(value, Mapping):
             return replaced(value, everywhere)
         return {name: replaced(case, functools.cache(partial(robots_in, spec, case))) for name, case in value.items()}

@@ -19,7 +19,8 @@ from surefoot import _core
 from surefoot._core import Error, Planner
 from surefoot._errors import told_as_error
 from surefoot._named import named
-from surefoot.stack import OwnTask, Stack
+from surefoot.stack import Stack
+from surefoot.task import OwnTask
 from surefoot_campaign.errors import InputError, valid_names
 from surefoot_log.figures import figure_of
 from surefoot_log.log_file import SUMMARY, LogFile
@@ -60,7 +61,13 @@ class Recorded:
         self.header: dict[str, Any] = self._log.header
 
     def __repr__(self) -> str:
-        return f"<run of {self.header['scenario']}, seed {self.header['seed']}, {len(self.channels)} channels: {self._log.path}>"
+        run = f"run of {self.header['scenario']}, seed {self.header['seed']}"
+        what = run if self._has_plant else f"{self.header['robot']['name']}'s controller without a plant"
+        return f"<{what}, {len(self.channels)} channels: {self._log.path}>"
+
+    @property
+    def _has_plant(self) -> bool:
+        return "truth" in self.topics
 
     def __fspath__(self) -> str:
         """So that what takes a log's path takes this: `surefoot.explain(run, 3.0)`."""
@@ -89,7 +96,8 @@ class Recorded:
     def _summary(self) -> dict[str, Any]:
         found: dict[str, Any] = json.loads(self._log.attachments.get(SUMMARY, "{}"))
         if "metrics" not in found:
-            raise KeyError(f"{self._log.path} has no metrics, as of a run that was cut off, or of one without a plant")
+            why = "the run was cut off" if self._has_plant else "it was recorded without a plant"
+            raise Error(f"{self._log.path} has no metrics: {why}")
         return found
 
     @property
@@ -158,8 +166,8 @@ class Recorded:
     def _alignment(self, member: str) -> Array:
         if "/alignment" not in self._log.topics() or len(self.table("alignment").column_names) < 2:
             old = f"its version is {self.header['log_version']}, logs have it from 3.0 on; record the run anew"
-            why = old if "/truth" in self._log.topics() else "it was recorded without a plant"
-            raise KeyError(f"{self._log.path} has no /alignment: {why}")
+            why = old if self._has_plant else "it was recorded without a plant"
+            raise Error(f"{self._log.path} has no /alignment: {why}")
         return np.asarray(self[f"alignment.{member}"])
 
     @cached_property

@@ -157,6 +157,11 @@ def test_the_message_is_the_programs():
     assert place == "set has 'planner.gait.ordr=1'" and message in complaint("run", "walk_flat", "--set", "planner.gait.ordr=1")
 
 
+def test_a_scenario_is_not_changed(scenario):
+    with pytest.raises(surefoot.Error, match=r"^duration of a scenario can't be set; load_scenario\('walk_flat\w*', set=\{'duration': …\}\) reads one with another$"):
+        scenario.duration = 3.0
+
+
 def test_arrays_have_the_shapes_that_their_help_says(scenario):
     plant, controller = walked(scenario, 2)
     plan = controller.plan

@@ -72,6 +72,8 @@ def test_a_campaign_compares_stacks(tmp_path):
 
     with pytest.raises(surefoot.Error, match="stack terrain_adaptation has the task mine, which only this process knows"):
         surefoot.campaign({"scenario": "walk_flat_ideal", "seeds": [1], "set": {"stack": stack.last(Mine("mine"))}}, out=tmp_path / "other")
+    with pytest.raises(surefoot.Error, match="spec: stack is a Stack; one under `set`, .* would be valid"):
+        surefoot.campaign({"scenario": "walk_flat_ideal", "seeds": [1], "stack": stack, "grid": {"robot": ["anymal_b", "hyq"]}}, out=tmp_path / "other")
 
 
 def test_a_stack_of_a_campaign_is_written_for_the_robot_of_its_runs(tmp_path):

@@ -145,7 +145,7 @@ def test_parts_that_take_longer_than_a_tick_are_told():
 ])  # fmt: skip
 def test_an_attribute_of_a_task_that_makes_no_sense_is_named(monkeypatch, attribute, given, said):
     odd = type("Odd", (Height,), {attribute: given})("odd")
-    monkeypatch.setattr(surefoot.stack, "_registered", {"odd": odd})  # as one that was changed later
+    monkeypatch.setattr("surefoot.task._registered", {"odd": odd})  # as one that was changed later
     for use in (lambda: Stack("terrain_adaptation").last(odd), lambda: Stack("terrain_adaptation"), lambda: surefoot.load_scenario("walk_flat")):
         with pytest.raises(surefoot.Error, match=f'task "odd": {said}.* would be valid'):
             use()

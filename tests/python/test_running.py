@@ -213,7 +213,8 @@ def test_sensors_fail_on_demand(scenario):
         stamps.append(plant.read().time - plant.read().imu_time)
     assert stamps[-1] - stamps[0] >= 0 and stamps[-1] >= 3 * 0.0025 - 1e-9
     for arguments, said in [(("imus",), 'sensor is "imus"; did you mean "imu"?'), (("imu", "breaks"), 'kind is "breaks"'),
-                            (("imu", "late", 1.0, 0.5), "a whole number of ticks"), (("foot_force",), "the robot has none")]:  # fmt: skip
+                            (("imu", "late", 1.0, 0.5), "a whole number of ticks"), (("foot_force",), "the robot has none"),
+                            (("imu", "stops", 1.0, 0.0, "LF_KFE"), "element is LF_KFE, and imu has none; those of encoders,")]:  # fmt: skip
         with pytest.raises(surefoot.Error, match=said):
             plant.fail(*arguments)
 

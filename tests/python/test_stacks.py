@@ -63,7 +63,13 @@ def test_a_task_that_no_stack_would_take_is_refused_where_it_is_made(make, said)
 def test_a_stack_of_nothing_but_tasks_is_one(tmp_path):
     made = Stack(name="mine").last(tasks.EquationsOfMotion(), tasks.NoContactMotion(), tasks.TorqueLimits(), tasks.FrictionCone(), tasks.ComXy())
     made.write(tmp_path / "mine.yaml")
-    assert list(map(str, Stack(tmp_path / "mine.yaml"))) == list(map(str, made)) and len(made) == 5
+    assert Stack(tmp_path / "mine.yaml") == made and len(made) == 5
+
+
+def test_a_stack_has_the_name_that_stands_in_its_file(stack, tmp_path):
+    stack.write(tmp_path / "other.yaml")
+    assert Stack(tmp_path / "other.yaml").name == stack.name
+    assert Stack(tmp_path / "other.yaml", name="mine").name == "mine"
 
 
 def test_a_file_has_the_numbers_of_the_robot_that_it_is_written_for_and_says_which(stack, tmp_path):
@@ -169,6 +175,8 @@ def test_a_stacks_name_may_be_a_text_and_is_not_set_later():
         del made.name
     with pytest.raises(surefoot.Error, match=r"has no kp to set; before\(\), .* give another stack"):
         made.kp = 3
+    with pytest.raises(surefoot.Error, match=r"damping of a level can't be set; stack.replace\('com_xy', StackLevel\(…\)\)"):
+        made["com_xy"].damping = 1.0
     assert surefoot.load_scenario("walk_flat", stack=made).name == "walk_flat"
     with pytest.raises(surefoot.Error, match="^stack größer 2.1 - b: .* at most|^stack größer 2.1 - b: .*reaches only"):
         surefoot.load_scenario("walk_flat", stack=made.tune("limb_extension_limits", max=3))

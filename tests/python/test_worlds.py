@@ -181,7 +181,7 @@ def test_an_axis_of_a_plot_takes_one_world_and_is_named_by_it(run):
 
 def test_a_log_without_the_alignment_says_so(file, tmp_path):
     old = rewritten(file, tmp_path / "old.mcap", lambda channel, _, data: None if channel.topic == "/alignment" else data)
-    with pytest.raises(KeyError, match="has no /alignment: .* logs have it from 3.0 on; record the run anew"):
+    with pytest.raises(surefoot.Error, match="has no /alignment: .* logs have it from 3.0 on; record the run anew"):
         surefoot.read(old).aligned_error("com")
 
 
