@@ -12,6 +12,7 @@
 #include "surefoot/config/stack_file.hpp"
 #include "surefoot/config/stack_text.hpp"
 #include "surefoot/control/stack_reach.hpp"
+#include "surefoot/logging/hierarchy_status.hpp"
 #include "surefoot/simulation/make_estimator.hpp"
 
 #include <nanobind/stl/optional.h>
@@ -78,7 +79,6 @@ bool BoundController::set_stack(const control::StackOptions& stack, double durat
   return changed([&](control::Controller& controller) {
     if (!controller.set_stack(stack, duration)) return false;
     before_ = std::move(now);
-    before_time_ = controller.record().reading.time;
     return true;
   });
 }
@@ -87,6 +87,7 @@ void BoundController::step(const SensorReading& reading, const NamedCommand& use
   const UserCommand command = checked(user);
   check(reading);
   unlocked([&](control::Controller& controller) { controller.step(reading, command); });
+  before_.reset();
   ++ticks_;
   changes.end_tick();
   raise_waiting_exit();
@@ -160,7 +161,9 @@ std::optional<NamedDynamics> dynamics(const BoundController& self) {
 
 /// The levels of the last tick, as solve() takes them.
 nb::list problem(const BoundController& self) {
-  if (self->dynamics() == nullptr || self.has_other_stack())
+  const bool was_solved =
+      self->dynamics() != nullptr && logging::was_solved(self->record().hierarchy);
+  if (!was_solved || self.has_other_stack())
     throw Error(
         "no hierarchy was solved at the last tick, or another stack has come since; after "
         "a step() one would be there");

@@ -51,8 +51,11 @@ class BoundController : public Lent<control::Controller> {
     return has_other_stack() ? *before_ : StackNames{(*this)->level_names(), (*this)->row_names()};
   }
   /// Has another stack come since the last tick?
-  [[nodiscard]] bool has_other_stack() const {
-    return before_ && before_time_ == (*this)->record().reading.time;
+  [[nodiscard]] bool has_other_stack() const { return before_.has_value(); }
+  /// As Lent's: a tick of the run follows.
+  void resume() {
+    Lent::resume();
+    before_.reset();
   }
   /// As the controller's; keeps the names of the last tick.
   [[nodiscard]] bool set_stack(const control::StackOptions& stack, double duration);
@@ -86,8 +89,7 @@ class BoundController : public Lent<control::Controller> {
   std::unique_ptr<runtime::StageTimer> timer_;
   std::string told_;
   long ticks_ = 0;
-  std::optional<StackNames> before_;  // the last change of the stack
-  double before_time_ = kNaN;         // of the tick before it [s]
+  std::optional<StackNames> before_;  // of the stack at the last tick, if another has come since
 };
 
 }  // namespace surefoot::python

@@ -1,7 +1,6 @@
 #include "python/bindings.hpp"
-#include "python/interpreter.hpp"
-#include "python/interrupt.hpp"
 #include "python/robot.hpp"
+#include "python/while_others_run.hpp"
 #include "surefoot/base/error.hpp"
 #include "surefoot/base/printable.hpp"
 #include "surefoot/doctor/picture.hpp"
@@ -16,6 +15,7 @@
 #include <nanobind/stl/vector.h>
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -30,23 +30,15 @@ struct Examined {
 };
 
 Examined examine(const std::filesystem::path& description, const std::string& name, bool walk) {
-  Examined result;
-  Interrupt interrupt;
-  {
-    const Interpreter::Unlocked others_may_run;
-    result.diagnosis = doctor::examine(description.string(), name);
+  return while_others_run([&](const std::function<bool()>& stops) {
+    Examined result{.diagnosis = doctor::examine(description.string(), name), .trials = {}};
     if (walk && result.diagnosis.robot) {
       doctor::TrialOptions options;
-      options.interrupted = [&] { return interrupt.is_asked(); };
-      try {
-        result.trials = doctor::try_walking(result.diagnosis, options);
-      } catch (const Error&) {
-        if (!interrupt.has_come()) throw;
-      }
+      options.interrupted = stops;
+      result.trials = doctor::try_walking(result.diagnosis, options);
     }
-  }
-  interrupt.raise();
-  return result;
+    return result;
+  });
 }
 
 void bind_finding(nb::module_& module) {

@@ -132,10 +132,8 @@ void bind_gait_tick(nb::module_& module) {
           },
           nb::arg("leg"), nb::arg("to"), nb::arg("duration"), nb::arg("apex") = nb::none(),
           "Begins a swing to a place in W [m], of a foot that stands; others may be in the air, "
-          "with one "
-          "count of collisions and catches. It\nends at the first contact; without one the foot "
-          "goes "
-          "on down.");
+          "and collisions and catches are counted for all together. It\nends at the first contact; "
+          "without one the foot goes on down.");
 }
 
 }  // namespace surefoot::python

@@ -12,7 +12,8 @@ namespace nb = nanobind;
 
 /// The interpreter's lock, and its end. Python ends a thread that asks for its lock too late by
 /// unwinding it, which C++ does not survive in the middle of a tick. So at the interpreter's end
-/// the other threads stay where they would ask.
+/// the other threads stay where they would ask; one that is in Python code then is unwound all the
+/// same, which aborts the program.
 class Interpreter {
  public:
   /// For Python's atexit: until all threads in C++ have come to where they stay, but 1 s at most.

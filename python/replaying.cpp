@@ -38,8 +38,10 @@ std::string compared(const std::string& log, const std::string& stack, const nb:
 }
 
 std::shared_ptr<Robot> robot_of(const std::string& log, const nb::object& own) {
-  const replay::LogReplay replay(log, {.own_tasks = own_tasks_of_run(own)});
-  return std::make_shared<Robot>(replay.robot());
+  const tasks::OwnTasks tasks = own_tasks_of_run(own);
+  return while_others_run([&](const std::function<bool()>&) {
+    return std::make_shared<Robot>(replay::LogReplay(log, {.own_tasks = tasks}).robot());
+  });
 }
 
 }  // namespace

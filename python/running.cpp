@@ -189,12 +189,12 @@ class TickHook final : public closed_loop::RunSteering {
     try {
       every_tick_(tick_);
       user_ = tick.controller.checked(tick.user);
-      tick.plant.changes.take(time, 0, log_change_);
-      tick.controller.changes.take(time, 0, log_change_);
     } catch (...) {
       error_ = std::current_exception();
     }
-    tick.resume();
+    tick.resume();  // after changes of other threads, which this tick has, too
+    tick.plant.changes.take(time, 0, log_change_);
+    tick.controller.changes.take(time, 0, log_change_);
     return error_ || tick.stops ? closed_loop::RunOrder::stop : closed_loop::RunOrder::tick;
   }
   UserCommand user(const UserCommand&) override { return user_; }

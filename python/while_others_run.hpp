@@ -24,6 +24,7 @@ auto while_others_run(const Compute& compute) {
     return result;
   } catch (const Error&) {
     interrupt.raise();
+    raise_waiting_exit();
     throw;
   }
 }

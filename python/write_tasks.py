@@ -71,5 +71,5 @@ class {class_name(task["name"])}(Task):
 
 if __name__ == "__main__":
     tasks = _core.catalog()
-    with open(sys.argv[1], "w") as file:
+    with open(sys.argv[1], "w", encoding="utf-8") as file:
         file.write(HEAD.format(names=[class_name(task["name"]) for task in tasks]) + "".join(map(written, tasks)))

@@ -6,7 +6,6 @@ import copyreg
 import json
 import os
 import pathlib
-import tempfile
 import weakref
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any
@@ -16,7 +15,7 @@ from surefoot._arguments import ArgumentError, checked, is_number, number
 from surefoot._core import Error, Estimator, Gait, Planner, Plant, Robot, Scenario
 from surefoot._fixed import refuse_to_set
 from surefoot._paths import absolute_path, is_path, with_absolute_paths
-from surefoot.stack import Stack
+from surefoot.stack import Stack, as_file
 from surefoot.task import OwnTask, own_tasks_told, registered_tasks
 
 _arguments_of: weakref.WeakKeyDictionary[Scenario, tuple[Any, ...]] = weakref.WeakKeyDictionary()
@@ -96,13 +95,8 @@ def _read_with_stack(
 ) -> Scenario:
     if stack is None:
         return read_scenario(name, seed, words, registered, gaits)
-    with tempfile.TemporaryDirectory(prefix="surefoot_") as folder:
-        file = pathlib.Path(folder) / "stack.yaml"
-        file.write_text(stack.text(robot or robot_of(name, seed, words, gaits)))
-        try:
-            return read_scenario(name, seed, [*words, f"stack={file}"], stack.own_tasks, gaits, stack.name)
-        except Error as error:
-            raise type(error)(str(error).replace(str(file), f"stack {stack.name}")) from None
+    with as_file(stack, robot or robot_of(name, seed, words, gaits)) as file:
+        return read_scenario(name, seed, [*words, f"stack={file}"], stack.own_tasks, gaits, stack.name)
 
 
 def robot_of(name: str, seed: int, words: list[str], gaits: dict[str, Callable[[], Gait]]) -> Robot:

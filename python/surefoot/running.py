@@ -184,10 +184,10 @@ def with_stacks_as_files(spec: Mapping[str, Any], folder: pathlib.Path) -> Any:
         written.append(stack.name)
         number = written.count(stack.name)
         file = folder / f"{stack.name}{f'_{number}' if number > 1 else ''}.yaml"
-        if file.exists() and file.read_text() != text:
+        if file.exists() and file.read_text(encoding="utf-8") != text:
             raise Error(f"{folder.parent} has results of another stack {file.stem}; another `out`, or another name of the campaign, would be valid")
         folder.mkdir(parents=True, exist_ok=True)
-        file.write_text(text)
+        file.write_text(text, encoding="utf-8")
         return str(file)
 
     def section(key: str, value: Any) -> Any:

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import contextlib
 import operator
 import os
 import pathlib
 import re
+import tempfile
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
@@ -227,6 +229,18 @@ class Stack:
     def _level_of(self, found: re.Match[str]) -> str:
         """Of a place in the text that nobody has seen."""
         return f", level {self.levels()[int(found[1])].name}: "
+
+
+@contextlib.contextmanager
+def as_file(stack: Stack, robot: Robot | None) -> Iterator[str]:
+    """The path of its file with the numbers for a robot, while it is needed. Errors that name the file name the stack."""
+    with tempfile.TemporaryDirectory(prefix="surefoot_") as folder:
+        file = pathlib.Path(folder) / "stack.yaml"
+        file.write_text(stack.text(robot), encoding="utf-8")
+        try:
+            yield str(file)
+        except Error as error:
+            raise type(error)(re.sub(rf"(stack )?{re.escape(str(file))}", f"stack {stack.name}", str(error))) from None
 
 
 def advice_of_stack(stack: Stack, name: str) -> str:

@@ -156,7 +156,8 @@ def with_registered(given: Sequence[OwnTask]) -> list[OwnTask]:
     """And registered ones of other names."""
     if not is_list(given):
         raise ArgumentError(f"own_tasks is {shown(given)}; a list of OwnTasks would be valid")
-    return [*given, *(task for name, task in _registered.items() if name not in [each.task for each in given])]
+    names = [getattr(each, "task", None) for each in given]
+    return [*given, *(task for name, task in _registered.items() if name not in names)]
 
 
 @contextlib.contextmanager

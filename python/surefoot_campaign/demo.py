@@ -192,10 +192,10 @@ def make_demo(program, arguments, out):
     whole = [one for one in begun if len(rows_of[one.name]) == len(of[one.name])]
     rows = [summarise(one, about[one.name], rows_of[one.name], out, one in whole) for one in begun]
     print_rows(rows)
-    (out / "results.json").write_text(json.dumps(sum(rows_of.values(), []), indent=1, ensure_ascii=False) + "\n")
+    (out / "results.json").write_text(json.dumps(sum(rows_of.values(), []), indent=1, ensure_ascii=False) + "\n", encoding="utf-8")
     cut = "" if len(whole) == len(of) else "interrupted; "
     page = demo_page(rows, f"{cut}Bellicoso et al., Humanoids 2016, in simulation; surefoot {about[begun[0].name]['version']}", FIRST)
-    (out / "index.html").write_text(page)
+    (out / "index.html").write_text(page, encoding="utf-8")
     print(f"\nreport: {out / 'index.html'}", flush=True)
     if cut:
         lacking = len(begun) - len(whole)

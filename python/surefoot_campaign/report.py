@@ -67,9 +67,9 @@ def write_all(plan, records, program, folder):
     table = Table(plan, records)
     found = summary(plan, records, program, table)
     table.write(folder)
-    (folder / "rates.csv").write_text(rates_csv(plan, found))
-    (folder / "worst.md").write_text(worst_text(plan, records, program))
-    (folder / "summary.json").write_text(json.dumps(found, indent=1, ensure_ascii=False) + "\n")
+    (folder / "rates.csv").write_text(rates_csv(plan, found), encoding="utf-8")
+    (folder / "worst.md").write_text(worst_text(plan, records, program), encoding="utf-8")
+    (folder / "summary.json").write_text(json.dumps(found, indent=1, ensure_ascii=False) + "\n", encoding="utf-8")
     return found
 
 

@@ -101,7 +101,7 @@ class Table:
         return hashlib.sha256(self.csv(self.compared).encode()).hexdigest()[:16]
 
     def write(self, folder):
-        (folder / "runs.csv").write_text(self.csv(self.names))
+        (folder / "runs.csv").write_text(self.csv(self.names), encoding="utf-8")
         write_parquet(self.columns, folder / "runs.parquet")
 
 

@@ -162,7 +162,8 @@ class LogFile:
     def text(self, name):
         """An attachment. Throws InputError if the log has none of that name."""
         if name not in self.attachments:
-            raise self._error(f"has no attachment {name}, which this needs; a log that is recorded with a plant would be valid")
+            valid = "one that is recorded with a plant" if name == "model.xml" else "one that is recorded anew"
+            raise self._error(f"the log has no attachment {name}, which this needs; {valid} would be valid")
         return self.attachments[name].decode()
 
     def no_tick(self, purpose):

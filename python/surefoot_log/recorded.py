@@ -6,7 +6,6 @@ import json
 import math
 import os
 import pathlib
-import tempfile
 from collections.abc import Iterator, Sequence
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
@@ -19,8 +18,8 @@ from surefoot import _core
 from surefoot._core import Error, Planner
 from surefoot._errors import told_as_error
 from surefoot._named import named
-from surefoot.stack import Stack
-from surefoot.task import OwnTask
+from surefoot.stack import Stack, as_file
+from surefoot.task import OwnTask, with_registered
 from surefoot_campaign.errors import InputError, valid_names
 from surefoot_log.figures import figure_of
 from surefoot_log.log_file import SUMMARY, LogFile
@@ -270,21 +269,18 @@ class Recorded:
     def compare(self, stack: Stack | str | os.PathLike[str], *, own_tasks: Sequence[OwnTask] = ()) -> dict[str, Any]:
         """What another stack would have commanded at each tick, as `surefoot replay --stack`: its `torque_difference` and `levels` beside the run's.
 
-        stack: a Stack, whose numbers are made for the run's robot, or a name or file. own_tasks: as for verify(); those of a Stack are known."""
+        stack: a Stack, whose numbers are made for the run's robot, or a name or file. own_tasks: as for verify(); those of a Stack are taken for the
+        run's, too."""
         if not isinstance(stack, Stack):
             return self._computed(_core.compare_stack(str(self.path), os.fspath(stack), own_tasks))
-        own = [*own_tasks, *(task for task in stack.own_tasks if not any(task is each for each in own_tasks))]
-        names = [task.task for task in own]
-        twice = [name for name in names if names.count(name) > 1]
+        of_run = {task.task: task for task in with_registered(own_tasks)}
+        of_stack = {task.task: task for task in stack.own_tasks}
+        twice = [name for name, task in of_stack.items() if of_run.get(name, task) is not task]
         if twice:
-            raise Error(f"own_tasks and the stack have two tasks {twice[0]!r}; the same one in both, or two names, would be valid")
-        with tempfile.TemporaryDirectory(prefix="surefoot_") as folder:
-            file = pathlib.Path(folder) / "stack.yaml"
-            file.write_text(stack.text(_core.robot_of_log(str(self.path), own)))
-            try:
-                return self._computed(_core.compare_stack(str(self.path), str(file), own)) | {"other": stack.name}
-            except Error as error:
-                raise type(error)(str(error).replace(str(file), stack.name)) from None
+            raise Error(f"the stack has another task {twice[0]!r} than the run; the same one in both, or two names, would be valid")
+        own = [*(of_run | of_stack).values()]
+        with as_file(stack, _core.robot_of_log(str(self.path), own)) as file:
+            return self._computed(_core.compare_stack(str(self.path), file, own)) | {"other": stack.name}
 
     @staticmethod
     def _computed(found: str) -> dict[str, Any]:

@@ -13,7 +13,7 @@ from matplotlib.ticker import MaxNLocator
 
 from surefoot_campaign.text import escape
 
-STYLE = (pathlib.Path(__file__).parent / "page.css").read_text()
+STYLE = (pathlib.Path(__file__).parent / "page.css").read_text(encoding="utf-8")
 LIGHT = dict(re.findall(r"--(\w+): (#\w{6});", STYLE[: STYLE.index("@media")]))  # colours by the names of page.css, which has them for dark, too
 INK, SOFT, RULE, STANCE, AMBER, BOUND, GROUND = (LIGHT[name] for name in ("ink", "soft", "grid", "stance", "search", "bound", "ground"))
 LEG_COLOURS = [LIGHT[f"c{leg}"] for leg in range(6)]

@@ -94,7 +94,7 @@ def fresh_folder(folder):
 def write_page(folder, text):
     path = folder / "index.html"
     with written_whole(path) as partial:
-        Path(partial).write_text(text)
+        Path(partial).write_text(text, encoding="utf-8")
     return path
 
 

@@ -31,7 +31,7 @@ bool gave_plans(const std::string& own_part) {
 }
 
 constexpr const char* kHowToGive =
-    "a task of your own can be given: in Python own_tasks=[…], in C++ ReplayOptions::own_tasks";
+    "a task of your own can be given: in Python own_tasks=[…], in C++ tasks::OwnTasks";
 
 /// States and plans are in the log; what a task asked for is not.
 void check_tasks(const std::string& path, const logging::LogHeader& header,
@@ -129,8 +129,11 @@ control::StackOptions LogReplay::changed_stack(const logged::Change& change) con
   try {
     return config::parse_stack(change.stack, "/changes", {}, own_tasks_);
   } catch (const Error& error) {
+    const std::string why = error.what();
+    const bool lacks_task = why.find(": unknown task ") != std::string::npos;
     throw Error(path_ + formatted(": from %.4f s on", tick_.reading.time) +
-                " the run has a stack that can't be read: " + error.what() + "; " + kHowToGive);
+                " the run has a stack that can't be read: " + why +
+                (lacks_task ? std::string("; ") + kHowToGive : ""));
   }
 }
 

@@ -1,5 +1,6 @@
 """Several threads at one controller and plant."""
 
+import contextlib
 import subprocess
 import sys
 import threading
@@ -145,11 +146,11 @@ def test_what_a_run_lends_waits_for_its_ticks_too(scenario):
 def test_a_loop_without_a_plant_lets_changes_in(scenario):
     """It keeps the interpreter's lock between its ticks for some microseconds only."""
     controller, stack, failed, changes = surefoot.Controller("anymal_b"), surefoot.Stack("walk"), [], []
-    reading, user = surefoot.Plant(surefoot.load_scenario("walk_flat")).read(), surefoot.UserCommand()
+    plant, user = surefoot.Plant(surefoot.load_scenario("walk_flat")), surefoot.UserCommand()
 
     def change():
         try:
-            while len(changes) < 10:
+            while changes.count(True) < 10:  # False: the stack before is not there yet
                 changes.append(controller.set_stack(stack, duration=0.001))
         except surefoot.Error as error:
             failed.append(str(error))
@@ -157,8 +158,51 @@ def test_a_loop_without_a_plant_lets_changes_in(scenario):
     thread = threading.Thread(target=change)
     thread.start()
     while thread.is_alive():
-        controller.step(reading, user)
-    assert not failed and len(changes) == 10
+        plant.write(controller.step(plant.read(), user))
+    assert not failed and changes.count(True) == 10
+
+
+def test_a_log_has_another_threads_change_at_the_tick_that_has_it(scenario, tmp_path):
+    """A change that waits comes between the callback and its tick."""
+    lent, changes = [], []
+
+    def change():
+        with contextlib.suppress(surefoot.Error):  # the run has ended
+            while True:
+                lent[0].controller.set_friction(0.4 + 0.01 * (len(changes) % 20))
+                changes.append(lent[0].time)
+
+    thread = threading.Thread(target=change)
+
+    def tick(now):
+        if not lent:
+            lent.append(now)
+            thread.start()
+
+    surefoot.run(scenario, every_tick=tick, record=tmp_path / "run.mcap")
+    thread.join()
+    assert len(changes) > 20
+    assert surefoot.read(tmp_path / "run.mcap").verify()["same"] is True
+
+
+def test_a_tick_without_a_solution_has_no_problem(late):
+    def fail():
+        raise ValueError("lost")
+
+    late.task.call = fail
+    with pytest.warns(RuntimeWarning, match="lost"):
+        late.controller.step(late.plant.read(), late.scenario.user(0))
+    with pytest.raises(surefoot.Error, match="no hierarchy was solved at the last tick"):
+        late.controller.problem
+
+
+def test_levels_after_a_tick_are_of_its_stack_though_the_clock_stands_still(late):
+    late.task.call = lambda: None
+    reading = late.plant.read()
+    late.controller.step(reading, late.scenario.user(0))
+    assert late.controller.set_stack(surefoot.Stack("terrain_adaptation").without("com_xy").last(surefoot.tasks.ComXy()).last(late.task), 0.0001)
+    late.controller.step(reading, late.scenario.user(0))
+    assert [level.name for level in late.controller.levels()] == late.controller.level_names
 
 
 def test_right_after_a_change_of_stack_the_levels_are_still_those_of_the_last_tick(late, tmp_path):
