@@ -101,11 +101,11 @@ class HandEvaluator {
           formatted("the controller is at %g s, the plant at %g s; add() comes after step() "
                     "and before write()",
                     record.reading.time, time));
+    if (log_) log_->add();
     evaluator_.add(plant_->truth(), record);
     evaluator_.add(controller_.timing());
     if (!evaluator_.fell()) stop_.update(*controller_, time);
     (void)goal_.update(plant_->truth());
-    if (log_) log_->add();
   }
 
   [[nodiscard]] evaluation::Metrics metrics() const {

@@ -2,6 +2,7 @@
 
 #include "python/controller.hpp"
 #include "python/plant.hpp"
+#include "surefoot/base/formatted.hpp"
 #include "surefoot/closed_loop/change_log.hpp"
 #include "surefoot/closed_loop/run_log.hpp"
 #include "surefoot/evaluation/truth_log.hpp"
@@ -33,10 +34,12 @@ class HandLog {
   HandLog& operator=(const HandLog&) = delete;
   ~HandLog() { set_recorded(false); }
 
-  /// The last tick, after it and before the next change.
+  /// The last tick, after it and before the next change. Throws Error if there is none, and if its
+  /// time does not grow.
   void add() {
     const TickRecord& record = controller_->record();
     const double time = record.reading.time;
+    begin_tick(time);
     const auto log = [&](const logged::Change& change) {
       change_log_->record(change, *controller_);
     };
@@ -60,6 +63,23 @@ class HandLog {
       throw Error("record: another log records this plant or controller; close() it first");
     return path;
   }
+  /// A controller can't be computed again behind a tick that is not in the log.
+  void begin_tick(double time) {
+    const long missing = controller_.ticks() - ticks_ - 1;
+    if (missing < 0)
+      throw Error("the controller has made no tick since the last add(), which comes after step()");
+    if (!(time > time_))
+      throw Error(formatted("the reading's time is %g s", time) +
+                  (ticks_ == 0 ? "" : formatted(", and the one before was at %g s", time_)) +
+                  "; times that grow from 0 on would be valid");
+    time_ = time;
+    ticks_ = controller_.ticks();
+    if (missing == 0) return;
+    const std::string told = std::to_string(missing) + (missing == 1 ? " tick is" : " ticks are") +
+                             " not in the log, and what comes behind can't be computed again; "
+                             "add() after each step() would be valid";
+    if (PyErr_WarnEx(PyExc_RuntimeWarning, told.c_str(), 2) != 0) throw nb::python_error();
+  }
   void set_recorded(bool recorded) {
     if (plant_ != nullptr) plant_->changes.set_recorded(recorded);
     controller_.changes.set_recorded(recorded);
@@ -67,6 +87,8 @@ class HandLog {
 
   BoundController& controller_;
   BoundPlant* plant_;
+  double time_ = -1e-12;  // of the last tick [s]
+  long ticks_ = 0;        // of the controller, then
   logging::Recorder recorder_;
   std::optional<evaluation::TruthLog> truth_log_;
   std::optional<closed_loop::ChangeLog> change_log_;

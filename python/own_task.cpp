@@ -50,6 +50,9 @@ T attribute(const nb::object& task, const char* name, const std::string& valid) 
 
 template <typename Array>
 Array numbers(nb::handle given, const char* what) {
+  if (nb::hasattr(given, "dtype") && text_of(given.attr("dtype").attr("kind")) == "c")
+    throw Error(std::string("rows() gave ") + what +
+                " of complex numbers; real ones would be valid");
   const nb::object made =
       nb::module_::import_("numpy").attr("ascontiguousarray")(given, nb::arg("dtype") = "float64");
   Array array;

@@ -19,25 +19,26 @@ class HandRecorder {
   HandRecorder(BoundController& controller, const config::Scenario& scenario,
                const std::string& path)
       : controller_(controller),
+        path_(path),
         log_(std::make_unique<HandLog>(path, scenario, controller, nullptr,
                                        model::RobotModel(scenario.robot))) {}
 
   void add() {
     if (!log_) throw Error("this Recorder is closed; another one, of another log, would be valid");
-    if (controller_.ticks() == ticks_)
-      throw Error("the controller has made no tick since the last add(), which comes after step()");
-    ticks_ = controller_.ticks();
     log_->add();
   }
   void close() {
     if (log_) log_->close("{}");
     log_.reset();
   }
+  [[nodiscard]] std::string shown() const {
+    return "<recorder of " + path_ + (log_ ? ">" : ", closed>");
+  }
 
  private:
   BoundController& controller_;
+  std::string path_;
   std::unique_ptr<HandLog> log_;
-  long ticks_ = 0;
 };
 
 }  // namespace
@@ -69,7 +70,10 @@ void bind_recording(nb::module_& module) {
           nb::sig("def __init__(self, controller: ControllerBase, path: str | os.PathLike[str]) -> "
                   "None"),
           "path: of the log to write, run.mcap.")
-      .def("add", &Self::add, "A tick: after step().")
+      .def("__repr__", &Self::shown)
+      .def("add", &Self::add,
+           "A tick: after step(). Warns of ticks that were not added. Raises Error where the "
+           "reading's time does not grow.")
       .def("close", &Self::close, "Completes the log; without it, it is called run.mcap.partial.")
       .def(
           "__enter__", [](nb::handle_t<Self> self) { return nb::borrow(self); },

@@ -124,7 +124,9 @@ copyreg.pickle(Scenario, _reduce_scenario)
 
 
 def advice_of_scenario(scenario: Scenario, name: str) -> str:
-    return f"{name} of a scenario can't be set; load_scenario({scenario.name!r}, set={{{name!r}: …}}) reads one with another"
+    argument = f"{name}=…" if name in ("seed", "robot", "stack", "gaits") else f"set={{{name!r}: …}}" if name in json.loads(scenario.options_json) else "set={…}"
+    listed = "" if argument != "set={…}" else ", by the keys that `surefoot list options` has"
+    return f"{name} of a scenario can't be set; load_scenario({scenario.name!r}, {argument}) reads one with another{listed}"
 
 
 refuse_to_set(Scenario, advice_of_scenario)
@@ -167,6 +169,20 @@ def advice_of_controller(controller: _core.ControllerBase, name: str) -> str:
 
 
 refuse_to_set(_core.ControllerBase, advice_of_controller)
+
+
+def advice_of_plant(plant: Plant, name: str) -> str:
+    return f"a Plant has no {name} to set; push() and fail() change what it does, and its scenario is given where it is made"
+
+
+refuse_to_set(Plant, advice_of_plant)
+
+
+def advice_of_robot(robot: Robot, name: str) -> str:
+    return f"{name} of a Robot can't be set; a robot file with another one would be valid ({robot.file} is this robot's)"
+
+
+refuse_to_set(Robot, advice_of_robot)
 
 
 def change_stack(controller: _core.ControllerBase, stack: Stack | str | os.PathLike[str], duration: float, robot: Robot, options: str) -> bool:

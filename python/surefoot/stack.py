@@ -50,6 +50,12 @@ class StackLevel:
         return line + " + ".join(shown) + (f", damping {self.damping:g}" if self.damping else "")
 
 
+def content_of(level: StackLevel) -> tuple[Any, ...]:
+    """All that it does: the name of a task is that of the level, if it is alone there."""
+    tasks = [(task.task, task.weight, task.parameters, task if isinstance(task, OwnTask) else task._own) for task in level.tasks]
+    return level.name, level.damping, tasks
+
+
 def words_of(task: Task) -> str:
     weight = f" × {task.weight:g}" if task.weight != 1.0 else ""
     return " ".join([task.task + weight, *(f"{key}={value:g}" if isinstance(value, float | int) else f"{key}={value}" for key, value in task.parameters.items())])
@@ -91,7 +97,6 @@ class Stack:
     def __init__(self, base: str | os.PathLike[str] | None = None, name: str | None = None) -> None:
         self._base = None if base is None else absolute_path(os.fspath(base))
         self._steps: tuple[Step, ...] = ()
-        self._weighted_from: str | None = None
         vars(self)["name"] = name or "own"
         self.levels()
         if name is None and self._base is not None:
@@ -142,12 +147,13 @@ class Stack:
         made = self
         for name, weight in weights.items():
             made = made._with(partial(weigh, name, weight))
-        return made._with(list, weighted_from=level)
+        made._parsed(f"weighted_from: {level}\n")  # raises Error on a level that keeps the physics
+        return made._with(partial(merge, level))
 
     def text(self, robot: Robot | None = None, changed: Mapping[str, Mapping[str, float | str]] = {}) -> str:
         """As a stack file (stacks/*.yaml), complete in itself, for this robot. changed: as for levels()."""
         lines = [f"name: {self.name}", "levels:", *(f"  - {yaml_of(level)}" for level in self.levels(robot, changed))]
-        return "\n".join(lines + [f"weighted_from: {self._weighted_from}"] * (self._weighted_from is not None)) + "\n"
+        return "\n".join(lines) + "\n"
 
     def write(self, path: str | os.PathLike[str], robot: Robot | str | os.PathLike[str] | None = None) -> None:
         """Writes that file, with the numbers that fit a robot, by default ANYmal B; a comment in it says which. Tasks of your own stand in it by
@@ -188,10 +194,10 @@ class Stack:
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, Stack):
             return False
-        return (self.name, self._weighted_from, self.levels()) == (other.name, other._weighted_from, other.levels())
+        return (self.name, [*map(content_of, self.levels())]) == (other.name, [*map(content_of, other.levels())])
 
     def __hash__(self) -> int:
-        return hash((self.name, self._weighted_from, tuple(level.name for level in self.levels())))
+        return hash((self.name, tuple(level.name for level in self.levels())))
 
     def __len__(self) -> int:
         return len(self._parsed())
@@ -202,10 +208,10 @@ class Stack:
     def __repr__(self) -> str:
         return f"<stack {self.name}: {' > '.join(self.level_names)}>"
 
-    def _with(self, step: Step, weighted_from: str | None = None) -> Stack:
+    def _with(self, step: Step) -> Stack:
         """Throws at once what the program would refuse."""
         made = Stack.__new__(Stack)
-        made._base, made._steps, made._weighted_from = self._base, (*self._steps, step), weighted_from or self._weighted_from
+        made._base, made._steps = self._base, (*self._steps, step)
         vars(made)["name"] = self.name
         levels = made.levels()
         names = [level.name for level in levels]
@@ -216,11 +222,12 @@ class Stack:
             made._parsed()
         return made
 
-    def _parsed(self) -> list[StackLevel]:
+    def _parsed(self, end: str = "") -> list[StackLevel]:
+        """As the program reads it, and an end of its file."""
         if not self.levels():
             return []
         try:
-            found = _core.parse_stack(self.text(), f"stack {self.name}", own=self.own_tasks)
+            found = _core.parse_stack(self.text() + end, f"stack {self.name}", own=self.own_tasks)
         except Error as error:
             raise type(error)(re.sub(r":\d+: levels\.(\d+)\.", self._level_of, str(error))) from None
         return [StackLevel(name, tuple(Task._read(task, name, weight, parameters) for task, weight, parameters in tasks), damping)
@@ -302,6 +309,11 @@ def weigh(name: str, weight: float, levels: list[StackLevel]) -> list[StackLevel
     place_of(levels, name)
     return [replace(level, tasks=tuple(task._with(task.weight * weight, task.parameters) for task in level.tasks)) if level.name == name else level
             for level in levels]  # fmt: skip
+
+
+def merge(name: str, levels: list[StackLevel]) -> list[StackLevel]:
+    place = place_of(levels, name)
+    return [*levels[:place], StackLevel("weighted", tuple(task for level in levels[place:] for task in level.tasks))]
 
 
 def yaml_of(level: StackLevel) -> str:

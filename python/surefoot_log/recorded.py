@@ -6,6 +6,7 @@ import json
 import math
 import os
 import pathlib
+import warnings
 from collections.abc import Iterator, Sequence
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
@@ -83,6 +84,8 @@ class Recorded:
     @cached_property
     def channels(self) -> dict[str, str]:
         """Each name with its unit; "" where it has none."""
+        if "state" not in self.topics:
+            return {}
         units: dict[str, str] = named({field.name: field.metadata[b"unit"].decode() for field in Table(self._log).schema})
         return units
 
@@ -114,6 +117,8 @@ class Recorded:
     @cached_property
     def time(self) -> Array:
         """Of the ticks [s]."""
+        if "state" not in self.topics:
+            raise Error(str(self._log.no_tick("read")))
         return self._column("state", "time")
 
     def parts(self, topic: str) -> Iterator[pa.RecordBatch]:
@@ -262,9 +267,12 @@ class Recorded:
     def verify(self, *, own_tasks: Sequence[OwnTask] = (), planner: Planner | None = None) -> dict[str, Any]:
         """Computes every torque again, as `surefoot replay --verify`: whether they are the `same`, to the bit, in how many `ticks`, and what differs.
 
-        own_tasks, planner: your own of the run, as they were at its start. Tasks that are registered are known; without a planner its plans are the
+        own_tasks, planner: your own of the run, as they were at its start, each task with a name of its own. Tasks that are registered are known; without a planner its plans are the
         log's, as the states of an estimator of your own always are."""
-        return self._computed(_core.verify_log(str(self.path), own_tasks, planner))
+        found = self._computed(_core.verify_log(str(self.path), own_tasks, planner))
+        if not found["same"] and "fault" in found:
+            warnings.warn(f"as the run is computed again, {found['fault']}", RuntimeWarning, stacklevel=3)
+        return found
 
     def compare(self, stack: Stack | str | os.PathLike[str], *, own_tasks: Sequence[OwnTask] = ()) -> dict[str, Any]:
         """What another stack would have commanded at each tick, as `surefoot replay --stack`: its `torque_difference` and `levels` beside the run's.

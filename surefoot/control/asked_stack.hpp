@@ -35,6 +35,8 @@ class AskedStack {
   const StackAnswer& ask(const RobotState& state, const model::Dynamics& dynamics,
                          const MotionPlan& plan) noexcept;
 
+  /// What a task of the user's own did wrong at this tick; empty if nothing.
+  [[nodiscard]] std::string fault() const { return solved_.stack.fault().text(); }
   /// Names of the levels, highest priority first, and the units of their residuals.
   [[nodiscard]] std::vector<std::string> level_names() const;
   [[nodiscard]] std::vector<std::string> level_units() const { return solved_.stack.units(); }

@@ -82,6 +82,16 @@ std::vector<Wanted> wanted(TickExplanation& explanation) {
   return list;
 }
 
+std::string why_not_found(const replay::LogReplay& replay, const std::string& tick) {
+  if (const std::string fault = replay.controller().fault(); !fault.empty())
+    return "as the log's controller is computed again, " + fault;
+  if (replay.is_same()) return "solved once more, the levels of " + tick + " come out otherwise";
+  const bool has_own = !replay.header().own_parts.empty();
+  return "this program's controller makes another hierarchy of " + tick +
+         "; the log was recorded " + (has_own ? "with other parts of the user's own, or " : "") +
+         "by another version";
+}
+
 /// Fills in the costs of all of them; why not all were found, or empty.
 std::string find_all(replay::LogReplay& replay, const std::vector<Wanted>& list,
                      const std::function<bool()>& stops) {
@@ -95,10 +105,7 @@ std::string find_all(replay::LogReplay& replay, const std::vector<Wanted>& list,
     *next.costs = costs_of(replay.controller(), replay.header(), *next.tick,
                            logging::solved_levels(*next.tick, *next.order));
     if (!*next.costs) {
-      const std::string tick = formatted("%.4f s", time);
-      return replay.is_same() ? "solved once more, the levels of " + tick + " come out otherwise"
-                              : "this program's controller makes another hierarchy of " + tick +
-                                    "; the log was recorded by another version";
+      return why_not_found(replay, formatted("%.4f s", time));
     }
     ++found;
   }

@@ -121,6 +121,7 @@ Verification verify_log(const std::string& path, const ReplayOptions& options,
     compare_messages(comparison, logged, replay.controller().record(), result);
     ++result.ticks;
   }
+  result.fault = replay.controller().fault();
   result.problem = replay.problem();
   result.gap = replay.gap();
   result.may_go_on = replay.may_go_on();

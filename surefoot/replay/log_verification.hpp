@@ -42,6 +42,7 @@ struct Verification {
   /// compared.
   std::array<MessageDifferences, 4> messages{
       {{"/state", 0, 0.0}, {"/plan", 0, 0.0}, {"/model", 0, 0.0}, {"/command", 0, 0.0}}};
+  std::string fault;          ///< what a part of the user's own did wrong last, as it ran again
   std::string problem;        ///< why not all of the log could be read; empty if it is whole
   std::optional<LogGap> gap;  ///< nothing could be compared after it
   bool may_go_on = false;     ///< later ticks may be lost

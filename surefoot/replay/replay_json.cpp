@@ -70,6 +70,7 @@ std::string json_of(const std::string& path, const Verification& result) {
       json["different_messages"][topic.topic] = {{"ticks", topic.ticks}, {"first", topic.first}};
   json["all_compared"] = result.is_all();
   logging::add_clock(result.clock, json);
+  if (!result.fault.empty()) json["fault"] = result.fault;
   if (result.gap) json["gap"] = gap_json(*result.gap);
   if (!result.problem.empty()) json["problem"] = result.problem;
   return json.dump();

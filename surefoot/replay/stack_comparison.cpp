@@ -50,6 +50,7 @@ class Comparison {
       : joints_(header.robot.joints()),
         names_(header.level_names),
         other_names_(other.level_names()),
+        other_(other),
         result_(result) {
     for (std::ptrdiff_t k = 0; k < std::ssize(names_); ++k)
       add_level(header.level_name(k), header.level_unit(k));
@@ -125,6 +126,7 @@ class Comparison {
     const bool is_by_posture = cause != StopCause::none && cause != StopCause::failures;
     if (status == solver::SolveStatus::optimal || is_by_posture)
       return logging::text_of_stop(cause, SampleFault::none, -1, joints_);
+    if (const std::string fault = other_.fault(); !fault.empty()) return fault;
     const auto level = static_cast<std::size_t>(other.hierarchy.failed_level);
     const std::string where = level < other_names_.size() ? " in " + other_names_[level] : "";
     return status == solver::SolveStatus::iteration_cap
@@ -168,6 +170,7 @@ class Comparison {
   }
 
   const std::vector<std::string> joints_, names_, other_names_;
+  const control::AskedStack& other_;
   std::vector<OtherLevel> other_levels_;
   StackComparison& result_;
   std::vector<long> solved_;  // ticks, of each level

@@ -160,6 +160,13 @@ def test_the_message_is_the_programs():
 def test_a_scenario_is_not_changed(scenario):
     with pytest.raises(surefoot.Error, match=r"^duration of a scenario can't be set; load_scenario\('walk_flat\w*', set=\{'duration': …\}\) reads one with another$"):
         scenario.duration = 3.0
+    for name, said in [("seed", r"walk_flat_ideal', seed=…\) reads one"), ("joint_names", r"set=\{…\}\) reads one with another, by the keys that `surefoot list options` has")]:
+        with pytest.raises(surefoot.Error, match=said):
+            setattr(scenario, name, 1)
+    with pytest.raises(surefoot.Error, match=r"a Plant has no friction to set; push\(\) and fail\(\) change what it does"):
+        surefoot.Plant(scenario).friction = 1.0
+    with pytest.raises(surefoot.Error, match="mass of a Robot can't be set; a robot file with another one would be valid .anymal_b is this robot's."):
+        scenario.robot_model.mass = 10.0
 
 
 def test_arrays_have_the_shapes_that_their_help_says(scenario):

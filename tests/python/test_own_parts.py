@@ -66,6 +66,7 @@ BAD = {
     "too many": (lambda tick: (np.zeros((3, 18)), [0, 0, 0]), "rows() gave 3 rows, and max_rows is 1"),
     "no rows": (lambda tick: 7, "rows() gave 7; (A, b) for A x = b, (A, lower, upper) or None would be valid"),
     "flat": (lambda tick: ([1.0] * 18, [0]), "rows() gave A of shape (18,)"),
+    "complex": (lambda tick: (np.ones((1, 18)) * 1j, [0]), "rows() gave A of complex numbers; real ones would be valid"),
     "text": (lambda tick: ("A", "b"), "ValueError"),
 }
 

@@ -45,7 +45,9 @@ def test_a_recorder_is_closed_by_its_block(tmp_path):
     file = tmp_path / "robot.mcap"
     controller = surefoot.Controller("anymal_b")
     with surefoot.Recorder(controller, str(file)) as recorder:
-        controller.step(surefoot.SensorReading(12), surefoot.UserCommand())
+        reading = surefoot.SensorReading(12)
+        reading.time = 0.0
+        controller.step(reading, surefoot.UserCommand())
         recorder.add()
     assert len(surefoot.read(file).time) == 1
     with pytest.raises(surefoot.Error, match="this Recorder is closed"):
@@ -64,6 +66,41 @@ def test_a_recorder_refuses_what_makes_no_log(tmp_path):
     fresh = surefoot.Controller("anymal_b")
     with surefoot.Recorder(fresh, str(tmp_path / "first.mcap")), pytest.raises(surefoot.Error, match="another log records"):
         surefoot.Recorder(fresh, str(tmp_path / "second.mcap"))
+
+
+@pytest.mark.parametrize(("time", "said"), [(-0.5, "the reading's time is -0.5 s; times that grow"), (np.nan, "time is nan s; times"), (0.0, "time is 0 s, and the one before was at 0.0025 s")])
+def test_a_recorder_refuses_a_clock_that_no_log_has(time, said, tmp_path):
+    plant, controller = surefoot.Plant(surefoot.load_scenario("walk_flat_ideal")), surefoot.Controller("anymal_b")
+    with surefoot.Recorder(controller, tmp_path / "run.mcap") as recorder:
+        for tick in range(2 if time == 0 else 0):
+            plant.write(controller.step(plant.read(), surefoot.UserCommand()))
+            recorder.add()
+        reading = plant.read()
+        reading.time = time
+        controller.step(reading, surefoot.UserCommand())
+        with pytest.raises(surefoot.Error, match=said):
+            recorder.add()
+
+
+def test_a_recorder_warns_of_ticks_that_it_was_not_given(tmp_path):
+    plant, controller = surefoot.Plant(surefoot.load_scenario("walk_flat_ideal")), surefoot.Controller("anymal_b")
+    with surefoot.Recorder(controller, tmp_path / "run.mcap") as recorder:
+        for _ in range(2):
+            plant.write(controller.step(plant.read(), surefoot.UserCommand()))
+        with pytest.warns(RuntimeWarning, match="^1 tick is not in the log, and what comes behind can't be computed again"):
+            recorder.add()
+        controller.step(plant.read(), surefoot.UserCommand())
+        recorder.add()
+        assert repr(recorder).startswith("<recorder of /") and repr(recorder).endswith("run.mcap>")
+
+
+def test_a_log_without_ticks_says_so(tmp_path):
+    with surefoot.Recorder(surefoot.Controller("anymal_b"), tmp_path / "run.mcap"):
+        pass
+    log = surefoot.read(tmp_path / "run.mcap")
+    assert ", 0 channels: " in repr(log)
+    with pytest.raises(surefoot.Error, match="the log holds no tick"):
+        log.time
 
 
 def test_another_stack_is_asked_at_each_tick_of_a_log(tmp_path):
@@ -159,6 +196,30 @@ def test_a_planner_of_ones_own_plans_again_where_it_is_given(tmp_path):
     assert surefoot.read(file).verify()["played_back"] == ["planner"]
     again = surefoot.read(file).verify(planner=Asking(scenario))
     assert again["same"] is True and "played_back" not in again
+
+
+class Failing(Still):
+    def rows(self, tick):
+        raise ValueError("no idea")
+
+
+class Failed(surefoot.Planner):
+    def update(self, user, state, dynamics, last):
+        raise ValueError("no idea")
+
+
+def test_what_a_part_of_ones_own_does_wrong_as_it_is_computed_again_is_told(braked, tmp_path):
+    with pytest.warns(RuntimeWarning, match='^as the run is computed again, task "still" threw: ValueError: no idea'):
+        found = braked.verify(own_tasks=[Failing("still")])
+    assert found["same"] is False and "no idea" in found["fault"]
+    failing = BRAKED.before("torso_yaw", Failing("failing"))
+    assert 'task "failing" threw: ValueError: no idea' in braked.compare(failing)["unanswered"]["other"]["why"]
+    assert "computed again, task \"still\" threw" in surefoot.explain(braked, 0.5, own_tasks=[Failing("still")]).facts["why_estimates"]
+    assert "with other parts of the user's own" in surefoot.explain(braked, 0.9, own_tasks=[Braking("still")]).facts["why_estimates"]
+    scenario = surefoot.load_scenario("walk_flat_ideal", set=["duration=0.1"])
+    surefoot.run(scenario, planner=Asking(scenario), record=tmp_path / "run.mcap")
+    with pytest.warns(RuntimeWarning, match="computed again, .*no idea"):
+        surefoot.read(tmp_path / "run.mcap").verify(planner=Failed())
 
 
 class Interrupted(Still):

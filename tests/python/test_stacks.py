@@ -87,10 +87,13 @@ def test_a_file_has_the_numbers_of_the_robot_that_it_is_written_for_and_says_whi
         stack.write(tmp_path / "mine.yaml", robot=3)
 
 
-def test_levels_below_one_can_be_weighted_instead(stack):
+def test_levels_below_one_can_be_weighted_instead(stack, tmp_path):
     made = stack.weighted_from("com_xy", com_xy=100)
     assert made.level_names[-1] == "weighted" and len(made) == 5
     assert [task.weight for task in list(made)[-1].tasks if task.task == "com_xy"] == [100]
+    assert "weighted" not in made.without("weighted") and made.tune("com_xy", weight=3)["weighted"].tasks[0].weight == 3
+    made.write(tmp_path / "made.yaml")
+    assert Stack(tmp_path / "made.yaml") == made
 
 
 class Gained(surefoot.OwnTask):

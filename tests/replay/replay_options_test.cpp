@@ -14,7 +14,9 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace surefoot::replay {
@@ -95,6 +97,14 @@ struct OwnRun {
   config::Scenario scenario = config::load_scenario(kTruth);
 };
 
+/// The user's tasks, of which the one does this.
+tasks::OwnTasks own_tasks_that(test::OwnTask::Write write) {
+  tasks::OwnTasks own;
+  own.add(
+      {.info = test::own_tasks().find("own")->info, .make = test::own_task(std::move(write)).make});
+  return own;
+}
+
 TEST(Verification, OfARunWithATaskOfTheUsersNeedsIt) {
   const OwnRun run;
   EXPECT_TRUE(holds(test::message_of([&] { (void)verify_log(run.log); }),
@@ -109,6 +119,21 @@ TEST(Verification, OfARunWithATaskOfTheUsersNeedsIt) {
          return std::make_unique<test::OwnTask>(test::OwnTask::Options{.acceleration = 1});
        }});
   EXPECT_FALSE(verify_log(run.log, {.own_tasks = another}).is_same());
+}
+
+TEST(Replay, TellsWhatATaskOfTheUsersDoesWrong) {
+  const OwnRun run;
+  const auto failing = own_tasks_that([](const test::OwnTask&, const tasks::TaskInput&,
+                                         solver::Level&) { throw std::runtime_error("no idea"); });
+  EXPECT_TRUE(
+      holds(verify_log(run.log, {.own_tasks = failing}).fault, "task \"own\" threw: no idea"));
+  record(run.folder / "other.mcap", kTruth);
+  test::write_file(run.folder / "other.yaml",
+                   "name: other\nbase: walk\nlevels: [equations_of_motion, no_contact_motion, "
+                   "torque_limits, friction_cone, motion, {task: own}]\n");
+  EXPECT_TRUE(holds(compare_stack(run.folder / "other.mcap", run.folder / "other.yaml", {}, failing)
+                        .other_unanswered.why,
+                    "task \"own\" threw: no idea"));
 }
 
 TEST(Verification, AsksThePlannerThatItIsGiven) {
