@@ -11,7 +11,6 @@
 #include "surefoot/config/loaded_gaits.hpp"
 #include "surefoot/config/stack_file.hpp"
 #include "surefoot/config/stack_text.hpp"
-#include "surefoot/control/stack_reach.hpp"
 #include "surefoot/logging/hierarchy_status.hpp"
 #include "surefoot/simulation/make_estimator.hpp"
 
@@ -118,9 +117,7 @@ std::unique_ptr<estimation::StateEstimator> estimator(const config::Scenario& sc
 
 bool set_stack(BoundController& self, const std::string& text, const std::string& name,
                double duration, const nb::list& own) {
-  const control::StackOptions stack = config::with_scaled_arms(
-      config::parse_stack(text, name, self.robot().scale, own_tasks(own)), self.robot());
-  control::check_reach(stack, control::reach_of(model::RobotModel(self.robot())));
+  const control::StackOptions stack = stack_for(self.robot(), text, name, own_tasks(own));
   if (!self.set_stack(stack, duration)) return false;
   self.changes.add({.time = kNaN,
                     .kind = "stack",

@@ -6,6 +6,7 @@
 #include "surefoot/closed_loop/change_log.hpp"
 #include "surefoot/closed_loop/run_log.hpp"
 #include "surefoot/evaluation/truth_log.hpp"
+#include "surefoot/logging/clock_text.hpp"
 #include "surefoot/logging/recorder.hpp"
 
 #include <optional>
@@ -39,7 +40,7 @@ class HandLog {
   void add() {
     const TickRecord& record = controller_->record();
     const double time = record.reading.time;
-    begin_tick(time);
+    const long missing = begin_tick(logging::to_nanosecond(time));
     const auto log = [&](const logged::Change& change) {
       change_log_->record(change, *controller_);
     };
@@ -48,6 +49,7 @@ class HandLog {
     recorder_.record(record);
     recorder_.record(controller_.timing());
     if (truth_log_) truth_log_->record((*plant_)->truth(), record);
+    if (missing > 0) warn(missing);
   }
 
   void close(std::string_view summary) { recorder_.close(summary); }
@@ -63,8 +65,8 @@ class HandLog {
       throw Error("record: another log records this plant or controller; close() it first");
     return path;
   }
-  /// A controller can't be computed again behind a tick that is not in the log.
-  void begin_tick(double time) {
+  /// How many ticks before this one are not in the log.
+  [[nodiscard]] long begin_tick(double time) {
     const long missing = controller_.ticks() - ticks_ - 1;
     if (missing < 0)
       throw Error("the controller has made no tick since the last add(), which comes after step()");
@@ -74,7 +76,9 @@ class HandLog {
                   "; times that grow from 0 on would be valid");
     time_ = time;
     ticks_ = controller_.ticks();
-    if (missing == 0) return;
+    return missing;
+  }
+  static void warn(long missing) {
     const std::string told = std::to_string(missing) + (missing == 1 ? " tick is" : " ticks are") +
                              " not in the log, and what comes behind can't be computed again; "
                              "add() after each step() would be valid";

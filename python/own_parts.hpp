@@ -77,6 +77,10 @@ void begin_anew(const SharedObject& object, const char* takes,
                                         std::shared_ptr<std::shared_ptr<Robot>> robot);
 /// Of a list of `OwnTask`s.
 [[nodiscard]] tasks::OwnTasks own_tasks(const nb::list& list);
+/// A stack from its text, with all that it needs for a robot. Throws Error if it is none.
+[[nodiscard]] control::StackOptions stack_for(const model::RobotDescription& robot,
+                                              const std::string& text, const std::string& name,
+                                              const tasks::OwnTasks& own);
 /// Of a log's run: those given, and registered ones of other names.
 [[nodiscard]] tasks::OwnTasks own_tasks_of_run(const nb::object& given);
 

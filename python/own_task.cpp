@@ -50,7 +50,8 @@ T attribute(const nb::object& task, const char* name, const std::string& valid) 
 
 template <typename Array>
 Array numbers(nb::handle given, const char* what) {
-  if (nb::hasattr(given, "dtype") && text_of(given.attr("dtype").attr("kind")) == "c")
+  const nb::object type = nb::getattr(given, "dtype", nb::none());
+  if (text_of(nb::getattr(type, "kind", nb::none())) == "c")
     throw Error(std::string("rows() gave ") + what +
                 " of complex numbers; real ones would be valid");
   const nb::object made =

@@ -37,10 +37,17 @@ std::string compared(const std::string& log, const std::string& stack, const nb:
   });
 }
 
-std::shared_ptr<Robot> robot_of(const std::string& log, const nb::object& own) {
-  const tasks::OwnTasks tasks = own_tasks_of_run(own);
-  return while_others_run([&](const std::function<bool()>&) {
-    return std::make_shared<Robot>(replay::LogReplay(log, {.own_tasks = tasks}).robot());
+/// A stack of the user's with its own tasks; `text_for(robot)` is its text.
+std::string compared_with(const std::string& log, const nb::callable& text_for,
+                          const std::string& name, const nb::list& tasks, const nb::object& own) {
+  const tasks::OwnTasks of_stack = own_tasks(tasks), of_run = own_tasks_of_run(own);
+  const replay::MakeStack make_stack = [&](const replay::LogReplay& run) {
+    const Interpreter::Locked python;
+    const nb::object text = text_for(std::make_shared<Robot>(run.robot()));
+    return stack_for(run.robot(), nb::cast<std::string>(text), name, of_stack);
+  };
+  return while_others_run([&](const std::function<bool()>& stops) {
+    return replay::json_of(log, replay::compare_stack(log, make_stack, {}, of_run, stops));
   });
 }
 
@@ -54,9 +61,11 @@ void bind_replaying(nb::module_& module) {
   module.def("compare_stack", &compared, nb::arg("log"), nb::arg("stack"), nb::arg("own_tasks"),
              nb::sig("def compare_stack(log: str, stack: str, own_tasks: "
                      "typing.Sequence[typing.Any]) -> str"));
-  module.def(
-      "robot_of_log", &robot_of, nb::arg("log"), nb::arg("own_tasks"),
-      nb::sig("def robot_of_log(log: str, own_tasks: typing.Sequence[typing.Any]) -> Robot"));
+  module.def("compare_made_stack", &compared_with, nb::arg("log"), nb::arg("text_for"),
+             nb::arg("name"), nb::arg("tasks"), nb::arg("own_tasks"),
+             nb::sig("def compare_made_stack(log: str, text_for: typing.Callable[[Robot], str], "
+                     "name: str, tasks: list[typing.Any], own_tasks: typing.Sequence[typing.Any]) "
+                     "-> str"));
 }
 
 }  // namespace surefoot::python

@@ -7,6 +7,7 @@
 #include "surefoot/config/data_file.hpp"
 #include "surefoot/config/stack_file.hpp"
 #include "surefoot/config/stack_text.hpp"
+#include "surefoot/control/stack_reach.hpp"
 #include "surefoot/tasks/catalog.hpp"
 #include "surefoot/tasks/check_task.hpp"
 
@@ -71,6 +72,15 @@ Scale scale_of(const Robot* robot) {
 }
 
 }  // namespace
+
+control::StackOptions stack_for(const model::RobotDescription& robot, const std::string& text,
+                                const std::string& name, const tasks::OwnTasks& own) {
+  control::StackOptions stack =
+      config::with_scaled_arms(config::parse_stack(text, name, robot.scale, own), robot);
+  control::check_physics(stack);
+  control::check_reach(stack, control::reach_of(model::RobotModel(robot)));
+  return stack;
+}
 
 void bind_stack(nb::module_& module) {
   const char* levels =

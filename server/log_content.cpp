@@ -89,7 +89,7 @@ void LogContent::describe(const std::string& path, const logging::LogHeader& hea
   try {
     const replay::LogReplay replay(path);
     session_.rows = replay.controller().row_names();
-    session_.tasks = view_tasks(config::with_defaults(replay.stack()), header.level_names);
+    session_.tasks = view_tasks(config::with_defaults(replay.options().stack), header.level_names);
   } catch (const Error& error) {
     notes_.push_back("rows have no names in the page: " + std::string(error.what()));
   }

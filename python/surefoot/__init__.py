@@ -92,7 +92,7 @@ def __getattr__(name: str) -> type:
 
 
 # What the package's own Python calls of its compiled part is not for its users.
-_INTERNAL = ("ControllerBase", "compare_stack", "parse_stack", "read_scenario", "robot_of_log", "run_scenario", "stack_levels", "stack_name", "try_task", "verify_log")
+_INTERNAL = ("ControllerBase", "compare_made_stack", "compare_stack", "parse_stack", "read_scenario", "run_scenario", "stack_levels", "stack_name", "try_task", "verify_log")
 for _name in _INTERNAL:
     globals().pop(_name, None)
 __all__ = ["tasks", "Recorded"] + [name for name, thing in globals().items() if name[0] != "_" and not isinstance(thing, type(_os))]

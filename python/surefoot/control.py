@@ -6,6 +6,7 @@ import copyreg
 import json
 import os
 import pathlib
+import tempfile
 import weakref
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any
@@ -15,7 +16,7 @@ from surefoot._arguments import ArgumentError, checked, is_number, number
 from surefoot._core import Error, Estimator, Gait, Planner, Plant, Robot, Scenario
 from surefoot._fixed import refuse_to_set
 from surefoot._paths import absolute_path, is_path, with_absolute_paths
-from surefoot.stack import Stack, as_file
+from surefoot.stack import Stack
 from surefoot.task import OwnTask, own_tasks_told, registered_tasks
 
 _arguments_of: weakref.WeakKeyDictionary[Scenario, tuple[Any, ...]] = weakref.WeakKeyDictionary()
@@ -95,8 +96,13 @@ def _read_with_stack(
 ) -> Scenario:
     if stack is None:
         return read_scenario(name, seed, words, registered, gaits)
-    with as_file(stack, robot or robot_of(name, seed, words, gaits)) as file:
-        return read_scenario(name, seed, [*words, f"stack={file}"], stack.own_tasks, gaits, stack.name)
+    with tempfile.TemporaryDirectory(prefix="surefoot_") as folder:
+        file = pathlib.Path(folder) / "stack.yaml"
+        file.write_text(stack.text(robot or robot_of(name, seed, words, gaits)), encoding="utf-8")
+        try:
+            return read_scenario(name, seed, [*words, f"stack={file}"], stack.own_tasks, gaits, stack.name)
+        except Error as error:
+            raise type(error)(str(error).replace(str(file), f"stack {stack.name}")) from None
 
 
 def robot_of(name: str, seed: int, words: list[str], gaits: dict[str, Callable[[], Gait]]) -> Robot:
@@ -124,9 +130,11 @@ copyreg.pickle(Scenario, _reduce_scenario)
 
 
 def advice_of_scenario(scenario: Scenario, name: str) -> str:
-    argument = f"{name}=…" if name in ("seed", "robot", "stack", "gaits") else f"set={{{name!r}: …}}" if name in json.loads(scenario.options_json) else "set={…}"
+    key = {"stack_name": "stack", "robot_model": "robot"}.get(name, name)
+    argument = f"{key}=…" if key in ("seed", "robot", "stack", "gaits") else f"set={{{name!r}: …}}" if name in json.loads(scenario.options_json) else "set={…}"
+    read = _arguments_of.get(scenario, [scenario.name])[0]
     listed = "" if argument != "set={…}" else ", by the keys that `surefoot list options` has"
-    return f"{name} of a scenario can't be set; load_scenario({scenario.name!r}, {argument}) reads one with another{listed}"
+    return f"{name} of a scenario can't be set; load_scenario({read!r}, {argument}) reads one with another{listed}"
 
 
 refuse_to_set(Scenario, advice_of_scenario)

@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-import contextlib
 import operator
 import os
 import pathlib
 import re
-import tempfile
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
@@ -21,9 +19,11 @@ from surefoot._paths import absolute_path
 from surefoot.task import OwnTask, Task, check_name, entries_of, own_tasks_told, registered_task, registered_tasks
 
 
+STACK_NAME = re.compile(r"\w[^\n\"'{}\[\]:#,/\\\0]{0,199}")  # files are called so
+
+
 def check_stack_name(name: str) -> None:
-    """Files are called so."""
-    if not re.fullmatch(r"\w[^\n\"'{}\[\]:#,/\\\0]{0,199}", name):
+    if not STACK_NAME.fullmatch(name):
         raise Error(f"{name!r} is no name of a stack; one that begins with a letter, a digit or _, of at most 200, without slashes, quotes, brackets, "
                     "colons, commas and #, would be valid: Stack(…, name=…)")  # fmt: skip
 
@@ -100,7 +100,8 @@ class Stack:
         vars(self)["name"] = name or "own"
         self.levels()
         if name is None and self._base is not None:
-            vars(self)["name"] = _core.stack_name(self._base, registered_tasks())
+            found = _core.stack_name(self._base, registered_tasks())
+            vars(self)["name"] = found if STACK_NAME.fullmatch(found) else pathlib.Path(self._base).stem
         check_stack_name(self.name)
 
     def levels(self, robot: Robot | None = None, changed: Mapping[str, Mapping[str, float | str]] = {}) -> list[StackLevel]:
@@ -238,18 +239,6 @@ class Stack:
         return f", level {self.levels()[int(found[1])].name}: "
 
 
-@contextlib.contextmanager
-def as_file(stack: Stack, robot: Robot | None) -> Iterator[str]:
-    """The path of its file with the numbers for a robot, while it is needed. Errors that name the file name the stack."""
-    with tempfile.TemporaryDirectory(prefix="surefoot_") as folder:
-        file = pathlib.Path(folder) / "stack.yaml"
-        file.write_text(stack.text(robot), encoding="utf-8")
-        try:
-            yield str(file)
-        except Error as error:
-            raise type(error)(re.sub(rf"(stack )?{re.escape(str(file))}", f"stack {stack.name}", str(error))) from None
-
-
 def advice_of_stack(stack: Stack, name: str) -> str:
     if name == "name":
         return "name of a stack can't be set; Stack(…, name=…) makes one that is called so"
@@ -312,6 +301,7 @@ def weigh(name: str, weight: float, levels: list[StackLevel]) -> list[StackLevel
 
 
 def merge(name: str, levels: list[StackLevel]) -> list[StackLevel]:
+    """As `control::weighted_from` does."""
     place = place_of(levels, name)
     return [*levels[:place], StackLevel("weighted", tuple(task for level in levels[place:] for task in level.tasks))]
 

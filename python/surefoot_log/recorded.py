@@ -8,7 +8,7 @@ import os
 import pathlib
 import warnings
 from collections.abc import Iterator, Sequence
-from functools import cached_property
+from functools import cached_property, partial
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -19,7 +19,7 @@ from surefoot import _core
 from surefoot._core import Error, Planner
 from surefoot._errors import told_as_error
 from surefoot._named import named
-from surefoot.stack import Stack, as_file
+from surefoot.stack import Stack
 from surefoot.task import OwnTask, with_registered
 from surefoot_campaign.errors import InputError, valid_names
 from surefoot_log.figures import figure_of
@@ -67,7 +67,7 @@ class Recorded:
 
     @property
     def _has_plant(self) -> bool:
-        return "truth" in self.topics
+        return "model.xml" in self._log.attachments
 
     def __fspath__(self) -> str:
         """So that what takes a log's path takes this: `surefoot.explain(run, 3.0)`."""
@@ -277,18 +277,14 @@ class Recorded:
     def compare(self, stack: Stack | str | os.PathLike[str], *, own_tasks: Sequence[OwnTask] = ()) -> dict[str, Any]:
         """What another stack would have commanded at each tick, as `surefoot replay --stack`: its `torque_difference` and `levels` beside the run's.
 
-        stack: a Stack, whose numbers are made for the run's robot, or a name or file. own_tasks: as for verify(); those of a Stack are taken for the
-        run's, too."""
+        stack: a Stack, whose numbers are made for the run's robot, or a name or file. own_tasks: as for verify(); without them the run's are
+        those of the Stack."""
         if not isinstance(stack, Stack):
             return self._computed(_core.compare_stack(str(self.path), os.fspath(stack), own_tasks))
-        of_run = {task.task: task for task in with_registered(own_tasks)}
-        of_stack = {task.task: task for task in stack.own_tasks}
-        twice = [name for name, task in of_stack.items() if of_run.get(name, task) is not task]
-        if twice:
-            raise Error(f"the stack has another task {twice[0]!r} than the run; the same one in both, or two names, would be valid")
-        own = [*(of_run | of_stack).values()]
-        with as_file(stack, _core.robot_of_log(str(self.path), own)) as file:
-            return self._computed(_core.compare_stack(str(self.path), file, own)) | {"other": stack.name}
+        known = [task.task for task in with_registered(own_tasks)]
+        of_run = [*own_tasks, *(task for task in stack.own_tasks if task.task not in known)]
+        text_for = partial(stack.text, changed=self.header["options"].get("tasks") or {})
+        return self._computed(_core.compare_made_stack(str(self.path), text_for, stack.name, stack.own_tasks, of_run))
 
     @staticmethod
     def _computed(found: str) -> dict[str, Any]:

@@ -4,7 +4,6 @@
 #include "surefoot/base/formatted.hpp"
 #include "surefoot/config/stack_file.hpp"
 #include "surefoot/logging/message_decoder.hpp"
-#include "surefoot/logging/scratch_folder.hpp"
 #include "surefoot/replay/logged_scenario.hpp"
 #include "surefoot/replay/playback.hpp"
 
@@ -64,8 +63,7 @@ LogReplay::LogReplay(const std::string& path, const ReplayOptions& options)
       own_tasks_(options.own_tasks) {
   check_attachments(path, log_);
   check_tasks(path, log_.header(), own_tasks_);
-  const logging::ScratchFolder folder;
-  config::Scenario scenario = logged_scenario(log_.header(), folder, own_tasks_);
+  config::Scenario scenario = logged_scenario(log_.header(), folder_, own_tasks_);
   const std::vector<std::string>& own_parts = log_.header().own_parts;
   const bool had_own_estimator = std::ranges::count(own_parts, "estimator") > 0;
   estimates_ = options.state == ReplayedState::estimated &&
@@ -88,7 +86,7 @@ LogReplay::LogReplay(const std::string& path, const ReplayOptions& options)
   controller_ = std::make_unique<control::Controller>(scenario.robot, scenario.controller,
                                                       std::move(estimator), std::move(planner));
   explain_levels(true);
-  stack_ = std::move(scenario.controller.stack);
+  options_ = std::move(scenario.controller);
   robot_ = std::move(scenario.robot);
 }
 

@@ -3,6 +3,7 @@
 #include "surefoot/control/controller.hpp"
 #include "surefoot/logging/log_reader.hpp"
 #include "surefoot/logging/message_fields.hpp"
+#include "surefoot/logging/scratch_folder.hpp"
 
 #include <functional>
 #include <memory>
@@ -55,8 +56,8 @@ class LogReplay {
   [[nodiscard]] bool step();
 
   [[nodiscard]] const control::Controller& controller() const { return *controller_; }
-  /// The stack at the run's start.
-  [[nodiscard]] const control::StackOptions& stack() const { return stack_; }
+  /// Of the run, with the stack at its start.
+  [[nodiscard]] const control::ControllerOptions& options() const { return options_; }
   [[nodiscard]] const model::RobotDescription& robot() const { return robot_; }
   /// The last tick, as in the log.
   [[nodiscard]] const TickRecord& logged() const { return tick_; }
@@ -81,6 +82,7 @@ class LogReplay {
   [[nodiscard]] control::StackOptions changed_stack(const logged::Change& change) const;
   void count_rest();
 
+  logging::ScratchFolder folder_;  // of the robot's URDF
   std::string path_;
   std::vector<logged::Change> changes_;  // since the last tick
   logging::LogReader log_;
@@ -90,7 +92,7 @@ class LogReplay {
   bool estimates_ = false;
   std::vector<std::string> played_back_;
   std::unique_ptr<control::Controller> controller_;
-  control::StackOptions stack_;
+  control::ControllerOptions options_;
   model::RobotDescription robot_;
   tasks::OwnTasks own_tasks_;
 };

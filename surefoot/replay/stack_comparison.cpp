@@ -33,15 +33,6 @@ bool is_answered(const TickRecord& tick) {
   return tick.command.mode == CommandMode::optimal || tick.command.mode == CommandMode::degraded;
 }
 
-/// The other stack, made for the log's scenario.
-control::AskedStack asked_stack(const LogReplay& replay, const std::string& name,
-                                const tasks::OwnTasks& own) {
-  const logging::ScratchFolder folder;
-  const config::Scenario scenario = logged_scenario(replay.header(), folder, name, own);
-  const control::ControllerOptions& options = scenario.controller;
-  return {options.stack, options.solver, options.safety, scenario.robot};
-}
-
 /// Sums up differences tick by tick.
 class Comparison {
  public:
@@ -189,10 +180,22 @@ void check_has_ticks(const std::string& path, const StackComparison& result) {
 
 }  // namespace
 
+StackComparison compare_stack(const std::string& path, const std::string& stack,
+                              const StackObserver& observer, const tasks::OwnTasks& own,
+                              const std::function<bool()>& stops) {
+  const auto by_name = [&](const LogReplay& run) {
+    const logging::ScratchFolder folder;
+    return logged_scenario(run.header(), folder, stack, own).controller.stack;
+  };
+  StackComparison result = compare_stack(path, MakeStack(by_name), observer, own, stops);
+  result.other = stack;
+  return result;
+}
+
 // The log's own controller is computed again, because its model depends on all ticks before. Its
 // torques are those of the logged readings; a controller with the other stack would contradict
 // them.
-StackComparison compare_stack(const std::string& path, const std::string& stack,
+StackComparison compare_stack(const std::string& path, const MakeStack& make_stack,
                               const StackObserver& observer, const tasks::OwnTasks& own,
                               const std::function<bool()>& stops) {
   WalkEndWatch walk;
@@ -201,11 +204,13 @@ StackComparison compare_stack(const std::string& path, const std::string& stack,
                     .observer = [&walk](const logging::McapMessage& message) { walk.see(message); },
                     .own_tasks = own});
   replay.explain_levels(false);
-  control::AskedStack other = asked_stack(replay, stack, own);
+  const control::StackOptions stack = make_stack(replay);
+  control::AskedStack other(stack, replay.options().solver, replay.options().safety,
+                            replay.robot());
   StackComparison result;
   result.header = replay.header();
   result.header.attachments.clear();
-  result.other = stack;
+  result.other = stack.name;
   Comparison comparison(replay.header(), other, result);
   while (replay.step()) {
     if (stops()) throw Error("interrupted: nothing is said of the other stack");

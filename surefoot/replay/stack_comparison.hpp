@@ -94,4 +94,12 @@ using StackObserver =
     const std::string& path, const std::string& stack, const StackObserver& observer = {},
     const tasks::OwnTasks& own = {}, const std::function<bool()>& stops = runtime::interrupted);
 
+/// Makes a stack for a log's run, as for its robot.
+using MakeStack = std::function<control::StackOptions(const LogReplay& run)>;
+
+/// The same with a stack that has its own tasks; `own` are the run's.
+[[nodiscard]] StackComparison compare_stack(
+    const std::string& path, const MakeStack& make_stack, const StackObserver& observer = {},
+    const tasks::OwnTasks& own = {}, const std::function<bool()>& stops = runtime::interrupted);
+
 }  // namespace surefoot::replay

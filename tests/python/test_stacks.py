@@ -70,6 +70,8 @@ def test_a_stack_has_the_name_that_stands_in_its_file(stack, tmp_path):
     stack.write(tmp_path / "other.yaml")
     assert Stack(tmp_path / "other.yaml").name == stack.name
     assert Stack(tmp_path / "other.yaml", name="mine").name == "mine"
+    (tmp_path / "other.yaml").write_text('name: "a: b"\nbase: walk\n')
+    assert Stack(tmp_path / "other.yaml").name == "other", "no file can be called a: b"
 
 
 def test_a_file_has_the_numbers_of_the_robot_that_it_is_written_for_and_says_which(stack, tmp_path):
