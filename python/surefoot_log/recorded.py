@@ -267,8 +267,8 @@ class Recorded:
     def verify(self, *, own_tasks: Sequence[OwnTask] = (), planner: Planner | None = None) -> dict[str, Any]:
         """Computes every torque again, as `surefoot replay --verify`: whether they are the `same`, to the bit, in how many `ticks`, and what differs.
 
-        own_tasks, planner: your own of the run, as they were at its start, each task with a name of its own. Tasks that are registered are known; without a planner its plans are the
-        log's, as the states of an estimator of your own always are."""
+        own_tasks, planner: your own of the run, as they were at its start, each task with a name of its own. Tasks that are registered are known.
+        Without a planner its plans are the log's, as the states of an estimator of your own always are."""
         found = self._computed(_core.verify_log(str(self.path), own_tasks, planner))
         if not found["same"] and "fault" in found:
             warnings.warn(f"as the run is computed again, {found['fault']}", RuntimeWarning, stacklevel=3)

@@ -8,6 +8,12 @@ import pytest
 import surefoot
 
 
+@pytest.fixture(autouse=True)
+def nothing_is_registered(monkeypatch):
+    """Whatever tests before registered."""
+    monkeypatch.setattr("surefoot.task._registered", {})
+
+
 def walk(recorder_of, ticks=100):
     """A controller on readings from anywhere, here from a plant that it doesn't know. `recorder_of(controller)`: made before its first tick."""
     scenario = surefoot.load_scenario("walk_flat", set=["duration=1"])
