@@ -1,5 +1,6 @@
 #include "cli/replay_text.hpp"
 
+#include "tests/replay/compared.hpp"
 #include "tests/support/messages.hpp"
 
 #include <gtest/gtest.h>
@@ -9,27 +10,8 @@
 namespace surefoot::cli {
 namespace {
 
+using test::compared;
 using test::holds;
-
-/// Its largest residual is at 0.5 s, that of its torques at 0.25 s.
-replay::StackComparison compared() {
-  replay::StackComparison result;
-  result.ticks = 400;
-  result.last_time = 0.9975;
-  result.joints.resize(kNumLegJoints);
-  for (std::size_t i = 0; i < result.joints.size(); ++i) {
-    result.header.robot.joint_names[i] = "joint" + std::to_string(i);
-    result.joints[i] = {.rms = 1.0, .largest = -2.0, .time = 0.25};
-  }
-  result.levels = {{.name = "com_xy",
-                    .unit = "m/s²",
-                    .in_log = true,
-                    .in_other = true,
-                    .logged_rms = 0.1,
-                    .logged_max = 0.3,
-                    .logged_time = 0.5}};
-  return result;
-}
 
 TEST(ComparisonText, AMarkIsExplainedWhereThereIsOne) {
   replay::StackComparison result = compared();

@@ -1,5 +1,6 @@
 #include "surefoot/replay/replay_json.hpp"
 
+#include "tests/replay/compared.hpp"
 #include "tests/support/messages.hpp"
 
 #include <gtest/gtest.h>
@@ -10,28 +11,11 @@
 namespace surefoot::replay {
 namespace {
 
+using test::compared;
 using test::holds;
 
 nlohmann::json parsed(const StackComparison& result) {
   return nlohmann::json::parse(json_of("run.mcap", result));
-}
-
-/// Its largest residual is at 0.5 s, that of its torques at 0.25 s.
-StackComparison compared() {
-  StackComparison result;
-  result.ticks = 400;
-  result.joints.resize(kNumLegJoints);
-  for (std::size_t i = 0; i < result.joints.size(); ++i) {
-    result.header.robot.joint_names[i] = "joint" + std::to_string(i);
-    result.joints[i] = {.rms = 1.0, .largest = -2.0, .time = 0.25};
-  }
-  result.levels = {{.name = "com_xy",
-                    .unit = "m/s²",
-                    .in_log = true,
-                    .in_other = true,
-                    .logged_max = 0.3,
-                    .logged_time = 0.5}};
-  return result;
 }
 
 TEST(ComparisonJson, SaysOfWhichTicksItIsAndWhyTheOthersHaveNoAnswer) {
